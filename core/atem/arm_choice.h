@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "core/infer/estimate.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// Section 4.4: the bin with the largest sd among those the arm reaches and that were sampled, if that
+/// sd exceeds settings.probeAbove; else empty.  The paper asks for a probe when any sd is too large; a
+/// large sd out of the arm's reach cannot be helped by it and asks for nothing here.
+std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot);
+
+}  // namespace terratact

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/eval/evaluation.h"
+
+namespace terratact {
+
+/// One statement of the paper's section 5.2: in bins first … last `better` errs less than `base`.
+struct Claim {
+    std::string_view text;
+    Method base = Method::Pa;
+    Method better = Method::Pac;
+    int firstBin = 0;
+    int lastBin = 0;
+};
+
+/// 1. ceilings improve bins −0.3 … 0.2;  2. forces improve bins 0.3 … 0.5;  3. the arm improves 0.6 and 0.7.
+inline constexpr std::array kClaims{
+    Claim{"the body's ceilings improve bins -0.3 to 0.2", Method::Pa, Method::Pac, 0, 5},
+    Claim{"the flipper forces improve bins 0.3 to 0.5", Method::Pac, Method::Pafc, 6, 8},
+    Claim{"the arm improves bins 0.6 and 0.7", Method::Pafc, Method::Pafac, 9, 10},
+};
+
+enum class Verdict : std::uint8_t { Holds, DoesNotHold, NotDecided };
+
+/// "holds", "does not hold", "not decided".
+std::string_view name(Verdict verdict);
+
+struct ClaimResult {
+    Claim claim;
+    Verdict verdict = Verdict::NotDecided;
+    std::size_t n = 0;     ///< errors compared: bins that both methods estimated
+    std::size_t runs = 0;  ///< drives they come from
+    double baseMedian = 0.0, betterMedian = 0.0;  ///< [m] median |error|
+    double low = 0.0, high = 0.0;  ///< [m] 95 % interval of betterMedian − baseMedian; 0 without a bootstrap
+};
+
+/// Below so many drives nothing is decided: scenes of one drive overlap and count nearly as one.
+inline constexpr std::size_t kLeastRuns = 5;
+
+/// Judges a claim by the difference of the two medians of |error|.  Its 95 % interval is the percentile
+/// bootstrap over whole drives (Scene::run), the same drives for both methods.  Interval below 0: holds;
+/// above 0: does not hold; else, or with fewer than kLeastRuns drives: not decided.
+/// Same errors, scenes and seed: the same result.  Throws std::invalid_argument where an error's scene is
+/// not among the scenes or resamples < 1.
+/// Source: Efron & Tibshirani (1993), ch. 8 and 13; Field & Welsh, J. R. Stat. Soc. B 69 (2007) for clusters.
+ClaimResult judge(const Claim& claim, std::span<const BinError> errors, std::span<const Scene> scenes,
+                  std::uint64_t seed, int resamples = 2000);
+
+}  // namespace terratact

@@ -1,0 +1,60 @@
+#include "core/file_read.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+namespace terratact {
+namespace {
+
+/// Closes on the way out.
+class OpenFile {
+public:
+    explicit OpenFile(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    ~OpenFile()
+    {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    int fd() const { return fd_; }
+
+private:
+    int fd_;
+};
+
+Error systemError(const std::string& path, std::string_view what, int code)
+{
+    return fileError(path, std::string(what) + ": " + std::generic_category().message(code), code);
+}
+
+}  // namespace
+
+Error fileError(const std::string& path, std::string_view cause, int code)
+{
+    return Error{path + ": " + std::string(cause), code};
+}
+
+Result<std::string> readFile(const std::string& path, std::size_t most)
+{
+    const OpenFile file(path);
+    if (file.fd() < 0) return systemError(path, "cannot be opened", errno);
+    std::string content;
+    std::array<char, 65536> block{};
+    for (;;) {
+        const ssize_t got = ::read(file.fd(), block.data(), block.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return systemError(path, "cannot be read", errno);
+        if (got == 0) return content;
+        if (content.size() + static_cast<std::size_t>(got) > most)
+            return fileError(path,
+                             "is larger than the " + std::to_string(most) + " bytes allowed here");
+        content.append(block.data(), static_cast<std::size_t>(got));
+    }
+}
+
+}  // namespace terratact

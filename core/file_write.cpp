@@ -1,0 +1,158 @@
+#include "core/file_write.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace terratact {
+namespace {
+
+Error cannotWrite(const std::string& path, const std::string& cause, int code)
+{
+    return Error{path + ": cannot be written: " + cause, code};
+}
+
+Error cannotWrite(const std::string& path, int code)
+{
+    return cannotWrite(path, std::generic_category().message(code), code);
+}
+
+/// A descriptor that closes itself; close() tells whether the system kept what was written.
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor()
+    {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int fd() const { return fd_; }
+    bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+private:
+    int fd_;
+};
+
+/// Opens for writing a file that did not exist: "<target>.tmp0", or the next number that is free.
+int createBeside(const std::string& target, mode_t mode, std::string& name)
+{
+    constexpr int kTries = 1000;
+    for (int i = 0; i < kTries; ++i) {
+        name = target + ".tmp" + std::to_string(i);
+        const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (fd >= 0 || errno != EEXIST) return fd;
+    }
+    return -1;
+}
+
+/// 0, or errno.
+int writeAll(int fd, std::string_view content)
+{
+    while (!content.empty()) {
+        const ssize_t put = ::write(fd, content.data(), content.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return errno;
+        content.remove_prefix(static_cast<std::size_t>(put));
+    }
+    return 0;
+}
+
+/// 0, or errno.
+int flushToDisk(const std::string& path, int flags)
+{
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags));
+    if (file.fd() < 0 || ::fsync(file.fd()) != 0) return errno;
+    return 0;
+}
+
+std::string directoryOf(const std::string& path)
+{
+    const std::string parent = std::filesystem::path(path).parent_path().string();
+    return parent.empty() ? "." : parent;
+}
+
+}  // namespace
+
+NewFile::NewFile(std::string path, std::string target, std::string temporary)
+    : path_(std::move(path)), target_(std::move(target)), temporary_(std::move(temporary))
+{
+}
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : path_(std::move(other.path_)), target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {}))
+{
+}
+
+NewFile& NewFile::operator=(NewFile&& other) noexcept
+{
+    if (this == &other) return *this;
+    discard();
+    path_ = std::move(other.path_);
+    target_ = std::move(other.target_);
+    temporary_ = std::exchange(other.temporary_, {});
+    return *this;
+}
+
+NewFile::~NewFile()
+{
+    discard();
+}
+
+Result<NewFile> NewFile::begin(const std::string& path)
+{
+    struct stat old {};
+    const bool exists = ::stat(path.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);
+    if (exists && !S_ISREG(old.st_mode)) return cannotWrite(path, "it is not a regular file", 0);
+    if (exists && ::access(path.c_str(), W_OK) != 0) return cannotWrite(path, errno);
+    std::error_code none;
+    const std::string target = exists ? std::filesystem::canonical(path, none).string() : path;
+    if (none) return cannotWrite(path, none.value());
+
+    std::string temporary;
+    const Descriptor file(createBeside(target, 0666, temporary));
+    if (file.fd() < 0) return cannotWrite(path, errno);
+    NewFile created(path, target, temporary);
+    if (exists && ::fchmod(file.fd(), old.st_mode & 07777) != 0) return cannotWrite(path, errno);
+    return created;
+}
+
+Status NewFile::commit()
+{
+    if (const int code = flushToDisk(temporary_, 0)) return failed(code);
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed(errno);
+    temporary_.clear();
+    if (const int code = flushToDisk(directoryOf(target_), O_DIRECTORY)) return failed(code);
+    return Done{};
+}
+
+Error NewFile::failed(int code) const
+{
+    return cannotWrite(path_, code);
+}
+
+void NewFile::discard() noexcept
+{
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    temporary_.clear();
+}
+
+Status writeFileAtomically(const std::string& path, std::string_view content)
+{
+    Result<NewFile> file = NewFile::begin(path);
+    if (!file) return file.error();
+    Descriptor out(::open(file->temporaryPath().c_str(), O_WRONLY | O_CLOEXEC));
+    if (out.fd() < 0) return cannotWrite(path, errno);
+    if (const int code = writeAll(out.fd(), content)) return cannotWrite(path, code);
+    if (!out.close()) return cannotWrite(path, errno);
+    return file->commit();
+}
+
+}  // namespace terratact

@@ -1,0 +1,174 @@
+#include "core/infer/convergence.h"
+
+#include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace terratact {
+namespace {
+
+using Draws = Eigen::Ref<const Eigen::MatrixXd>;
+using Eigen::Index;
+
+void require(const Draws& draws)
+{
+    if (draws.size() == 0) throw std::invalid_argument("convergence: no draws");
+    if (!draws.allFinite()) throw std::invalid_argument("convergence: a draw is not finite");
+}
+
+bool allEqual(const Draws& x)
+{
+    return x.maxCoeff() == x.minCoeff();
+}
+
+/// Every column has one value only.
+bool columnsConstant(const Draws& x)
+{
+    return ((x.colwise().maxCoeff() - x.colwise().minCoeff()).array() == 0.0).all();
+}
+
+/// n × chains → ⌊n/2⌋ × 2 chains.
+Eigen::MatrixXd halves(const Draws& x)
+{
+    const Index half = x.rows() / 2;
+    Eigen::MatrixXd split(half, 2 * x.cols());
+    split << x.topRows(half), x.bottomRows(half);
+    return split;
+}
+
+/// Ranks 1 … S over the whole matrix; equal values share their average rank.
+Eigen::MatrixXd ranks(const Eigen::MatrixXd& x)
+{
+    std::vector<Index> order(static_cast<std::size_t>(x.size()));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return x(a) < x(b); });
+
+    Eigen::MatrixXd rank(x.rows(), x.cols());
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        while (end < order.size() && x(order[end]) == x(order[begin])) ++end;
+        const double shared = 0.5 * static_cast<double>(begin + 1 + end);
+        for (std::size_t i = begin; i < end; ++i) rank(order[i]) = shared;
+    }
+    return rank;
+}
+
+/// Vehtari et al. (2021), eq. 14: z = Φ⁻¹((r − 3/8) / (S + 1/4)).
+Eigen::MatrixXd normalScores(const Eigen::MatrixXd& x)
+{
+    const double size = static_cast<double>(x.size());
+    return ranks(x).unaryExpr([size](double r) {
+        const double p = (r - 0.375) / (size + 0.25);
+        return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p);
+    });
+}
+
+double median(Eigen::MatrixXd draws)
+{
+    double* const begin = draws.data();
+    double* const middle = begin + draws.size() / 2;
+    std::nth_element(begin, middle, begin + draws.size());
+    if (draws.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(begin, middle));
+}
+
+double sampleVariance(const Eigen::VectorXd& x)
+{
+    return (x.array() - x.mean()).square().sum() / static_cast<double>(x.size() - 1);
+}
+
+/// Eq. 1 to 4 for half chains that are already normal scores; z: n × m.
+double splitRhat(const Eigen::MatrixXd& z)
+{
+    if (allEqual(z)) return 1.0;
+    const double n = static_cast<double>(z.rows());
+    const Eigen::VectorXd means = z.colwise().mean();
+    const double between = n * sampleVariance(means);
+    double within = 0.0;
+    for (const auto& chain : z.colwise()) within += sampleVariance(chain);
+    within /= static_cast<double>(z.cols());
+    return std::min(std::sqrt((between / within + n - 1.0) / n), kRhatNever);
+}
+
+/// Mean autocovariance of the chains at one lag (divisor n, every chain about its own mean).
+/// centred: n × m.
+double autocovariance(const Eigen::MatrixXd& centred, Index lag)
+{
+    const Index rest = centred.rows() - lag;
+    const double sum = centred.topRows(rest).cwiseProduct(centred.bottomRows(rest)).sum();
+    return sum / static_cast<double>(centred.size());
+}
+
+/// Estimated autocorrelations up to where the sums of neighbouring pairs turn negative, then a last
+/// even one (Geyer's initial positive sequence).
+std::vector<double> positiveSequence(const Eigen::MatrixXd& z)
+{
+    const Index n = z.rows();
+    const Eigen::MatrixXd centred = z.rowwise() - z.colwise().mean();
+    const Eigen::VectorXd means = z.colwise().mean();
+    const double atZero = autocovariance(centred, 0);
+    const double meanVariance = atZero * static_cast<double>(n) / static_cast<double>(n - 1);
+    const double total = atZero + sampleVariance(means);  // var⁺, eq. 3
+    const auto rho = [&](Index lag) {                     // eq. 10
+        return 1.0 - (meanVariance - autocovariance(centred, lag)) / total;
+    };
+
+    std::vector<double> kept;
+    double even = 1.0;
+    double odd = rho(1);
+    Index lag = 0;
+    while (lag < n - 5 && even + odd > 0.0) {
+        kept.push_back(even);
+        kept.push_back(odd);
+        lag += 2;
+        even = rho(lag);
+        odd = rho(lag + 1);
+    }
+    // Halves of fewer than six draws: as posterior, the lag 0 alone, counted twice (τ = 2).
+    if (kept.empty()) return {even, even};
+    kept.push_back(even > 0.0 || even + odd >= 0.0 ? even : 0.0);
+    return kept;
+}
+
+/// Pairs after the first may not grow (Geyer's initial monotone sequence).
+void makeMonotone(std::vector<double>& rho)
+{
+    for (std::size_t t = 2; t + 2 < rho.size(); t += 2) {
+        const double before = rho[t - 2] + rho[t - 1];
+        if (rho[t] + rho[t + 1] > before) rho[t] = rho[t + 1] = 0.5 * before;
+    }
+}
+
+}  // namespace
+
+double rankNormalisedRhat(const Eigen::Ref<const Eigen::MatrixXd>& draws)
+{
+    require(draws);
+    if (allEqual(draws)) return 1.0;
+    if (draws.rows() < 4) return kRhatNever;
+    const Eigen::MatrixXd folded = (draws.array() - median(draws)).abs();
+    return std::max(splitRhat(normalScores(halves(draws))), splitRhat(normalScores(halves(folded))));
+}
+
+double bulkEss(const Eigen::Ref<const Eigen::MatrixXd>& draws)
+{
+    require(draws);
+    if (allEqual(draws)) return static_cast<double>(draws.size());
+    if (draws.rows() < 6) return static_cast<double>(draws.cols());
+    const Eigen::MatrixXd z = normalScores(halves(draws));
+    if (allEqual(z)) return static_cast<double>(draws.size());
+    if (columnsConstant(z)) return static_cast<double>(draws.cols());
+
+    std::vector<double> rho = positiveSequence(z);
+    makeMonotone(rho);
+    // τ = −1 + 2 Σ ρ_t + ρ_last, eq. 12 and 13
+    const double sum = std::accumulate(rho.begin(), rho.end() - 1, 0.0);
+    const double size = static_cast<double>(z.size());
+    const double tau = std::max(-1.0 + 2.0 * sum + rho.back(), 1.0 / std::log10(size));
+    return size / tau;
+}
+
+}  // namespace terratact

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/infer/settings.h"
+#include "core/terrain/bins.h"
+
+namespace terratact {
+
+/// How a bin got its height.
+enum class Origin : std::uint8_t { Sampled, Contact, Arm };
+
+/// "sampled", "contact", "arm".
+std::string_view name(Origin origin);
+
+/// What the operator sees of one exploration: 11 bins, rear to front.  Heights [m], DEM frame.
+/// Plain values: copy it across threads.  Every number is finite but ceiling, which is +infinity where
+/// nothing of the robot is above part of the bin.
+struct TerrainEstimate {
+    Heights mean{}, sd{}, q10{}, q90{};
+    Heights ceiling{};
+    std::array<Origin, kBins> origin{};
+    Heights rhat{};  ///< rank-normalised split R-hat; 1 for a bin that was not sampled
+    Heights ess{};   ///< bulk effective sample size; the number of draws for a bin that was not sampled
+    bool converged = true;              ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
+    std::vector<std::string> warnings;  ///< what makes the result doubtful, in words
+    Settings settings;
+    bool operator==(const TerrainEstimate&) const = default;
+
+    /// Sampled, and no part of the robot is above it: nothing but the training set speaks for this bin.
+    bool priorOnly(int bin) const
+    {
+        const auto i = static_cast<std::size_t>(bin);
+        return origin[i] == Origin::Sampled && std::isinf(ceiling[i]);
+    }
+};
+
+/// The limits of "converged" (Vehtari et al. 2021).
+inline constexpr double kRhatLimit = 1.01;
+inline constexpr double kEssLimit = 400.0;
+
+}  // namespace terratact

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "core/infer/estimate.h"
+#include "core/infer/watch.h"
+#include "core/learn/bin_models.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// The probabilistic reconstruction of one scene (sections 4.2 and 4.3): contacts and arm readings are
+/// fixed, the other bins sampled.  models: of the feature set that settings.method uses.
+/// Same scene, models and settings: the same result, bit for bit on one machine.
+/// Throws std::invalid_argument for settings out of range, a model of the other feature set or an s that
+/// lacks a feature; Cancelled.
+TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const BinModels& models,
+                            const Settings& settings, const Watch& watch = {});
+
+/// Adds what breaks the 2-D assumption (roll, left/right difference) to a result's warnings.
+void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& measurement);
+
+}  // namespace terratact

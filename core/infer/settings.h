@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/infer/variant.h"
+
+namespace terratact {
+
+/// Everything besides scene, robot and model that decides an estimate.
+struct Settings {
+    Method method = Method::Pafc;
+    CeilingRule ceiling = CeilingRule::Truncate;  ///< for the constrained methods
+    ContactRule contacts = ContactRule::Isolated;
+    double forceThreshold = 2.0;  ///< [N] an element above it touches the ground (paper: 2 units)
+    double contactSd = 0.02;      ///< [m] sd of a contact height
+    int draws = 1000;             ///< K: kept sweeps, all chains together
+    int chains = 16;              ///< independent chains, run side by side
+    int burnIn = 50;              ///< sweeps thrown away at the start of every chain
+    std::uint64_t seed = 1;
+    double armSd = 0.03;           ///< [m] sd of an arm reading (paper)
+    double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)
+    double rollLimit = 0.10;       ///< [rad] beyond it the 2-D assumption is doubtful
+    double asymmetryLimit = 0.10;  ///< [rad] left/right flipper difference, likewise
+    bool operator==(const Settings&) const = default;
+};
+
+}  // namespace terratact

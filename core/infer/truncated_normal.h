@@ -1,0 +1,23 @@
+#pragma once
+
+#include <random>
+
+namespace terratact {
+
+/// Draws one bin height from N(mean, sigma²) cut off above `ceiling`:
+///   p(h) ∝ exp(-(h - mean)² / 2σ²) for h ≤ ceiling, and 0 above it.
+///
+/// mean, ceiling, result: bin height [m] in the DEM frame, z up.  sigma: [m].
+/// ceiling may be +infinity (no body above the bin: a plain normal draw).  The result is finite and never
+/// above the ceiling, however many deviations the ceiling lies from the mean.
+///
+/// Same generator state, same draw with every standard library: uniforms are the upper 53 bits of one
+/// number of the generator, Gaussians Marsaglia's polar method (the second of a pair is thrown away, so
+/// nothing is kept between calls), exponentials −log u.
+///
+/// Throws std::invalid_argument unless sigma > 0, mean and sigma are finite, ceiling > −infinity.
+/// Source: Robert, "Simulation of truncated normal variables", Stat. Comput. 5 (1995); the ceiling is the
+/// kinematic constraint of Šalanský et al. §4.3.
+double drawBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng);
+
+}  // namespace terratact

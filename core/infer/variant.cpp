@@ -1,0 +1,64 @@
+#include "core/infer/variant.h"
+
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+/// The value of that name among `all`.
+template <class T, std::size_t n>
+std::optional<T> named(std::string_view text, const std::array<T, n>& all)
+{
+    for (const T value : all)
+        if (name(value) == text) return value;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name(Method method)
+{
+    switch (method) {
+    case Method::Pa: return "pa";
+    case Method::Pac: return "pac";
+    case Method::Pafc: return "pafc";
+    case Method::Pafac: return "pafac";
+    }
+    throw std::invalid_argument("name: no such Method");
+}
+
+std::string_view name(CeilingRule rule)
+{
+    switch (rule) {
+    case CeilingRule::Truncate: return "truncate";
+    case CeilingRule::Clamp: return "clamp";
+    case CeilingRule::None: return "none";
+    }
+    throw std::invalid_argument("name: no such CeilingRule");
+}
+
+std::string_view name(ContactRule rule)
+{
+    switch (rule) {
+    case ContactRule::Isolated: return "isolated";
+    case ContactRule::Any: return "any";
+    }
+    throw std::invalid_argument("name: no such ContactRule");
+}
+
+std::optional<Method> methodFromName(std::string_view text)
+{
+    return named(text, kMethods);
+}
+
+std::optional<CeilingRule> ceilingRuleFromName(std::string_view text)
+{
+    return named(text, std::array{CeilingRule::Truncate, CeilingRule::Clamp, CeilingRule::None});
+}
+
+std::optional<ContactRule> contactRuleFromName(std::string_view text)
+{
+    return named(text, std::array{ContactRule::Isolated, ContactRule::Any});
+}
+
+}  // namespace terratact

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace terratact {
+
+/// The paper's four methods (domain: section 5 of the paper).
+///   Pa    pitch + flipper angles
+///   Pac   the same, samples constrained by the robot's body
+///   Pafc  + flipper forces (and currents), contact bins fixed, constrained
+///   Pafac Pafc + the arm measures the most uncertain bin
+enum class Method : std::uint8_t { Pa, Pac, Pafc, Pafac };
+
+inline constexpr std::array kMethods{Method::Pa, Method::Pac, Method::Pafc, Method::Pafac};
+
+/// How a sample above the body's ceiling is treated.
+///   Truncate  drawn from the Gaussian cut off above the ceiling (section 4.3)
+///   Clamp     drawn freely, then set to the ceiling (section 5): a point mass on the ceiling
+///   None      drawn freely
+enum class CeilingRule : std::uint8_t { Truncate, Clamp, None };
+
+/// Which force elements fix a bin.
+///   Isolated  exactly one element, or one group of neighbours, above the threshold (section 4.2)
+///   Any       every element above the threshold (section 5)
+enum class ContactRule : std::uint8_t { Isolated, Any };
+
+constexpr bool usesForces(Method m) { return m == Method::Pafc || m == Method::Pafac; }
+constexpr bool usesCeiling(Method m) { return m != Method::Pa; }
+constexpr bool usesArm(Method m) { return m == Method::Pafac; }
+
+/// The names used on the command line and in files: "pa", "truncate", "isolated", …
+std::string_view name(Method method);
+std::string_view name(CeilingRule rule);
+std::string_view name(ContactRule rule);
+std::optional<Method> methodFromName(std::string_view text);
+std::optional<CeilingRule> ceilingRuleFromName(std::string_view text);
+std::optional<ContactRule> contactRuleFromName(std::string_view text);
+
+}  // namespace terratact

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+
+#include "core/learn/gaussian_process.h"
+#include "core/learn/model.h"
+
+namespace terratact {
+
+/// Training inputs as U × (11 + f): heights, then the features of the set, as in the file.
+Eigen::MatrixXd rawInputs(const ModelData& model, FeatureSet set);
+
+/// (raw − mean) / sd, column by column.
+Eigen::MatrixXd standardised(const Eigen::MatrixXd& raw, const Eigen::VectorXd& mean, const Eigen::VectorXd& sd);
+
+/// The input of bin i's model: all columns but the i-th.
+Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin);
+
+/// The eleven conditionals p(hᵢ | h_{J∖i}, s) of one feature set, ready to predict.  A bin's model is
+/// factorised when it is first asked for.  Safe to share between threads.
+class BinModels {
+public:
+    /// heights: U × 11, features: U × 11 as in ModelData.
+    BinModels(const ModelData& model, FeatureSet set);
+
+    FeatureSet set() const { return data_.set; }
+    int inputSize() const;  ///< 10 + number of features
+    const BinModelData& data() const { return data_; }
+
+    /// The Gaussian process of a bin; factorises it at the first call.
+    const GaussianProcess& bin(int i) const;
+
+    /// Standardised input of bin i: the ten other heights, then s (see BinModelData).
+    Eigen::VectorXd input(int i, const Heights& h, const Eigen::VectorXd& s) const;
+
+    double heightMean(int i) const { return data_.mean[i]; }
+    double heightSd(int i) const { return data_.sd[i]; }
+
+private:
+    struct Lazy {
+        std::once_flag once;
+        std::unique_ptr<GaussianProcess> gp;
+    };
+    BinModelData data_;
+    Eigen::MatrixXd standardised_;  ///< U × (11 + f)
+    Eigen::MatrixXd heights_;       ///< U × 11 [m]
+    mutable std::array<Lazy, kBins> lazy_;
+};
+
+}  // namespace terratact

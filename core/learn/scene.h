@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/robot/measurement.h"
+#include "core/terrain/bins.h"
+
+namespace terratact {
+
+/// One terrain profile measurement: what the robot felt and, where known, the terrain.
+struct Scene {
+    std::string run;    ///< drive it belongs to
+    double time = 0.0;  ///< [s] since the drive's start
+    Proprioception s;
+    OptionalHeights truth{};
+    bool operator==(const Scene&) const = default;
+};
+
+}  // namespace terratact

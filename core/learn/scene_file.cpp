@@ -1,0 +1,206 @@
+#include "core/learn/scene_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "core/file_write.h"
+#include "core/learn/columns.h"
+#include "core/learn/csv.h"
+#include "core/text.h"
+
+namespace terratact {
+namespace {
+
+// What a column of the file is: one of these, or the n-th feature or height counted from there.
+constexpr int kUnknown = -1;
+constexpr int kRun = 0;
+constexpr int kTime = 1;
+constexpr int kFirstFeature = 2;
+constexpr int kFirstHeight = kFirstFeature + static_cast<int>(kFeatures);
+constexpr int kSlots = kFirstHeight + kBins;
+constexpr int kNeverEmpty = kFirstFeature + 3;  ///< run, time, pitch and flipper angles
+
+std::size_t index(int slot, int first)
+{
+    return static_cast<std::size_t>(slot - first);
+}
+
+std::string_view slotName(int slot)
+{
+    if (slot == kRun) return "run";
+    if (slot == kTime) return "t_s";
+    if (slot < kFirstHeight) return featureColumns()[index(slot, kFirstFeature)].name;
+    return heightColumns()[index(slot, kFirstHeight)].name;
+}
+
+int slotNamed(std::string_view name)
+{
+    for (int slot = 0; slot < kSlots; ++slot)
+        if (slotName(slot) == name) return slot;
+    return kUnknown;
+}
+
+/// A column that means a height but is not spelt like one: it must not get lost as "unknown".
+bool looksLikeHeight(std::string_view name)
+{
+    constexpr std::string_view kNumberBegins = "+-0123456789";
+    return name.size() > 2 && name.starts_with("h_")
+        && kNumberBegins.find(name[2]) != std::string_view::npos;
+}
+
+bool isRunName(std::string_view text)
+{
+    return !text.empty() && std::none_of(text.begin(), text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < ' ' || c == '\x7f' || c == ',' || c == '"';
+    });
+}
+
+/// Why a value is refused in a column; empty where it is fine.  An infinity is beyond every range.
+std::string refusal(int slot, double value)
+{
+    if (slot == kTime) return std::isfinite(value) ? "" : "t_s is not finite";
+    const Column& column = slot < kFirstHeight ? featureColumns()[index(slot, kFirstFeature)]
+                                               : heightColumns()[index(slot, kFirstHeight)];
+    return column.holds(value) ? "" : column.refusal(value);
+}
+
+/// What every column of the file is.
+struct Layout {
+    std::vector<int> slots;
+    std::vector<std::string> notices;
+};
+
+Result<Layout> layoutOf(const CsvReader& csv, const std::string& path)
+{
+    Layout layout;
+    std::string unknown;
+    for (const std::string_view name : csv.fields()) {
+        const int slot = slotNamed(name);
+        if (slot == kUnknown && looksLikeHeight(name))
+            return csv.error(shown(name)
+                             + " is not a height column, expected h_-0.3_m … h_+0.0_m … h_+0.7_m");
+        if (slot != kUnknown && std::count(layout.slots.begin(), layout.slots.end(), slot) > 0)
+            return csv.error("the column " + std::string(name) + " appears twice");
+        layout.slots.push_back(slot);
+        if (slot != kUnknown) continue;
+        layout.notices.push_back(path + ": the column " + shown(name)
+                                 + " is not known and was left out");
+        unknown += (unknown.empty() ? "; not known: " : ", ") + shown(name);
+    }
+    for (int slot = 0; slot < kFirstHeight; ++slot)
+        if (std::count(layout.slots.begin(), layout.slots.end(), slot) == 0)
+            return csv.error("the column " + std::string(slotName(slot)) + " is missing" + unknown);
+    return layout;
+}
+
+/// A scene while its fields come in.
+struct Draft {
+    std::string run;
+    double time = 0.0;
+    FeatureValues features{};
+    OptionalHeights truth{};
+
+    void set(int slot, double value)
+    {
+        if (slot == kTime)
+            time = value;
+        else if (slot < kFirstHeight)
+            features[index(slot, kFirstFeature)] = value;
+        else
+            truth[index(slot, kFirstHeight)] = value;
+    }
+};
+
+Status readField(const CsvReader& csv, std::size_t field, int slot, Draft& draft)
+{
+    const std::string_view text = csv.fields()[field];
+    if (slot == kUnknown || (text.empty() && slot >= kNeverEmpty)) return Done{};
+    if (text.empty()) return csv.error(std::string(slotName(slot)) + " is empty");
+    if (slot == kRun) {
+        if (!isRunName(text)) return csv.error("run is not a name: " + shown(text));
+        draft.run = text;
+        return Done{};
+    }
+    const Result<double> value = csv.number(field, slotName(slot));
+    if (!value) return value.error();
+    if (const std::string cause = refusal(slot, *value); !cause.empty()) return csv.error(cause);
+    draft.set(slot, *value);
+    return Done{};
+}
+
+Result<Scene> readScene(const CsvReader& csv, const Layout& layout)
+{
+    if (csv.fields().size() != layout.slots.size())
+        return csv.error("has " + std::to_string(csv.fields().size())
+                         + " fields where the header has " + std::to_string(layout.slots.size()));
+    Draft draft;
+    for (std::size_t i = 0; i < layout.slots.size(); ++i)
+        if (const Status status = readField(csv, i, layout.slots[i], draft); !status)
+            return status.error();
+    return Scene{std::move(draft.run), draft.time, proprioception(draft.features), draft.truth};
+}
+
+std::string header()
+{
+    std::string line;
+    for (int slot = 0; slot < kSlots; ++slot)
+        (line += slot == 0 ? "" : ",") += slotName(slot);
+    return line + "\n";
+}
+
+/// One field of a scene as text; throws what the reader would refuse.
+std::string field(const std::optional<double>& value, int slot)
+{
+    if (!value) return "";
+    if (const std::string cause = refusal(slot, *value); !cause.empty())
+        throw std::invalid_argument("writeScenes: " + cause);
+    return numberText(*value);
+}
+
+std::string lineOf(const Scene& scene)
+{
+    if (!isRunName(scene.run))
+        throw std::invalid_argument("writeScenes: run is not a name: " + shown(scene.run));
+    std::string line = scene.run + ',' + field(scene.time, kTime);
+    int slot = kFirstFeature;
+    for (const std::optional<double>& value : featureValues(scene.s))
+        (line += ',') += field(value, slot++);
+    for (const std::optional<double>& value : scene.truth) (line += ',') += field(value, slot++);
+    return line + "\n";
+}
+
+}  // namespace
+
+Result<SceneFile> readScenes(const std::string& path)
+{
+    Result<CsvReader> csv = CsvReader::open(path);
+    if (!csv) return csv.error();
+    if (const Result<bool> first = csv->next(); !first) return first.error();
+    Result<Layout> layout = layoutOf(*csv, path);
+    if (!layout) return layout.error();
+    SceneFile file;
+    file.notices = std::move(layout->notices);
+    for (;;) {
+        const Result<bool> more = csv->next();
+        if (!more) return more.error();
+        if (!*more) break;
+        Result<Scene> scene = readScene(*csv, *layout);
+        if (!scene) return scene.error();
+        file.scenes.push_back(*std::move(scene));
+    }
+    if (file.scenes.empty()) return csv->error("is the header, and no scene follows it");
+    return file;
+}
+
+Status writeScenes(const std::string& path, const std::vector<Scene>& scenes)
+{
+    std::string content = header();
+    for (const Scene& scene : scenes) content += lineOf(scene);
+    return writeFileAtomically(path, content);
+}
+
+}  // namespace terratact

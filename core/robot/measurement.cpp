@@ -1,0 +1,45 @@
+#include "core/robot/measurement.h"
+
+#include <stdexcept>
+
+namespace terratact {
+
+std::string describe(RobotActivity activity)
+{
+    switch (activity) {
+    case RobotActivity::Halted: return "halted";
+    case RobotActivity::Driving: return "driving";
+    case RobotActivity::Pressing: return "pressing the front flippers down";
+    case RobotActivity::Pressed: return "front flippers pressed to the ground";
+    case RobotActivity::Probing: return "probing with the arm";
+    case RobotActivity::Stopped: return "stopped";
+    }
+    throw std::invalid_argument("describe: no such RobotActivity");
+}
+
+std::string describe(Refusal refusal)
+{
+    switch (refusal) {
+    case Refusal::None: return "nothing refused";
+    case Refusal::StopLatched: return "the stop is latched";
+    case Refusal::Busy: return "the robot is busy";
+    case Refusal::OutOfReach: return "the arm does not reach that bin";
+    case Refusal::NotPressed: return "the front flippers are not pressed to the ground";
+    case Refusal::NoRestPose: return "the robot finds no pose to rest in there";
+    }
+    throw std::invalid_argument("describe: no such Refusal");
+}
+
+Proprioception proprioception(const Measurement& m)
+{
+    Proprioception s;
+    s.pitch = m.pitch;
+    s.front = (m.frontLeft + m.frontRight) / 2.0;
+    s.rear = (m.rearLeft + m.rearRight) / 2.0;
+    s.frontCurrent = (m.frontLeftCurrent + m.frontRightCurrent) / 2.0;
+    s.rearCurrent = (m.rearLeftCurrent + m.rearRightCurrent) / 2.0;
+    for (std::size_t i = 0; i < m.force.size(); ++i) s.force[i] = m.force[i];
+    return s;
+}
+
+}  // namespace terratact

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace terratact {
+
+inline constexpr int kForceElements = 6;
+
+/// The proprioceptive vector s of the paper, left and right flippers averaged.
+/// An empty optional is "not measured"; every present value is finite.
+struct Proprioception {
+    double pitch = 0.0;                 ///< [rad] nose up positive
+    double front = 0.0;                 ///< [rad] front flippers, 0 = lower edge flat, tip up positive
+    double rear = 0.0;                  ///< [rad] rear flippers, tip up positive
+    std::optional<double> frontCurrent;  ///< [A] per motor, positive = pressing down
+    std::optional<double> rearCurrent;   ///< [A] per motor, positive = pressing down
+    std::array<std::optional<double>, kForceElements> force{};  ///< [N] element 1 (pivot) … 6 (tip)
+    bool operator==(const Proprioception&) const = default;
+};
+
+/// What the robot says it is doing.
+enum class RobotActivity : std::uint8_t { Halted, Driving, Pressing, Pressed, Probing, Stopped };
+
+/// Why the robot did not do as told.
+enum class Refusal : std::uint8_t { None, StopLatched, Busy, OutOfReach, NotPressed, NoRestPose };
+
+std::string describe(RobotActivity activity);
+std::string describe(Refusal refusal);
+
+/// A terrain height measured by the arm's tip.
+struct ArmReading {
+    int bin = 0;          ///< index 0 … 10, see core/terrain/bins.h
+    double height = 0.0;  ///< [m] DEM frame
+    double sd = 0.03;     ///< [m]
+    bool operator==(const ArmReading&) const = default;
+};
+
+/// One line of telemetry.  Plain values; every number is finite.
+struct Measurement {
+    double time = 0.0;   ///< [s] on the source's own clock
+    double pitch = 0.0;  ///< [rad] nose up positive
+    double roll = 0.0;   ///< [rad] left side up positive
+    double frontLeft = 0.0, frontRight = 0.0, rearLeft = 0.0, rearRight = 0.0;  ///< [rad] tip up positive
+    double frontLeftCurrent = 0.0, frontRightCurrent = 0.0;  ///< [A] positive = pressing down
+    double rearLeftCurrent = 0.0, rearRightCurrent = 0.0;    ///< [A] positive = pressing down
+    std::array<double, kForceElements> force{};              ///< [N] calibrated, element 6 at the tip
+    RobotActivity activity = RobotActivity::Halted;
+    Refusal refusal = Refusal::None;     ///< of the last command
+    std::optional<ArmReading> arm;       ///< last completed probe at this pose
+    bool operator==(const Measurement&) const = default;
+};
+
+/// Averages left and right.
+Proprioception proprioception(const Measurement& measurement);
+
+}  // namespace terratact

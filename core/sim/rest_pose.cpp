@@ -1,0 +1,352 @@
+#include "core/sim/rest_pose.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "core/sim/skin_contact.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr double kGravity = 9.81;       // [m/s²]
+constexpr double kReach = 0.75;         // [m] no part of the robot is further from its base in x
+constexpr double kMaxPitch = 1.2;       // [rad]
+constexpr double kMaxFlipper = 2.5;     // [rad] further up a flipper lies on the robot
+constexpr int kSoftIterations = 60;
+constexpr int kFinalIterations = 300;
+constexpr double kSettled = 1e-11;      // [J] a Newton step that gains less is not worth taking
+
+/// Order of the degrees of freedom in gradients: base height, pitch, front, rear.
+enum Freedom { kZ, kPitch, kFront, kRear, kFreedoms };
+using Gradient = Eigen::Vector4d;
+using Hessian = Eigen::Matrix4d;
+
+double dot(Vec2 a, Vec2 b)
+{
+    return a.x * b.x + a.z * b.z;
+}
+
+/// Velocity of a point per unit rate of a rotation x → z about `centre`.
+Vec2 spin(Vec2 point, Vec2 centre)
+{
+    return {-(point.z - centre.z), point.x - centre.x};
+}
+
+double torqueOf(const FlipperDrive& drive)
+{
+    const auto* press = std::get_if<PressTorque>(&drive);
+    return press ? press->torque : 0.0;
+}
+
+/// Tip-up rotation of a flipper as a rotation x → z: front forward, rear mirrored.
+double turnSign(const FlipperGeometry& flipper)
+{
+    return flipper.pivot.x >= 0.0 ? 1.0 : -1.0;
+}
+
+/// Potential energy of one robot on one stretch of ground, with its gradient and contacts.
+class Potential {
+public:
+    Potential(const RobotModel& robot, const TerrainProfile& terrain, double x, const FlipperDrive& front,
+              const FlipperDrive& rear, const GroundOptions& ground)
+        : robot_(robot), ground_(ground), frontTorque_(torqueOf(front)), rearTorque_(torqueOf(rear)),
+          line_(terrain.sampled(x - kReach, x + kReach, ground.spacing))
+    {
+    }
+
+    /// Energy [J]; gradient [N, N m, N m, N m] and contacts where asked for.
+    double operator()(const Pose& pose, double stiffness, Gradient* gradient,
+                      std::vector<GroundContact>* contacts) const
+    {
+        Gradient g = Gradient::Zero();
+        double energy = weight(pose, g) + frontTorque_ * pose.front + rearTorque_ * pose.rear;
+        g[kFront] += frontTorque_;
+        g[kRear] += rearTorque_;
+        energy += skin(pose, stiffness, g, contacts);
+        if (gradient) *gradient = g;
+        return energy;
+    }
+
+    /// Least height of the base at which no part touches the line.
+    double clearHeight(Pose pose) const
+    {
+        pose.base.z = 0.0;
+        const RobotShape shape = shapeAt(robot_, pose);
+        double height = -1e9;
+        for (const Vec2 p : line_) {
+            const double lower = lowerEnvelope(shape, p.x);
+            if (std::isfinite(lower)) height = std::max(height, p.z - lower);
+        }
+        return height;
+    }
+
+private:
+    double weight(const Pose& pose, Gradient& g) const
+    {
+        double energy = 0.0;
+        const auto add = [&](double mass, Vec2 com) {
+            energy += mass * kGravity * com.z;
+            g[kZ] += mass * kGravity;
+            g[kPitch] += mass * kGravity * spin(com, pose.base).z;
+        };
+        add(robot_.bodyMass, toWorld(pose, robot_.bodyCom));
+        const auto addFlipper = [&](const FlipperGeometry& f, double angle, Freedom freedom) {
+            const Vec2 axis = flipperAxis(f, angle);
+            const Vec2 com = toWorld(pose, {f.pivot.x + f.comDistance * axis.x, f.pivot.z + f.comDistance * axis.z});
+            add(f.mass, com);
+            g[freedom] += f.mass * kGravity * turnSign(f) * spin(com, toWorld(pose, f.pivot)).z;
+        };
+        addFlipper(robot_.front, pose.front, kFront);
+        addFlipper(robot_.rear, pose.rear, kRear);
+        return energy;
+    }
+
+    double skin(const Pose& pose, double stiffness, Gradient& g, std::vector<GroundContact>* contacts) const
+    {
+        const RobotShape shape = shapeAt(robot_, pose);
+        const Vec2 frontPivot = toWorld(pose, robot_.front.pivot);
+        const Vec2 rearPivot = toWorld(pose, robot_.rear.pivot);
+        double energy = 0.0;
+        const auto add = [&](GroundContact::Part kind, Vec2 point, const Penetration& hit) {
+            const double force = stiffness * hit.depth;
+            energy += 0.5 * force * hit.depth;
+            // The part's boundary moves outwards with n·v, and the depth with it.
+            g[kZ] += force * hit.normal.z;
+            g[kPitch] += force * dot(hit.normal, spin(point, pose.base));
+            if (kind == GroundContact::Part::Front)
+                g[kFront] += force * turnSign(robot_.front) * dot(hit.normal, spin(point, frontPivot));
+            if (kind == GroundContact::Part::Rear)
+                g[kRear] += force * turnSign(robot_.rear) * dot(hit.normal, spin(point, rearPivot));
+            if (contacts)
+                contacts->push_back({kind, point, {-force * hit.normal.x, -force * hit.normal.z}, hit.depth});
+        };
+        const auto touch = [&](GroundContact::Part kind, const auto& part) {
+            const auto before = [](Vec2 p, double x) { return p.x < x; };
+            auto p = std::lower_bound(line_.begin(), line_.end(), part.xBegin(), before);
+            for (; p != line_.end() && p->x <= part.xEnd(); ++p)
+                if (const auto hit = part.penetration(*p)) add(kind, *p, *hit);
+        };
+        touch(GroundContact::Part::Track, SkinHull(shape.track, ground_.skin));
+        touch(GroundContact::Part::Front, SkinHull(shape.front, ground_.skin));
+        touch(GroundContact::Part::Rear, SkinHull(shape.rear, ground_.skin));
+        for (const auto& polygon : shape.body)
+            touch(GroundContact::Part::Body, SkinPolygon(polygon, ground_.skin));
+        return energy;
+    }
+
+    const RobotModel& robot_;
+    GroundOptions ground_;
+    double frontTorque_;
+    double rearTorque_;
+    std::vector<Vec2> line_;
+};
+
+Pose moved(Pose pose, const Gradient& step)
+{
+    pose.base.z += step[kZ];
+    pose.pitch += step[kPitch];
+    pose.front += step[kFront];
+    pose.rear += step[kRear];
+    return pose;
+}
+
+/// Newton's method on the free coordinates.  The Hessian is the difference of analytic gradients; its
+/// eigenvalues are taken by magnitude and kept away from 0, so every step goes downhill.
+class Descent {
+public:
+    Descent(const Potential& potential, bool frontFree, bool rearFree)
+        : potential_(potential), free_{1.0, 1.0, frontFree ? 1.0 : 0.0, rearFree ? 1.0 : 0.0}
+    {
+    }
+
+    int iterations() const { return iterations_; }
+
+    void run(Pose& pose, double stiffness, int iterations)
+    {
+        Gradient g;
+        double energy = potential_(pose, stiffness, &g, nullptr);
+        for (int k = 0; k < iterations; ++k, ++iterations_) {
+            g = g.cwiseProduct(free_);
+            const Gradient step = newtonStep(pose, g, stiffness);
+            if (-g.dot(step) < kSettled) return;
+            if (!lineSearch(pose, energy, g, step, stiffness)) return;
+        }
+    }
+
+private:
+    Gradient newtonStep(const Pose& pose, const Gradient& g, double stiffness) const
+    {
+        constexpr double kDelta = 1e-7;
+        Hessian h = Hessian::Zero();
+        for (int i = 0; i < kFreedoms; ++i) {
+            if (free_[i] == 0.0) continue;
+            Gradient shifted;
+            potential_(moved(pose, Gradient::Unit(i) * kDelta), stiffness, &shifted, nullptr);
+            h.col(i) = (shifted.cwiseProduct(free_) - g) / kDelta;
+        }
+        const Hessian symmetric = 0.5 * (h + h.transpose());
+        const Eigen::SelfAdjointEigenSolver<Hessian> eigen(symmetric);
+        const Gradient curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(1.0);
+        Gradient step = -(eigen.eigenvectors() * (eigen.eigenvectors().transpose() * g).cwiseQuotient(curvature));
+        step = step.cwiseProduct(free_);
+        const double longest = std::max(std::abs(step[kZ]) / 0.02, step.tail<3>().cwiseAbs().maxCoeff() / 0.1);
+        return longest > 1.0 ? Gradient(step / longest) : step;
+    }
+
+    bool lineSearch(Pose& pose, double& energy, Gradient& g, const Gradient& step, double stiffness) const
+    {
+        for (double share = 1.0; share > 1e-4; share *= 0.5) {
+            const Pose candidate = moved(pose, share * step);
+            Gradient next;
+            const double e = potential_(candidate, stiffness, &next, nullptr);
+            if (e <= energy + 1e-4 * share * g.dot(step)) {
+                pose = candidate;
+                energy = e;
+                g = next;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const Potential& potential_;
+    Gradient free_;
+    int iterations_ = 0;
+};
+
+double startAngle(const FlipperDrive& drive)
+{
+    if (const auto* hold = std::get_if<HoldAngle>(&drive)) return hold->angle;
+    return std::get<PressTorque>(drive).startAngle;
+}
+
+bool isPressed(const FlipperDrive& drive)
+{
+    return std::holds_alternative<PressTorque>(drive);
+}
+
+enum class Start { Above, Here };
+
+/// Lowers the robot from above `pose` onto the ground, contacts growing stiffer, or goes on from there.
+RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pose, const FlipperDrive& front,
+                const FlipperDrive& rear, const GroundOptions& ground, Start start)
+{
+    const Potential potential(robot, terrain, pose.base.x, front, rear, ground);
+    Descent descent(potential, isPressed(front), isPressed(rear));
+    if (start == Start::Above) {
+        pose.base.z = potential.clearHeight(pose);
+        descent.run(pose, ground.stiffness / 300.0, kSoftIterations);
+        descent.run(pose, ground.stiffness / 20.0, kSoftIterations);
+    }
+    descent.run(pose, ground.stiffness, kFinalIterations);
+
+    RestPose rest;
+    rest.pose = pose;
+    rest.front = front;
+    rest.rear = rear;
+    rest.iterations = descent.iterations();
+    Gradient g;
+    rest.energy = potential(pose, ground.stiffness, &g, &rest.contacts);
+    rest.frontTorque = torqueOf(front) - g[kFront];
+    rest.rearTorque = torqueOf(rear) - g[kRear];
+    return rest;
+}
+
+/// Front flippers that found no ground are held; the robot settles anew around them.
+RestPose heldAtLowest(const RobotModel& robot, const TerrainProfile& terrain, const RestPose& rest,
+                      const GroundOptions& ground)
+{
+    Pose pose = rest.pose;
+    pose.front = kLowestFlipper;
+    RestPose held = settle(robot, terrain, pose, HoldAngle{kLowestFlipper}, rest.rear, ground, Start::Above);
+    held.iterations += rest.iterations;
+    return held;
+}
+
+/// A held axle whose motors are overloaded gives way until their limit balances the load.
+RestPose yielded(const RobotModel& robot, const TerrainProfile& terrain, const RestPose& rest,
+                 const GroundOptions& ground)
+{
+    const double limit = 2.0 * robot.maxFlipperTorque;
+    const auto sustained = [limit](const FlipperDrive& drive, double torque) {
+        const bool overloaded = !isPressed(drive) && std::abs(torque) > limit;
+        return overloaded ? FlipperDrive{PressTorque{std::copysign(limit, torque), startAngle(drive)}} : drive;
+    };
+    const FlipperDrive front = sustained(rest.front, rest.frontTorque);
+    const FlipperDrive rear = sustained(rest.rear, rest.rearTorque);
+    if (isPressed(front) == isPressed(rest.front) && isPressed(rear) == isPressed(rest.rear)) return rest;
+    RestPose after = settle(robot, terrain, rest.pose, front, rear, ground, Start::Here);
+    after.iterations += rest.iterations;
+    return after;
+}
+
+}  // namespace
+
+double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, const Pose& pose,
+                       const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground)
+{
+    const Potential potential(robot, terrain, pose.base.x, front, rear, ground);
+    return potential(pose, ground.stiffness, nullptr, nullptr);
+}
+
+Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain, double x,
+                          const FlipperDrive& front, const FlipperDrive& rear, double startPitch,
+                          const GroundOptions& ground)
+{
+    if (!std::isfinite(x) || !std::isfinite(startPitch))
+        throw std::invalid_argument("a rest pose needs a finite position and start pitch");
+    const Pose high{{x, 0.0}, startPitch, startAngle(front), startAngle(rear)};
+    RestPose rest = settle(robot, terrain, high, front, rear, ground, Start::Above);
+    if (isPressed(front) && rest.pose.front < kLowestFlipper) rest = heldAtLowest(robot, terrain, rest, ground);
+    for (int axle = 0; axle < 2; ++axle) rest = yielded(robot, terrain, rest, ground);  // one may overload the other
+    if (std::abs(rest.pose.pitch) > kMaxPitch) return Error{"no rest pose: the robot tips over", 0};
+    if (std::max(std::abs(rest.pose.front), std::abs(rest.pose.rear)) > kMaxFlipper)
+        return Error{"no rest pose: the flippers' motors cannot hold the robot", 0};
+    return rest;
+}
+
+std::array<double, kForceElements> elementForces(const RobotModel& robot, const RestPose& rest)
+{
+    std::array<double, kForceElements> force{};
+    const Vec2 start = elementPosition(robot, rest.pose, 0.0);
+    const Vec2 along = rotated({1.0, 0.0}, rest.pose.pitch + rest.pose.front);
+    const Vec2 up = rotated({0.0, 1.0}, rest.pose.pitch + rest.pose.front);
+    const double length = robot.front.edgeLength();
+    for (const GroundContact& c : rest.contacts) {
+        if (c.part != GroundContact::Part::Front) continue;
+        const double share = dot({c.point.x - start.x, c.point.z - start.z}, along) / length;
+        const double normal = 0.5 * std::max(0.0, dot(c.force, up));
+        if (share < 0.0) continue;
+        std::size_t e = 0;
+        while (e < kForceElements && robot.elementShare[e] < share) ++e;
+        if (e == 0) {
+            force.front() += normal;
+        } else if (e == kForceElements) {
+            force.back() += normal;
+        } else {
+            const double t = (share - robot.elementShare[e - 1]) / (robot.elementShare[e] - robot.elementShare[e - 1]);
+            force[e - 1] += (1.0 - t) * normal;
+            force[e] += t * normal;
+        }
+    }
+    return force;
+}
+
+Proprioception exactReadings(const RobotModel& robot, const RestPose& rest)
+{
+    Proprioception s;
+    s.pitch = rest.pose.pitch;
+    s.front = rest.pose.front;
+    s.rear = rest.pose.rear;
+    s.frontCurrent = 0.5 * rest.frontTorque / robot.torquePerAmpere;
+    s.rearCurrent = 0.5 * rest.rearTorque / robot.torquePerAmpere;
+    const auto force = elementForces(robot, rest);
+    for (std::size_t e = 0; e < force.size(); ++e) s.force[e] = std::min(force[e], robot.forceSaturation);
+    return s;
+}
+
+}  // namespace terratact

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "core/robot/command.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+#include "core/sim/rest_pose.h"
+#include "core/sim/sensor_noise.h"
+#include "core/terrain/terrain_profile.h"
+
+namespace terratact {
+
+/// A robot that lives on a TerrainProfile and obeys commands, in steps of time given from outside.
+/// Quasi-static: at every step it is at rest (core/sim/rest_pose.h).  Not thread-safe.
+class SimulatedRobot {
+public:
+    struct Options {
+        double startX = 0.0;        ///< [m] base origin on the terrain
+        double rearAngle = 0.1;     ///< [rad] held
+        double drivingAngle = 0.7;  ///< [rad] front flippers while driving
+        double probeSeconds = 45.0;
+        double armSd = 0.03;  ///< [m]
+        SensorNoise noise;
+        std::uint64_t seed = 1;
+    };
+
+    SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options);
+
+    /// Takes or refuses a command; a refusal is in the next measure().
+    void command(const Command& command);
+
+    /// Lets `dt` seconds pass.  Throws std::invalid_argument unless 0 < dt ≤ 1.
+    void step(double dt);
+
+    /// One line of telemetry with sensor noise.
+    Measurement measure();
+
+    /// True bin heights at the present pose.
+    Heights truth() const;
+
+    const RestPose& rest() const { return rest_; }
+
+private:
+    void settle();
+    void accept(RobotActivity activity);
+    void refuse(Refusal refusal);
+
+    RobotModel robot_;
+    TerrainProfile terrain_;
+    Options options_;
+    std::mt19937_64 rng_;
+    RestPose rest_;
+    double time_ = 0.0;
+    double x_ = 0.0;
+    double speed_ = 0.0;
+    double frontTarget_ = 0.0;  ///< [rad] held angle while not pressed
+    double torque_ = 0.0;       ///< [N m] both front flippers while pressing or pressed
+    RobotActivity activity_ = RobotActivity::Halted;
+    Refusal refusal_ = Refusal::None;
+    int probeBin_ = 0;
+    double probeLeft_ = 0.0;
+    std::optional<ArmReading> arm_;
+};
+
+}  // namespace terratact

@@ -1,0 +1,245 @@
+#include "core/sqlite.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace terratact {
+namespace {
+
+void check(int code, sqlite3* file)
+{
+    if (code != SQLITE_OK) throw SqliteError(sqlite3_errmsg(file));
+}
+
+/// A path as an SQLite URI: everything but plain characters in percent code.
+std::string uriOf(const std::string& path, std::string_view options)
+{
+    constexpr std::string_view kHex = "0123456789ABCDEF";
+    constexpr std::string_view kPlain = "/._-";
+    std::string uri = path.starts_with('/') ? "file://" : "file:";
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z')
+                        || (c >= 'a' && c <= 'z') || kPlain.find(c) != std::string_view::npos;
+        if (plain)
+            uri += c;
+        else
+            uri.append({'%', kHex[byte >> 4U], kHex[byte & 15U]});
+    }
+    return uri.append("?").append(options);
+}
+
+/// Big-endian number of `bytes` bytes.
+std::uint64_t bigEndian(const char* at, int bytes)
+{
+    std::uint64_t value = 0;
+    for (int i = 0; i < bytes; ++i) value = value << 8U | static_cast<unsigned char>(at[i]);
+    return value;
+}
+
+/// The file's first 100 bytes, its header.
+using Header = std::array<char, 100>;
+Header headerOf(const std::string& path)
+{
+    Header header{};
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw SqliteError("cannot be opened: " + std::generic_category().message(errno));
+    in.read(header.data(), header.size());
+    if (in.gcount() == 0) throw SqliteError("is empty");
+    if (!in || std::strncmp(header.data(), "SQLite format 3", 16) != 0)
+        throw SqliteError("is not an SQLite file");
+    return header;
+}
+
+/// Refuses what is no SQLite file, or is not as long as its header says (sqlite.org/fileformat2.html §1.3).
+void checkSize(const std::string& path, std::uintmax_t most)
+{
+    std::error_code none;
+    if (std::filesystem::is_directory(path, none)) throw SqliteError("is a directory");
+    const Header header = headerOf(path);
+    const std::uint64_t page = bigEndian(&header[16], 2);
+    const std::uint64_t expected = (page == 1 ? 65536 : page) * bigEndian(&header[28], 4);
+    const std::uintmax_t size = std::filesystem::file_size(path, none);
+    if (none) throw SqliteError("has no size: " + none.message());
+    if (size > most)
+        throw SqliteError("is larger than the " + std::to_string(most) + " bytes allowed");
+    if (size == expected) return;
+    throw SqliteError("has " + std::to_string(size) + " bytes where its header says "
+                      + std::to_string(expected) + (size < expected ? ": it is truncated" : ""));
+}
+
+/// Ends the statements of a hostile file: called every kStepsPerCall steps.
+constexpr int kStepsPerCall = 100'000;
+constexpr int kCalls = 1'000;
+int stopNow(void* callsLeft)
+{
+    return --*static_cast<int*>(callsLeft) < 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void SqliteStatement::Finalise::operator()(sqlite3_stmt* statement) const
+{
+    sqlite3_finalize(statement);
+}
+
+void SqliteStatement::bind(int parameter, double value)
+{
+    check(sqlite3_bind_double(statement_.get(), parameter + 1, value),
+          sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::bind(int parameter, std::int64_t value)
+{
+    check(sqlite3_bind_int64(statement_.get(), parameter + 1, value),
+          sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::bind(int parameter, std::string_view value)
+{
+    check(sqlite3_bind_text64(statement_.get(), parameter + 1, value.data(), value.size(),
+                              SQLITE_TRANSIENT, SQLITE_UTF8),
+          sqlite3_db_handle(statement_.get()));
+}
+
+bool SqliteStatement::step()
+{
+    const int code = sqlite3_step(statement_.get());
+    if (code == SQLITE_ROW) return true;
+    if (code != SQLITE_DONE) throw SqliteError(sqlite3_errmsg(sqlite3_db_handle(statement_.get())));
+    return false;
+}
+
+void SqliteStatement::run()
+{
+    while (step()) {
+    }
+    check(sqlite3_reset(statement_.get()), sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::expect(int column, int type) const
+{
+    if (sqlite3_column_type(statement_.get(), column) == type) return;
+    const char* const name = sqlite3_column_name(statement_.get(), column);
+    throw SqliteError(std::string("a value of the wrong type in ") + (name ? name : "a column"));
+}
+
+double SqliteStatement::real(int column) const
+{
+    expect(column, SQLITE_FLOAT);
+    return sqlite3_column_double(statement_.get(), column);
+}
+
+std::int64_t SqliteStatement::integer(int column) const
+{
+    expect(column, SQLITE_INTEGER);
+    return sqlite3_column_int64(statement_.get(), column);
+}
+
+std::string SqliteStatement::text(int column) const
+{
+    expect(column, SQLITE_TEXT);
+    const auto* const begin =
+        reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    const int size = sqlite3_column_bytes(statement_.get(), column);
+    return begin ? std::string(begin, static_cast<std::size_t>(size)) : std::string();
+}
+
+void SqliteFile::Close::operator()(sqlite3* file) const
+{
+    sqlite3_close_v2(file);
+}
+
+SqliteFile::SqliteFile(const std::string& name, int flags)
+{
+    sqlite3* file = nullptr;
+    const int code = sqlite3_open_v2(
+        name.c_str(), &file, flags | SQLITE_OPEN_PRIVATECACHE | SQLITE_OPEN_NOMUTEX, nullptr);
+    file_.reset(file);
+    if (!file) throw SqliteError("out of memory");
+    check(code, file);
+}
+
+SqliteFile SqliteFile::openUntrusted(const std::string& path, std::uintmax_t most)
+{
+    checkSize(path, most);
+    SqliteFile file(uriOf(path, "mode=ro&immutable=1"), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    file.harden();
+    file.checkStructure();
+    return file;
+}
+
+// sqlite.org/security.html, "Untrusted SQLite Database Files".
+void SqliteFile::harden()
+{
+    sqlite3* const file = file_.get();
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr), file);
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr), file);
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr), file);
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr), file);
+    sqlite3_limit(file, SQLITE_LIMIT_LENGTH, 1'000'000);
+    sqlite3_limit(file, SQLITE_LIMIT_SQL_LENGTH, 100'000);
+    sqlite3_limit(file, SQLITE_LIMIT_COLUMN, 100);
+    sqlite3_limit(file, SQLITE_LIMIT_EXPR_DEPTH, 10);
+    sqlite3_limit(file, SQLITE_LIMIT_COMPOUND_SELECT, 3);
+    sqlite3_limit(file, SQLITE_LIMIT_VDBE_OP, 25'000);
+    sqlite3_limit(file, SQLITE_LIMIT_FUNCTION_ARG, 8);
+    sqlite3_limit(file, SQLITE_LIMIT_ATTACHED, 0);
+    sqlite3_limit(file, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 50);
+    sqlite3_limit(file, SQLITE_LIMIT_VARIABLE_NUMBER, 10);
+    sqlite3_limit(file, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
+    callsLeft_ = std::make_unique<int>(kCalls);
+    sqlite3_progress_handler(file, kStepsPerCall, stopNow, callsLeft_.get());
+    run("PRAGMA cell_size_check = ON");
+    run("PRAGMA mmap_size = 0");
+}
+
+void SqliteFile::checkStructure()
+{
+    SqliteStatement statement = prepare("PRAGMA integrity_check(1)");
+    if (!statement.step()) throw SqliteError("its structure cannot be checked");
+    std::string finding = statement.text(0);
+    if (finding == "ok") return;
+    std::replace(finding.begin(), finding.end(), '\n', ' ');
+    throw SqliteError("its structure is damaged: " + finding);
+}
+
+SqliteFile SqliteFile::fill(const std::string& path)
+{
+    SqliteFile file(path, SQLITE_OPEN_READWRITE);
+    file.run("PRAGMA journal_mode = OFF");
+    file.run("PRAGMA synchronous = OFF");
+    return file;
+}
+
+SqliteStatement SqliteFile::prepare(std::string_view sql)
+{
+    sqlite3_stmt* statement = nullptr;
+    check(sqlite3_prepare_v2(file_.get(), sql.data(), static_cast<int>(sql.size()), &statement,
+                             nullptr),
+          file_.get());
+    return SqliteStatement(statement);
+}
+
+std::int64_t SqliteFile::integer(std::string_view sql)
+{
+    SqliteStatement statement = prepare(sql);
+    if (!statement.step()) throw SqliteError("a number is missing");
+    return statement.integer(0);
+}
+
+void SqliteFile::close()
+{
+    check(sqlite3_close(file_.get()), file_.get());
+    static_cast<void>(file_.release());
+}
+
+}  // namespace terratact

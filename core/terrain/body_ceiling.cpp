@@ -1,0 +1,66 @@
+#include "core/terrain/body_ceiling.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "core/robot/kinematics.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kStepsPerBin = 100;
+
+/// Polygon around a tapered hull: the arc of b on its far side, then the arc of a.
+std::vector<std::array<double, 2>> outlineOf(const TaperedHull& hull)
+{
+    constexpr int kArcPoints = 24;
+    const double direction = std::atan2(hull.b.z - hull.a.z, hull.b.x - hull.a.x);
+    const double distance = std::hypot(hull.b.x - hull.a.x, hull.b.z - hull.a.z);
+    const double phi = std::acos((hull.ra - hull.rb) / distance);
+    std::vector<std::array<double, 2>> points;
+    const auto arc = [&](Vec2 centre, double radius, double from, double to) {
+        for (int k = 0; k <= kArcPoints; ++k) {
+            const double angle = direction + from + (to - from) * k / kArcPoints;
+            points.push_back({centre.x + radius * std::cos(angle), centre.z + radius * std::sin(angle)});
+        }
+    };
+    arc(hull.b, hull.rb, -phi, phi);
+    arc(hull.a, hull.ra, phi, 2.0 * std::numbers::pi - phi);
+    return points;
+}
+
+}  // namespace
+
+Heights bodyCeiling(const RobotModel& robot, double pitch, double front, double rear)
+{
+    if (!std::isfinite(pitch) || !std::isfinite(front) || !std::isfinite(rear))
+        throw std::invalid_argument("ceilings need a finite pitch and finite flipper angles");
+    const RobotShape shape = shapeAt(robot, poseInDem(robot, pitch, front, rear));
+    Heights ceiling{};
+    for (int i = 0; i < kBins; ++i) {
+        double sum = 0.0;
+        for (int k = 0; k < kStepsPerBin; ++k)
+            sum += lowerEnvelope(shape, binBegin(i) + kBinWidth * (k + 0.5) / kStepsPerBin);
+        ceiling[static_cast<std::size_t>(i)] = sum / kStepsPerBin;
+    }
+    return ceiling;
+}
+
+Outline robotOutline(const RobotModel& robot, double pitch, double front, double rear)
+{
+    const RobotShape shape = shapeAt(robot, poseInDem(robot, pitch, front, rear));
+    Outline outline;
+    for (const auto& polygon : shape.body) {
+        OutlinePart part{OutlinePart::Kind::Body, {}};
+        for (const Vec2 p : polygon) part.points.push_back({p.x, p.z});
+        outline.push_back(std::move(part));
+    }
+    outline.push_back({OutlinePart::Kind::Track, outlineOf(shape.track)});
+    outline.push_back({OutlinePart::Kind::RearFlipper, outlineOf(shape.rear)});
+    outline.push_back({OutlinePart::Kind::FrontFlipper, outlineOf(shape.front)});
+    return outline;
+}
+
+}  // namespace terratact

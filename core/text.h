@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace terratact {
+
+/// The shortest decimal text that reads back as exactly this value, the same in every locale.
+std::string numberText(double value);
+
+/// The number a text spells, in full, the same in every locale; empty where it spells none or one beyond
+/// a double.  "nan" and "inf" are numbers here: whoever reads must check.
+std::optional<double> numberFrom(std::string_view text);
+
+/// A piece of somebody's file for a message: in quotes, cut after 40 characters, unprintable ones as '?'.
+std::string shown(std::string_view text);
+
+}  // namespace terratact
