@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -44,6 +43,8 @@ std::uint64_t bigEndian(const char* at, int bytes)
     return value;
 }
 
+constexpr std::string_view kMagic("SQLite format 3\0", 16);
+
 /// The file's first 100 bytes, its header.
 using Header = std::array<char, 100>;
 Header headerOf(const std::string& path)
@@ -54,7 +55,7 @@ Header headerOf(const std::string& path)
     if (!in) throw SqliteError("cannot be opened: " + std::generic_category().message(errno));
     in.read(header.data(), header.size());
     if (in.gcount() == 0) throw SqliteError("is empty");
-    if (!in || std::strncmp(header.data(), "SQLite format 3", 16) != 0)
+    if (!in || std::string_view(header.data(), kMagic.size()) != kMagic)
         throw SqliteError("is not an SQLite file");
     return header;
 }

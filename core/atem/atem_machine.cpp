@@ -10,16 +10,16 @@ namespace {
 bool sceneCaptured(AtemPhase phase)
 {
     switch (phase) {
-        case AtemPhase::Estimating:
-        case AtemPhase::ProposingProbe:
-        case AtemPhase::Probing:
-        case AtemPhase::EstimatingAgain: return true;
-        case AtemPhase::Idle:
-        case AtemPhase::Halting:
-        case AtemPhase::Pressing:
-        case AtemPhase::Presenting:
-        case AtemPhase::Stopped:
-        case AtemPhase::Failed: return false;
+    case AtemPhase::Estimating:
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Probing:
+    case AtemPhase::EstimatingAgain: return true;
+    case AtemPhase::Idle:
+    case AtemPhase::Halting:
+    case AtemPhase::Pressing:
+    case AtemPhase::Presenting:
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed: return false;
     }
     return false;
 }
@@ -57,47 +57,44 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
     const bool late = end && in.now >= *end;
 
     switch (now.phase) {
-        case AtemPhase::Idle:
-            return in.requested ? request() : now;
-        case AtemPhase::Halting:
-            if (in.halted) return enter(AtemPhase::Pressing);
-            return late ? fail(AtemFailure::HaltTimeout) : now;
-        case AtemPhase::Pressing:
-            if (in.pressRefused) return fail(AtemFailure::PressRefused);
-            if (in.pressed) return enter(AtemPhase::Estimating);
-            return late ? fail(AtemFailure::PressTimeout) : now;
-        case AtemPhase::Estimating:
-            if (in.estimateFailed) return fail(AtemFailure::EstimateError);
-            if (in.estimateReady)
-                return enter(in.probeWanted ? AtemPhase::ProposingProbe : AtemPhase::Presenting);
-            return late ? fail(AtemFailure::EstimateTimeout) : now;
-        case AtemPhase::ProposingProbe:
-            if (in.refused) return enter(AtemPhase::Presenting);
-            if (late) {
-                AtemState next = enter(AtemPhase::Presenting);
-                next.approvalExpired = true;
-                return next;
-            }
-            return in.approved ? enter(AtemPhase::Probing) : now;
-        case AtemPhase::Probing:
-            if (in.probeRefused) return fail(AtemFailure::ProbeRefused);
-            if (in.probeDone) {
-                AtemState next = enter(AtemPhase::EstimatingAgain);
-                next.probed = true;
-                return next;
-            }
-            return late ? fail(AtemFailure::ProbeTimeout) : now;
-        case AtemPhase::EstimatingAgain:
-            if (in.estimateFailed) return fail(AtemFailure::EstimateError);
-            if (in.estimateReady) return enter(AtemPhase::Presenting);
-            return late ? fail(AtemFailure::EstimateTimeout) : now;
-        case AtemPhase::Presenting:
-            if (in.requested) return request();
-            return in.poseChanged ? begin(AtemPhase::Idle) : now;
-        case AtemPhase::Stopped:
-            return in.stopReleased ? begin(AtemPhase::Idle) : now;
-        case AtemPhase::Failed:
-            return in.requested ? request() : now;
+    case AtemPhase::Idle: return in.requested ? request() : now;
+    case AtemPhase::Halting:
+        if (in.halted) return enter(AtemPhase::Pressing);
+        return late ? fail(AtemFailure::HaltTimeout) : now;
+    case AtemPhase::Pressing:
+        if (in.pressRefused) return fail(AtemFailure::PressRefused);
+        if (in.pressed) return enter(AtemPhase::Estimating);
+        return late ? fail(AtemFailure::PressTimeout) : now;
+    case AtemPhase::Estimating:
+        if (in.estimateFailed) return fail(AtemFailure::EstimateError);
+        if (in.estimateReady)
+            return enter(in.probeWanted ? AtemPhase::ProposingProbe : AtemPhase::Presenting);
+        return late ? fail(AtemFailure::EstimateTimeout) : now;
+    case AtemPhase::ProposingProbe:
+        if (in.refused) return enter(AtemPhase::Presenting);
+        if (late) {
+            AtemState next = enter(AtemPhase::Presenting);
+            next.approvalExpired = true;
+            return next;
+        }
+        return in.approved ? enter(AtemPhase::Probing) : now;
+    case AtemPhase::Probing:
+        if (in.probeRefused) return fail(AtemFailure::ProbeRefused);
+        if (in.probeDone) {
+            AtemState next = enter(AtemPhase::EstimatingAgain);
+            next.probed = true;
+            return next;
+        }
+        return late ? fail(AtemFailure::ProbeTimeout) : now;
+    case AtemPhase::EstimatingAgain:
+        if (in.estimateFailed) return fail(AtemFailure::EstimateError);
+        if (in.estimateReady) return enter(AtemPhase::Presenting);
+        return late ? fail(AtemFailure::EstimateTimeout) : now;
+    case AtemPhase::Presenting:
+        if (in.requested) return request();
+        return in.poseChanged ? begin(AtemPhase::Idle) : now;
+    case AtemPhase::Stopped: return in.stopReleased ? begin(AtemPhase::Idle) : now;
+    case AtemPhase::Failed: return in.requested ? request() : now;
     }
     throw std::invalid_argument("nextState: no such phase");
 }
@@ -105,16 +102,16 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
 std::optional<double> deadline(const AtemState& state, const AtemLimits& limits)
 {
     switch (state.phase) {
-        case AtemPhase::Halting: return state.since + limits.halt;
-        case AtemPhase::Pressing: return state.since + limits.press;
-        case AtemPhase::Estimating:
-        case AtemPhase::EstimatingAgain: return state.since + limits.estimate;
-        case AtemPhase::ProposingProbe: return state.since + limits.approval;
-        case AtemPhase::Probing: return state.since + limits.probe;
-        case AtemPhase::Idle:
-        case AtemPhase::Presenting:
-        case AtemPhase::Stopped:
-        case AtemPhase::Failed: return std::nullopt;
+    case AtemPhase::Halting: return state.since + limits.halt;
+    case AtemPhase::Pressing: return state.since + limits.press;
+    case AtemPhase::Estimating:
+    case AtemPhase::EstimatingAgain: return state.since + limits.estimate;
+    case AtemPhase::ProposingProbe: return state.since + limits.approval;
+    case AtemPhase::Probing: return state.since + limits.probe;
+    case AtemPhase::Idle:
+    case AtemPhase::Presenting:
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed: return std::nullopt;
     }
     return std::nullopt;
 }
@@ -122,16 +119,16 @@ std::optional<double> deadline(const AtemState& state, const AtemLimits& limits)
 bool exploring(AtemPhase phase)
 {
     switch (phase) {
-        case AtemPhase::Halting:
-        case AtemPhase::Pressing:
-        case AtemPhase::Estimating:
-        case AtemPhase::ProposingProbe:
-        case AtemPhase::Probing:
-        case AtemPhase::EstimatingAgain: return true;
-        case AtemPhase::Idle:
-        case AtemPhase::Presenting:
-        case AtemPhase::Stopped:
-        case AtemPhase::Failed: return false;
+    case AtemPhase::Halting:
+    case AtemPhase::Pressing:
+    case AtemPhase::Estimating:
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Probing:
+    case AtemPhase::EstimatingAgain: return true;
+    case AtemPhase::Idle:
+    case AtemPhase::Presenting:
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed: return false;
     }
     return false;
 }
@@ -144,16 +141,16 @@ bool mayDrive(AtemPhase phase)
 std::string describe(AtemPhase phase)
 {
     switch (phase) {
-        case AtemPhase::Idle: return "ready";
-        case AtemPhase::Halting: return "halting the robot";
-        case AtemPhase::Pressing: return "pressing the front flippers down";
-        case AtemPhase::Estimating: return "estimating the terrain";
-        case AtemPhase::ProposingProbe: return "arm probe proposed";
-        case AtemPhase::Probing: return "arm is probing";
-        case AtemPhase::EstimatingAgain: return "estimating again with the arm's height";
-        case AtemPhase::Presenting: return "estimate stands";
-        case AtemPhase::Stopped: return "STOPPED";
-        case AtemPhase::Failed: return "exploration failed";
+    case AtemPhase::Idle: return "ready";
+    case AtemPhase::Halting: return "halting the robot";
+    case AtemPhase::Pressing: return "pressing the front flippers down";
+    case AtemPhase::Estimating: return "estimating the terrain";
+    case AtemPhase::ProposingProbe: return "arm probe proposed";
+    case AtemPhase::Probing: return "arm is probing";
+    case AtemPhase::EstimatingAgain: return "estimating again with the arm's height";
+    case AtemPhase::Presenting: return "estimate stands";
+    case AtemPhase::Stopped: return "STOPPED";
+    case AtemPhase::Failed: return "exploration failed";
     }
     return "unknown phase";
 }
@@ -161,16 +158,16 @@ std::string describe(AtemPhase phase)
 std::string describe(AtemFailure failure)
 {
     switch (failure) {
-        case AtemFailure::None: return "no failure";
-        case AtemFailure::HaltTimeout: return "the robot did not halt in time";
-        case AtemFailure::PressTimeout: return "the flippers found nothing to press against in time";
-        case AtemFailure::EstimateTimeout: return "the estimate took too long";
-        case AtemFailure::EstimateError: return "the estimate could not be computed";
-        case AtemFailure::ProbeTimeout: return "the arm did not finish in time";
-        case AtemFailure::ProbeRefused: return "the robot refused the probe";
-        case AtemFailure::PressRefused: return "the robot refused to press";
-        case AtemFailure::LinkLost: return "the link to the robot was lost";
-        case AtemFailure::PoseChanged: return "the robot moved, so what it felt no longer holds";
+    case AtemFailure::None: return "no failure";
+    case AtemFailure::HaltTimeout: return "the robot did not halt in time";
+    case AtemFailure::PressTimeout: return "the flippers found nothing to press against in time";
+    case AtemFailure::EstimateTimeout: return "the estimate took too long";
+    case AtemFailure::EstimateError: return "the estimate could not be computed";
+    case AtemFailure::ProbeTimeout: return "the arm did not finish in time";
+    case AtemFailure::ProbeRefused: return "the robot refused the probe";
+    case AtemFailure::PressRefused: return "the robot refused to press";
+    case AtemFailure::LinkLost: return "the link to the robot was lost";
+    case AtemFailure::PoseChanged: return "the robot moved, so what it felt no longer holds";
     }
     return "unknown failure";
 }

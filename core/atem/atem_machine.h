@@ -19,16 +19,16 @@ namespace terratact {
 ///   while exploring: a lost link, a time limit, a refusal, an error, a moved robot ▶ Failed.
 ///   Presenting and Failed: requested ▶ Halting.
 enum class AtemPhase : std::uint8_t {
-    Idle,              ///< nothing requested
-    Halting,           ///< robot told to stop driving
-    Pressing,          ///< front flippers go down until the torque threshold
-    Estimating,        ///< scene captured, first reconstruction runs
-    ProposingProbe,    ///< some sd above the limit: the operator decides
-    Probing,           ///< arm on its way, about 45 s
-    EstimatingAgain,   ///< reconstruction with the arm's height
-    Presenting,        ///< result stands; the operator may drive on or ask again
-    Stopped,           ///< STOP was pressed
-    Failed,            ///< see AtemState::failure
+    Idle,             ///< nothing requested
+    Halting,          ///< robot told to stop driving
+    Pressing,         ///< front flippers go down until the torque threshold
+    Estimating,       ///< scene captured, first reconstruction runs
+    ProposingProbe,   ///< some sd above the limit: the operator decides
+    Probing,          ///< arm on its way, about 45 s
+    EstimatingAgain,  ///< reconstruction with the arm's height
+    Presenting,       ///< result stands; the operator may drive on or ask again
+    Stopped,          ///< STOP was pressed
+    Failed,           ///< see AtemState::failure
 };
 
 /// Why an exploration ended in Failed.
@@ -49,30 +49,30 @@ struct AtemState {
     AtemPhase phase = AtemPhase::Idle;
     AtemFailure failure = AtemFailure::None;  ///< other than None exactly in Failed
     double since = 0.0;                       ///< [s] when the phase began
-    bool probed = false;           ///< the arm has measured in this exploration
+    bool probed = false;                      ///< the arm has measured in this exploration
     bool approvalExpired = false;  ///< the last proposal was not answered in time, which means no
     bool operator==(const AtemState&) const = default;
 };
 
 /// What happened since the last tick.
 struct AtemInput {
-    double now = 0.0;  ///< [s] any monotonic clock
-    bool requested = false;      ///< operator asked for ATEM
-    bool aborted = false;        ///< operator ended it
-    bool stop = false;           ///< STOP is pressed
-    bool stopReleased = false;   ///< the operator released STOP
-    bool approved = false;       ///< operator approved the proposed probe
-    bool refused = false;        ///< operator refused it
+    double now = 0.0;           ///< [s] any monotonic clock
+    bool requested = false;     ///< operator asked for ATEM
+    bool aborted = false;       ///< operator ended it
+    bool stop = false;          ///< STOP is pressed
+    bool stopReleased = false;  ///< the operator released STOP
+    bool approved = false;      ///< operator approved the proposed probe
+    bool refused = false;       ///< operator refused it
     bool linkAlive = true;
-    bool halted = false;         ///< robot stands still
-    bool pressed = false;        ///< torque threshold reached, scene captured
+    bool halted = false;   ///< robot stands still
+    bool pressed = false;  ///< torque threshold reached, scene captured
     bool pressRefused = false;
     bool estimateReady = false;
     bool estimateFailed = false;
-    bool probeWanted = false;    ///< with estimateReady: some sd above the limit in reach of the arm
+    bool probeWanted = false;  ///< with estimateReady: some sd above the limit in reach of the arm
     bool probeDone = false;
     bool probeRefused = false;
-    bool poseChanged = false;    ///< robot moved since the scene was captured
+    bool poseChanged = false;  ///< robot moved since the scene was captured
 };
 
 /// Time limits [s].

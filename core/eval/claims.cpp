@@ -17,7 +17,8 @@ struct SortedErrors {
 };
 
 /// Median when an error of drive r counts weight[r] times, `total` times over all; 0 for no errors.
-double weightedMedian(const SortedErrors& errors, const std::vector<std::size_t>& weight, std::size_t total)
+double weightedMedian(const SortedErrors& errors, const std::vector<std::size_t>& weight,
+                      std::size_t total)
 {
     const std::size_t lower = (total - 1) / 2;
     const std::size_t upper = total / 2;
@@ -67,7 +68,8 @@ SortedErrors sorted(std::vector<std::pair<double, std::size_t>> sizeAndRun)
     return result;
 }
 
-Comparison compare(const Claim& claim, std::span<const BinError> errors, std::span<const Scene> scenes)
+Comparison compare(const Claim& claim, std::span<const BinError> errors,
+                   std::span<const Scene> scenes)
 {
     const ByPlace base = errorsOf(claim.base, claim, errors);
     const ByPlace better = errorsOf(claim.better, claim, errors);
@@ -77,8 +79,10 @@ Comparison compare(const Claim& claim, std::span<const BinError> errors, std::sp
     for (const auto& [place, size] : base) {
         const auto other = better.find(place);
         if (other == better.end()) continue;
-        if (place.first >= scenes.size()) throw std::invalid_argument("judge: an error of a scene that is not there");
-        const std::size_t run = runs.try_emplace(scenes[place.first].run, runs.size()).first->second;
+        if (place.first >= scenes.size())
+            throw std::invalid_argument("judge: an error of a scene that is not there");
+        const std::size_t run =
+            runs.try_emplace(scenes[place.first].run, runs.size()).first->second;
         ofBase.emplace_back(size, run);
         ofBetter.emplace_back(other->second, run);
         comparison.ofRun.resize(runs.size());
@@ -117,12 +121,13 @@ std::string_view name(Verdict verdict)
     throw std::invalid_argument("name: no such Verdict");
 }
 
-ClaimResult judge(const Claim& claim, std::span<const BinError> errors, std::span<const Scene> scenes,
-                  std::uint64_t seed, int resamples)
+ClaimResult judge(const Claim& claim, std::span<const BinError> errors,
+                  std::span<const Scene> scenes, std::uint64_t seed, int resamples)
 {
     if (resamples < 1) throw std::invalid_argument("judge: at least one resample");
     const Comparison comparison = compare(claim, errors, scenes);
-    ClaimResult result{.claim = claim, .n = comparison.base.size.size(), .runs = comparison.ofRun.size()};
+    ClaimResult result{
+        .claim = claim, .n = comparison.base.size.size(), .runs = comparison.ofRun.size()};
     const std::vector<std::size_t> once(result.runs, 1);
     result.baseMedian = weightedMedian(comparison.base, once, result.n);
     result.betterMedian = weightedMedian(comparison.better, once, result.n);

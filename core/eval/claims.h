@@ -36,7 +36,8 @@ struct ClaimResult {
     std::size_t n = 0;     ///< errors compared: bins that both methods estimated
     std::size_t runs = 0;  ///< drives they come from
     double baseMedian = 0.0, betterMedian = 0.0;  ///< [m] median |error|
-    double low = 0.0, high = 0.0;  ///< [m] 95 % interval of betterMedian − baseMedian; 0 without a bootstrap
+    double low = 0.0,
+           high = 0.0;  ///< [m] 95 % interval of betterMedian − baseMedian; 0 without a bootstrap
 };
 
 /// Below so many drives nothing is decided: scenes of one drive overlap and count nearly as one.
@@ -48,7 +49,7 @@ inline constexpr std::size_t kLeastRuns = 5;
 /// Same errors, scenes and seed: the same result.  Throws std::invalid_argument where an error's scene is
 /// not among the scenes or resamples < 1.
 /// Source: Efron & Tibshirani (1993), ch. 8 and 13; Field & Welsh, J. R. Stat. Soc. B 69 (2007) for clusters.
-ClaimResult judge(const Claim& claim, std::span<const BinError> errors, std::span<const Scene> scenes,
-                  std::uint64_t seed, int resamples = 2000);
+ClaimResult judge(const Claim& claim, std::span<const BinError> errors,
+                  std::span<const Scene> scenes, std::uint64_t seed, int resamples = 2000);
 
 }  // namespace terratact

@@ -22,7 +22,8 @@ std::vector<BinError> only(std::span<const BinError> errors, Keep keep)
 double coverageOf(std::span<const BinError> errors)
 {
     if (errors.empty()) return 0.0;
-    const auto inside = std::count_if(errors.begin(), errors.end(), [](const BinError& e) { return e.inBand; });
+    const auto inside =
+        std::count_if(errors.begin(), errors.end(), [](const BinError& e) { return e.inBand; });
     return static_cast<double>(inside) / static_cast<double>(errors.size());
 }
 
@@ -37,7 +38,8 @@ MethodSummary summaryOf(Method method, std::span<const BinError> errors)
 
 }  // namespace
 
-std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene, const TerrainEstimate& estimate)
+std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene,
+                                const TerrainEstimate& estimate)
 {
     std::vector<BinError> errors;
     for (std::size_t i = 0; i < kBins; ++i) {
@@ -55,7 +57,8 @@ std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene, cons
 
 double quantile(std::vector<double> values, double p)
 {
-    if (values.empty() || !(p >= 0.0 && p <= 1.0)) throw std::invalid_argument("quantile of nothing, or p outside 0 … 1");
+    if (values.empty() || !(p >= 0.0 && p <= 1.0))
+        throw std::invalid_argument("quantile of nothing, or p outside 0 … 1");
     std::sort(values.begin(), values.end());
     const double place = p * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
@@ -76,7 +79,8 @@ ErrorStatistics statistics(std::span<const BinError> errors)
     for (const double x : size) result.mean += x / static_cast<double>(size.size());
     result.coverage = coverageOf(errors);
 
-    const auto sampled = only(errors, [](const BinError& e) { return e.origin == Origin::Sampled; });
+    const auto sampled =
+        only(errors, [](const BinError& e) { return e.origin == Origin::Sampled; });
     result.sampled = sampled.size();
     result.sampledCoverage = coverageOf(sampled);
     return result;
@@ -99,28 +103,34 @@ std::vector<int> binsUnderFrontFlipper(const RobotModel& robot, const Propriocep
     const double tip = flipper.b.x + std::copysign(flipper.rb, flipper.b.x - pivot);
     std::vector<int> bins;
     for (int i = 0; i < kBins; ++i)
-        if (binCentre(i) >= std::min(pivot, tip) && binCentre(i) <= std::max(pivot, tip)) bins.push_back(i);
+        if (binCentre(i) >= std::min(pivot, tip) && binCentre(i) <= std::max(pivot, tip))
+            bins.push_back(i);
     return bins;
 }
 
-std::vector<BinError> errorsInBins(std::span<const BinError> errors, std::span<const std::vector<int>> bins)
+std::vector<BinError> errorsInBins(std::span<const BinError> errors,
+                                   std::span<const std::vector<int>> bins)
 {
     return only(errors, [&](const BinError& e) {
-        if (e.scene >= bins.size()) throw std::invalid_argument("errorsInBins: a scene without its list of bins");
+        if (e.scene >= bins.size())
+            throw std::invalid_argument("errorsInBins: a scene without its list of bins");
         return std::count(bins[e.scene].begin(), bins[e.scene].end(), e.bin) > 0;
     });
 }
 
 std::vector<ErrorHistogram> histograms(std::span<const BinError> errors, double width, int classes)
 {
-    if (!(width > 0.0) || classes < 1) throw std::invalid_argument("histograms: width and classes must be above 0");
+    if (!(width > 0.0) || classes < 1)
+        throw std::invalid_argument("histograms: width and classes must be above 0");
     std::vector<ErrorHistogram> result;
     for (const Method method : kMethods) {
-        ErrorHistogram histogram{method, width, std::vector<std::size_t>(static_cast<std::size_t>(classes)), 0};
+        ErrorHistogram histogram{method, width,
+                                 std::vector<std::size_t>(static_cast<std::size_t>(classes)), 0};
         for (const BinError& e : errors) {
             if (e.method != method) continue;
             const double last = static_cast<double>(classes - 1);
-            ++histogram.count[static_cast<std::size_t>(std::min(std::floor(std::abs(e.error) / width), last))];
+            ++histogram.count[static_cast<std::size_t>(
+                std::min(std::floor(std::abs(e.error) / width), last))];
             ++histogram.n;
         }
         if (histogram.n > 0) result.push_back(std::move(histogram));

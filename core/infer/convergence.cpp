@@ -150,7 +150,8 @@ double rankNormalisedRhat(const Eigen::Ref<const Eigen::MatrixXd>& draws)
     if (allEqual(draws)) return 1.0;
     if (draws.rows() < 4) return kRhatNever;
     const Eigen::MatrixXd folded = (draws.array() - median(draws)).abs();
-    return std::max(splitRhat(normalScores(halves(draws))), splitRhat(normalScores(halves(folded))));
+    return std::max(splitRhat(normalScores(halves(draws))),
+                    splitRhat(normalScores(halves(folded))));
 }
 
 double bulkEss(const Eigen::Ref<const Eigen::MatrixXd>& draws)

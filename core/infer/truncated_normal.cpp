@@ -72,7 +72,8 @@ double drawBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng
 {
     require(std::isfinite(mean), "drawBelow: the mean must be finite");
     require(std::isfinite(sigma) && sigma > 0.0, "drawBelow: sigma must be finite and above 0");
-    require(ceiling > -Limits::infinity(), "drawBelow: the ceiling must be a number above -infinity");
+    require(ceiling > -Limits::infinity(),
+            "drawBelow: the ceiling must be a number above -infinity");
     if (mean <= ceiling) return drawWithMeanBelow(ceiling, mean, sigma, rng);
 
     // Halved, the difference of two finite numbers cannot overflow.  The excess is taken off the

@@ -359,7 +359,7 @@ std::string readMeta(SqliteFile& file, ModelData& model)
     const auto take = [&meta](const std::string& key) {
         const auto found = meta.find(key);
         require(found != meta.end(), "its table meta lacks " + key);
-        const std::string value = found->second;
+        std::string value = found->second;
         meta.erase(found);
         return value;
     };
@@ -369,6 +369,12 @@ std::string readMeta(SqliteFile& file, ModelData& model)
     std::string hash = take("content_sha256");
     require(meta == explanations(), "its table meta describes another kind of model");
     return hash;
+}
+
+/// "pitch_rad [rad]"
+std::string named(std::string_view name, std::string_view unit)
+{
+    return std::string(name) + " [" + std::string(unit) + "]";
 }
 
 void readInputs(SqliteFile& file, BinModelData& data)
@@ -382,9 +388,8 @@ void readInputs(SqliteFile& file, BinModelData& data)
     row.bind(0, set);
     for (std::size_t i = 0; i < size; ++i) {
         nextRow(row, "input");
-        const std::string expected =
-            std::string(inputColumn(i).name) + " [" + std::string(inputColumn(i).unit) + "]";
-        const std::string found = row.text(1) + " [" + row.text(2) + "]";
+        const std::string expected = named(inputColumn(i).name, inputColumn(i).unit);
+        const std::string found = named(row.text(1), row.text(2));
         require(row.integer(0) == static_cast<std::int64_t>(i) && found == expected,
                 "is a model of other features: " + shown(found) + " of set " + set
                     + " stands where " + expected + " is expected");

@@ -92,8 +92,7 @@ public:
             return csv.error("has " + std::to_string(line.size()) + " fields where the header has "
                              + std::to_string(fields_));
         for (const double height : line)
-            if (const Status status = checkHeight(csv, height, line.front()); !status)
-                return status;
+            if (Status status = checkHeight(csv, height, line.front()); !status) return status;
         file_.profiles.push_back(TerrainProfile::fromSamples(line, step_, blocks_));
         return Done{};
     }

@@ -23,6 +23,7 @@ constexpr int kFirstFeature = 2;
 constexpr int kFirstHeight = kFirstFeature + static_cast<int>(kFeatures);
 constexpr int kSlots = kFirstHeight + kBins;
 constexpr int kNeverEmpty = kFirstFeature + 3;  ///< run, time, pitch and flipper angles
+constexpr std::size_t kMostColumns = 200;
 
 std::size_t index(int slot, int first)
 {
@@ -76,6 +77,8 @@ struct Layout {
 
 Result<Layout> layoutOf(const CsvReader& csv, const std::string& path)
 {
+    if (csv.fields().size() > kMostColumns)
+        return csv.error("has more than " + std::to_string(kMostColumns) + " columns");
     Layout layout;
     std::string unknown;
     for (const std::string_view name : csv.fields()) {
@@ -147,8 +150,7 @@ Result<Scene> readScene(const CsvReader& csv, const Layout& layout)
 std::string header()
 {
     std::string line;
-    for (int slot = 0; slot < kSlots; ++slot)
-        (line += slot == 0 ? "" : ",") += slotName(slot);
+    for (int slot = 0; slot < kSlots; ++slot) (line += slot == 0 ? "" : ",") += slotName(slot);
     return line + "\n";
 }
 

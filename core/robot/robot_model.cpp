@@ -14,7 +14,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 * 1024;
+constexpr std::size_t kMostBytes = std::size_t{64} * 1024;
 constexpr int kDeepest = 16;
 constexpr std::size_t kMostPoints = 64;  ///< of a polygon, and polygons of a body
 
