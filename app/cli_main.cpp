@@ -1,0 +1,219 @@
+#include <cblas.h>
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <map>
+#include <string>
+
+#include "app/commands.h"
+#include "app/resources.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongArguments = 2;
+
+template <class Enum, class FromName>
+CLI::Validator named(Enum& value, FromName fromName, const std::string& choices)
+{
+    return CLI::Validator(
+        [&value, fromName, choices](std::string& text) -> std::string {
+            const auto found = fromName(text);
+            if (!found) return fmt::format("{} is none of {}", text, choices);
+            value = *found;
+            return {};
+        },
+        choices);
+}
+
+CLI::Option* addNumber(CLI::App& app, const std::string& flag, auto& value, const std::string& text)
+{
+    return app.add_option(flag, value, text)->capture_default_str();
+}
+
+/// Options that all estimating commands share.
+void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
+{
+    app.add_option("--ceiling", scratch, "How the robot's body bounds samples (default truncate)")
+        ->check(named(settings.ceiling, ceilingRuleFromName, "truncate|clamp|none"));
+    app.add_option("--contacts", scratch, "Which force elements fix a bin (default isolated)")
+        ->check(named(settings.contacts, contactRuleFromName, "isolated|any"));
+    addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")->check(CLI::Range(0.0, 1000.0));
+    addNumber(app, "--sweeps", settings.draws, "Kept sweeps K, all chains together")->check(CLI::Range(1, 10'000'000));
+    addNumber(app, "--chains", settings.chains, "Independent chains")->check(CLI::Range(1, 4096));
+    addNumber(app, "--burn-in", settings.burnIn, "Sweeps thrown away per chain")->check(CLI::Range(0, 1'000'000));
+    addNumber(app, "--seed", settings.seed, "Seed of the random numbers");
+}
+
+void addMethod(CLI::App& app, Settings& settings, std::string& scratch)
+{
+    app.add_option("--method", scratch, fmt::format("Method (default {})", name(settings.method)))
+        ->check(named(settings.method, methodFromName, "pa|pac|pafc|pafac"));
+}
+
+void addRobot(CLI::App& app, std::string& robot)
+{
+    app.add_option("--robot", robot, "Robot file")->default_str("the shipped Absolem");
+}
+
+/// The command as a person would type it, with the program's bare name.
+std::string commandLine(int argc, char** argv)
+{
+    std::string line = "terratact";
+    for (int k = 1; k < argc; ++k) line += std::string(" ") + argv[k];
+    return line;
+}
+
+struct Arguments {
+    SimulateOptions simulate;
+    TrainOptions train;
+    ReconstructOptions reconstruct;
+    EvaluateOptions evaluate;
+    DemoOptions demo;
+    std::string modelPath;
+    std::string modelData;
+    bool modelCsv = false;
+    std::string scratch;
+    std::vector<std::string> methods;
+};
+
+void addSimulate(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("simulate", "Drive a simulated robot over terrain and record scenes");
+    addRobot(*c, a.simulate.robot);
+    c->add_option("--terrain", a.simulate.terrain,
+                  "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, or a CSV file of profiles: two columns x,z in "
+                  "m, or rows of heights in m")
+        ->required();
+    c->add_option("--out", a.simulate.out, "Scenes CSV to write")->required();
+    addNumber(*c, "--seed", a.simulate.seed, "Seed of terrain and noise");
+    c->add_option("--count", a.simulate.count, "Scenes (default: 1400, or every stop over a file)")
+        ->check(CLI::Range(1, 1'000'000));
+    addNumber(*c, "--step", a.simulate.step, "Distance of a file's heights [m]")->check(CLI::Range(0.001, 1.0));
+    c->add_flag("--blocks", a.simulate.blocks, "A file's heights are flat-topped blocks with vertical faces");
+    c->add_flag("--exact-truth", a.simulate.exactTruth, "No scanner noise on the true heights");
+}
+
+void addTrain(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("train", "Train the 22 Gaussian processes of a model on scenes");
+    c->add_option("--data", a.train.data, "Scenes CSV with all heights")->required();
+    c->add_option("--out", a.train.out, "Model to write (*.ttm)")->required();
+    addNumber(*c, "--seed", a.train.seed, "Seed of the search");
+}
+
+void addReconstruct(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("reconstruct", "Estimate the terrain of every scene of a file");
+    addRobot(*c, a.reconstruct.robot);
+    c->add_option("--model", a.reconstruct.model, "Model (*.ttm)")->default_str("the shipped one");
+    c->add_option("--data", a.reconstruct.data, "Scenes CSV")->required();
+    c->add_option("--out", a.reconstruct.out, "Estimates CSV to write")->required();
+    addMethod(*c, a.reconstruct.settings, a.scratch);
+    addSettings(*c, a.reconstruct.settings, a.scratch);
+}
+
+void addEvaluate(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("evaluate", "Compare methods on scenes whose terrain is known");
+    addRobot(*c, a.evaluate.robot);
+    c->add_option("--model", a.evaluate.model, "Model (*.ttm)")->default_str("the shipped one");
+    c->add_option("--data", a.evaluate.data, "Scenes CSV with heights")->required();
+    c->add_option("--out", a.evaluate.out, "Directory for errors.csv, fig8.csv, fig9.csv and the figures")->required();
+    c->add_option("--methods", a.methods, "Methods to compare (default: all four)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac"}));
+    addSettings(*c, a.evaluate.settings, a.scratch);
+}
+
+void addDemo(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("demo", "The main job on the built-in simulated robot: drive up to an unseen step, ATEM, "
+                                         "estimate, one probe, second estimate");
+    addRobot(*c, a.demo.robot);
+    c->add_option("--model", a.demo.model, "Model (*.ttm)")->default_str("the shipped one");
+    c->add_option("--out", a.demo.out, "Directory for CSV and PNG")->capture_default_str();
+    addMethod(*c, a.demo.settings, a.scratch);
+    addSettings(*c, a.demo.settings, a.scratch);
+}
+
+void addModel(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("model", "Look at models");
+    c->require_subcommand(1);
+    auto* show = c->add_subcommand("show", "Every hyper-parameter, and how the model was made");
+    show->add_option("model", a.modelPath, "Model (*.ttm)")->required();
+    show->add_flag("--csv", a.modelCsv, "Everything a prediction needs, as CSV");
+    auto* predict = c->add_subcommand("predict", "Mean and sd of each bin given the scene's other bins, as CSV: to check "
+                                                 "the model against another program");
+    predict->add_option("model", a.modelPath, "Model (*.ttm)")->required();
+    predict->add_option("--data", a.modelData, "Scenes CSV with heights")->required();
+}
+
+Status run(const CLI::App& app, Arguments& a)
+{
+    if (app.got_subcommand("simulate")) return simulate(a.simulate);
+    if (app.got_subcommand("train")) return train(a.train);
+    if (app.got_subcommand("reconstruct")) return reconstructScenes(a.reconstruct);
+    if (app.got_subcommand("evaluate")) {
+        for (const std::string& method : a.methods) a.evaluate.methods.push_back(*methodFromName(method));
+        if (a.evaluate.methods.empty()) a.evaluate.methods.assign(kMethods.begin(), kMethods.end());
+        return evaluate(a.evaluate);
+    }
+    if (app.got_subcommand("demo")) return demo(a.demo);
+    if (app.get_subcommand("model")->got_subcommand("predict")) return predictConditionals(a.modelPath, a.modelData);
+    return showModel(a.modelPath, a.modelCsv);
+}
+
+void useShippedFiles(Arguments& a)
+{
+    for (std::string* robot : {&a.simulate.robot, &a.reconstruct.robot, &a.evaluate.robot, &a.demo.robot})
+        if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
+    for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model})
+        if (model->empty()) *model = resourcePath("models/default.ttm");
+}
+
+int realMain(int argc, char** argv)
+{
+    openblas_set_num_threads(1);  // our own threads run side by side, one Gaussian process each
+    CLI::App app("Terrain profile by touch for tracked robots that see nothing", "terratact");
+    app.set_version_flag("--version", "terratact " TERRATACT_VERSION);
+    app.require_subcommand(1);
+    Arguments arguments;
+    addSimulate(app, arguments);
+    addTrain(app, arguments);
+    addReconstruct(app, arguments);
+    addEvaluate(app, arguments);
+    addModel(app, arguments);
+    addDemo(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kDone : kWrongArguments;
+    }
+    useShippedFiles(arguments);
+    arguments.train.commandLine = commandLine(argc, argv);
+    if (const Status done = run(app, arguments); !done) {
+        fmt::print(stderr, "terratact: {}\n", done.error().text);
+        return kFailed;
+    }
+    return kDone;
+}
+
+}  // namespace
+
+}  // namespace terratact
+
+int main(int argc, char** argv)
+{
+    try {
+        return terratact::realMain(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "terratact: {}\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,128 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/commands.h"
+#include "core/learn/bin_models.h"
+#include "core/learn/model_file.h"
+#include "core/learn/scene_file.h"
+#include "core/learn/training.h"
+
+namespace terratact {
+
+namespace {
+
+/// Every number that predictions need, one per line: set,bin_m,name,value.
+void printCsv(const ModelData& model, const BinModelData& data)
+{
+    const auto inputs = featureNames(data.set);
+    const auto columnName = [&](Eigen::Index d) {
+        return d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
+                         : std::string(inputs[static_cast<std::size_t>(d - kBins)]);
+    };
+    for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
+        fmt::print("{},,mean {},{}\n", name(data.set), columnName(d), data.mean[d]);
+        fmt::print("{},,sd {},{}\n", name(data.set), columnName(d), data.sd[d]);
+    }
+    for (int i = 0; i < kBins; ++i) {
+        const Hyperparameters& hyper = data.bins[static_cast<std::size_t>(i)];
+        const auto line = [&](std::string_view what, double value) {
+            fmt::print("{},{:+.1f},{},{}\n", name(data.set), binCentre(i), what, value);
+        };
+        Eigen::Index k = 0;
+        for (Eigen::Index d = 0; d < data.mean.size(); ++d)
+            if (d != i) line("length_scale " + columnName(d), hyper.lengthScale[k++]);
+        line("signal_sd_m", hyper.signalSd);
+        line("noise_sd_m", hyper.noiseSd);
+        line("log_likelihood", data.logLikelihood[static_cast<std::size_t>(i)]);
+    }
+    if (data.set == FeatureSet::Pa) return;
+    for (Eigen::Index u = 0; u < model.heights.rows(); ++u)
+        for (Eigen::Index d = 0; d < data.mean.size(); ++d)
+            fmt::print("row,{},{},{}\n", u + 1, columnName(d), d < kBins ? model.heights(u, d) : model.features(u, d - kBins));
+}
+
+void printTable(const BinModelData& data)
+{
+    fmt::print("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}", name(data.set), "");
+    for (int i = 0; i < kBins; ++i) fmt::print(" {:>+8.1f}", binCentre(i));
+    fmt::print("\n");
+    const auto inputs = featureNames(data.set);
+    for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
+        fmt::print("{:>18}", d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
+                                       : std::string(inputs[static_cast<std::size_t>(d - kBins)]));
+        for (int i = 0; i < kBins; ++i) {
+            const Eigen::Index k = d < i ? d : d - 1;
+            if (d == i)
+                fmt::print(" {:>8}", "-");
+            else
+                fmt::print(" {:>8.3g}", data.bins[static_cast<std::size_t>(i)].lengthScale[k]);
+        }
+        fmt::print("\n");
+    }
+    const auto row = [&](std::string_view what, auto value) {
+        fmt::print("{:>18}", what);
+        for (std::size_t i = 0; i < kBins; ++i) fmt::print(" {:>8.4g}", value(i));
+        fmt::print("\n");
+    };
+    row("signal sd [m]", [&](std::size_t i) { return data.bins[i].signalSd; });
+    row("noise sd [m]", [&](std::size_t i) { return data.bins[i].noiseSd; });
+    row("log likelihood", [&](std::size_t i) { return data.logLikelihood[i]; });
+}
+
+/// p(hᵢ | h_{J∖i}, s) of every bin with the other heights taken from the scene.
+void printConditionals(const Scene& scene, const BinModels& models)
+{
+    Heights h{};
+    for (std::size_t i = 0; i < kBins; ++i) h[i] = *scene.truth[i];
+    const Eigen::VectorXd s = features(models.set(), scene.s);
+    for (int i = 0; i < kBins; ++i) {
+        const Normal p = models.bin(i).predict(models.input(i, h, s));
+        fmt::print("{},{},{},{:+.1f},{},{}\n", scene.run, scene.time, name(models.set()), binCentre(i), p.mean,
+                   std::sqrt(p.variance));
+    }
+}
+
+}  // namespace
+
+Status predictConditionals(const std::string& modelPath, const std::string& dataPath)
+{
+    const auto stored = readModel(modelPath);
+    if (!stored) return stored.error();
+    const auto file = readScenes(dataPath);
+    if (!file) return file.error();
+    const BinModels pa(stored->data, FeatureSet::Pa);
+    const BinModels paf(stored->data, FeatureSet::Paf);
+    fmt::print("run,t_s,set,bin_m,mean_m,sd_m\n");
+    int leftOut = 0;
+    for (const Scene& scene : file->scenes) {
+        if (!isComplete(scene)) {
+            ++leftOut;
+            continue;
+        }
+        printConditionals(scene, pa);
+        printConditionals(scene, paf);
+    }
+    if (leftOut > 0) fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
+    return Done{};
+}
+
+Status showModel(const std::string& path, bool csv)
+{
+    const auto stored = readModel(path);
+    if (!stored) return stored.error();
+    const ModelData& model = stored->data;
+    if (csv) {
+        fmt::print("set,bin_m,name,value\n");
+        printCsv(model, model.pa);
+        printCsv(model, model.paf);
+        return Done{};
+    }
+    fmt::print("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}\ndata     {}\n", path, stored->contentHash,
+               model.command, model.seed, model.heights.rows(), model.dataHash);
+    printTable(model.pa);
+    printTable(model.paf);
+    return Done{};
+}
+
+}  // namespace terratact

@@ -1,0 +1,29 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/commands.h"
+#include "app/estimate_csv.h"
+#include "app/scene_estimates.h"
+#include "core/file_write.h"
+#include "core/learn/scene_file.h"
+
+namespace terratact {
+
+Status reconstructScenes(const ReconstructOptions& options)
+{
+    const auto toolbox = openToolbox(options.robot, options.model);
+    if (!toolbox) return toolbox.error();
+    const auto file = readScenes(options.data);
+    if (!file) return file.error();
+    for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
+
+    const auto estimates = estimateScenes(file->scenes, **toolbox, options.settings);
+    const std::string csv = estimateCsv(file->scenes, estimates);
+    if (Status written = writeFileAtomically(options.out, csv); !written) return written;
+    const auto noted = std::count_if(estimates.begin(), estimates.end(), [](const auto& e) { return !e.note.empty(); });
+    fmt::print("{} scenes written to {}; {} of them with a note\n", estimates.size(), options.out, noted);
+    return Done{};
+}
+
+}  // namespace terratact

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/infer/settings.h"
+#include "core/result.h"
+
+namespace terratact {
+
+// The subcommands of `terratact`.  Each returns what stood in its way, in one sentence.
+
+struct SimulateOptions {
+    std::string robot;
+    std::string terrain = "boxes";  ///< "boxes", "varied", or a file of profiles
+    std::string out;
+    std::uint64_t seed = 1;
+    int count = 0;       ///< scenes; 0: 1400 for the presets, every stop of a file
+    double step = 0.1;   ///< [m] of a file of heights
+    bool blocks = false;  ///< heights of a file are flat-topped blocks
+    bool exactTruth = false;
+};
+Status simulate(const SimulateOptions& options);
+
+struct TrainOptions {
+    std::string data, out;
+    std::string commandLine;  ///< kept in the model
+    std::uint64_t seed = 1;
+};
+Status train(const TrainOptions& options);
+
+struct ReconstructOptions {
+    std::string robot, model, data, out;
+    Settings settings;
+};
+Status reconstructScenes(const ReconstructOptions& options);
+
+struct EvaluateOptions {
+    std::string robot, model, data, out;
+    std::vector<Method> methods;
+    Settings settings;
+};
+Status evaluate(const EvaluateOptions& options);
+
+Status showModel(const std::string& path, bool csv);
+
+/// Prints mean and sd of every conditional p(hᵢ | h_{J∖i}, s) for complete scenes, as CSV.
+Status predictConditionals(const std::string& modelPath, const std::string& dataPath);
+
+struct DemoOptions {
+    std::string robot, model, out = ".";
+    Settings settings;
+};
+Status demo(const DemoOptions& options);
+
+}  // namespace terratact

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace terratact {
+
+/// Calls work(0) … work(count − 1), each once, on as many threads as the machine has cores.  The first
+/// exception ends the rest and is thrown again here.
+template <class Work>
+void parallelFor(int count, Work work)
+{
+    std::atomic<int> next{0};
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto run = [&] {
+        for (int i = next++; i < count; i = next++) {
+            try {
+                work(i);
+            } catch (...) {
+                const std::scoped_lock lock(mutex);
+                if (!failure) failure = std::current_exception();
+                next = count;
+            }
+        }
+    };
+    const int threads = std::min(count, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    {
+        std::vector<std::jthread> pool;
+        for (int t = 1; t < threads; ++t) pool.emplace_back(run);
+        run();
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace terratact

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace terratact {
+
+/// Progress of a long command: one line on stderr, only on a terminal and only after a second.
+/// tick() may be called from any thread.
+class Progress {
+public:
+    Progress(std::string what, int total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void tick();
+
+private:
+    std::string what_;
+    int total_;
+    bool terminal_;
+    std::atomic<int> done_{0};
+    std::mutex mutex_;
+    std::chrono::steady_clock::time_point start_, shown_;
+    bool printed_ = false;
+};
+
+}  // namespace terratact

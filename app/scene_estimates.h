@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/infer/estimate.h"
+#include "core/learn/bin_models.h"
+#include "core/learn/model_file.h"
+#include "core/learn/scene.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// Robot, model and the conditionals of both feature sets.
+struct Toolbox {
+    RobotModel robot;
+    StoredModel model;
+    BinModels pa, paf;
+
+    const BinModels& modelsFor(Method method) const { return usesForces(method) ? paf : pa; }
+};
+Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath, const std::string& modelPath);
+
+/// An estimate of a scene, or why there is none.
+struct SceneEstimate {
+    std::optional<TerrainEstimate> estimate;
+    std::string note;  ///< what makes it doubtful or impossible, in words
+};
+
+/// Reconstructs one scene.  Pafac simulates the arm as the paper does: where some sd exceeds the limit, the
+/// bin of the largest one in reach is revealed from the scene's truth, and the rest sampled again.
+SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings);
+
+/// All scenes, on all cores; the seed of scene k is settings.seed + k.
+std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
+                                          const Settings& settings);
+
+}  // namespace terratact

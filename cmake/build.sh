@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Configures a preset if it is new or CMakePresets.json changed, and builds it:
+#   cmake/build.sh PRESET             everything, tests included
+#   cmake/build.sh PRESET TARGET...   these targets; a new configuration leaves the tests out
+# On a terminal the build shows its progress; otherwise it speaks only when it fails.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+preset=$1
+shift
+dir=build/$preset
+log=$dir.log
+mkdir -p build
+
+fail() {
+  grep -E -A8 'error:|CMake Error|FAILED:|^ld:' "$log" | head -n 60 >&2 || true
+  echo "$1 of preset $preset failed: see above, all of it is in $log" >&2
+  exit 1
+}
+
+# CMake's own re-runs know nothing of presets; and a build made for a few targets lacks the tests.
+without_tests=()
+[ $# = 0 ] || without_tests=(-D TERRATACT_TESTS=OFF)
+if [ ! "$dir/build.ninja" -nt CMakePresets.json ] ||
+  { [ $# = 0 ] && grep -q '^TERRATACT_TESTS:.*=OFF' "$dir/CMakeCache.txt"; }; then
+  echo "building preset $preset (the first time takes minutes)"
+  cmake --preset "$preset" "${without_tests[@]}" >"$log" 2>&1 || fail "configuring"
+fi
+if [ -t 1 ]; then
+  cmake --build "$dir" ${1+--target "$@"} 2>&1 | tee "$log" | grep --line-buffered -v '^ninja: no work' || true
+  [ "${PIPESTATUS[0]}" = 0 ] || fail "building"
+else
+  cmake --build "$dir" ${1+--target "$@"} >"$log" 2>&1 || fail "building"
+fi

@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# Installs what is missing for the named groups, and says nothing if nothing is missing:
+#   cmake/setup.sh [core] [gui] [test] [tidy]
+#   core  compiler and libraries of the core, the drivers and the command line
+#   gui   Qt 6, and Qwt for Qt 6: the system's where it has one, else built into .deps/qwt
+#   test  libraries and tools of the tests      tidy  clang, clang-tidy, clang-format
+# Packages come through apt (sudo where needed); the system's apt sources stay as they are.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+qwt_version=6.3.0
+qwt_sha256=dcb085896c28aaec5518cbc08c0ee2b4e60ada7ac929d82639f6189851a6129a
+qwt_suites="forky sid"
+qwt_prefix=$PWD/.deps/qwt
+log=$PWD/.deps/setup.log
+
+declare -A packages=(
+  [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libnlopt-dev
+          libboost-math-dev libsqlite3-dev libsodium-dev libtomlplusplus-dev libcli11-dev libfmt-dev
+          libcairo2-dev fonts-dejavu-core"
+  [gui]="qt6-base-dev qt6-svg-dev qt6-wayland qmake6 libgl-dev make bzip2 fonts-dejavu-core"
+  [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
+          sqlite3 xvfb xauth xdotool"
+  [tidy]="clang clang-tidy clang-format libclang-rt-14-dev git"
+)
+
+fail() {
+  echo "set-up: $*" >&2
+  exit 1
+}
+
+# Names those of the given packages that are not installed.
+missing() {
+  comm -23 <(printf '%s\n' "$@" | sort -u) \
+    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+      sed -n 's/^installed //p' | sort -u)
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+install_packages() {
+  local wanted
+  wanted=$(missing "$@" | xargs)
+  [ -n "$wanted" ] || return 0
+  [ "$(id -u)" = 0 ] || command -v sudo >/dev/null ||
+    fail "packages are missing and sudo is not there; as root run: apt-get install $wanted"
+  echo "set-up: installing $wanted"
+  local apt=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q -y -o DPkg::Lock::Timeout=300)
+  as_root "${apt[@]}" update >>"$log" 2>&1 || echo "apt-get update failed" >>"$log"
+  # shellcheck disable=SC2086
+  as_root "${apt[@]}" install --no-install-recommends $wanted >>"$log" 2>&1 ||
+    fail "apt-get install failed: $(grep '^E:' "$log" | tail -n 1) (all of it in ${log#"$PWD"/})"
+}
+
+# The mirror from which this machine takes its own release.
+debian_mirror() {
+  local release
+  # shellcheck disable=SC1091
+  release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+  # shellcheck disable=SC2016
+  apt-get indextargets --format '$(RELEASE) $(REPO_URI)' 'Created-By: Packages' |
+    awk -v release="$release" '$1 == release || $1 ~ /^(old)*stable$/ { print $2; exit }'
+}
+
+# Fetches Qwt's source through a second, private set of apt lists.
+fetch_qwt() {
+  local mirror suite dir=$1
+  mirror=$(debian_mirror)
+  [ -n "$mirror" ] || fail "found no Debian mirror in the apt sources for Qwt's source"
+  mkdir -p "$dir"/lists/partial "$dir"/cache/archives/partial
+  local apt=(env LC_ALL=C apt-get -q -o Dir::State::Lists="$dir/lists" -o Dir::Cache="$dir/cache"
+    -o Dir::Etc::SourceList="$dir/sources.list" -o Dir::Etc::SourceParts=/dev/null
+    -o Acquire::Languages=none -o Acquire::Check-Valid-Until=false -o Debug::NoLocking=1)
+  [ "$(id -u)" != 0 ] || apt+=(-o APT::Sandbox::User=root)
+  for suite in $qwt_suites; do
+    echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" >"$dir/sources.list"
+    if "${apt[@]}" update && (cd "$dir" && "${apt[@]}" source --download-only --tar-only qwt) &&
+      echo "$qwt_sha256 $(echo "$dir"/qwt_*.orig.tar.*)" | sha256sum --check; then
+      return 0
+    fi >>"$log" 2>&1
+    rm -f "$dir"/qwt_*
+  done
+  fail "could not fetch the source of Qwt $qwt_version from the Debian mirror (see ${log#"$PWD"/})"
+}
+
+build_qwt() {
+  local dir=$PWD/.deps/qwt-build
+  echo "set-up: building Qwt $qwt_version, a minute or two"
+  rm -rf "$dir" "$qwt_prefix"
+  mkdir -p "$dir/source"
+  fetch_qwt "$dir"
+  (
+    tar -xf "$dir"/qwt_*.orig.tar.* -C "$dir/source" --strip-components=1 &&
+      cd "$dir/source" &&
+      sed -i -E -e "s|^( *QWT_INSTALL_PREFIX *= ).*|\1$qwt_prefix|" \
+        -e 's/^( *QWT_CONFIG *\+= *Qwt(Dll|Polar|Designer|Examples|Playground|Tests|OpenGL))/#\1/' \
+        qwtconfig.pri &&
+      qmake6 && make -j"$(nproc)" && make install
+  ) >>"$log" 2>&1 || fail "Qwt $qwt_version did not build (see ${log#"$PWD"/})"
+  touch "$qwt_prefix/complete"
+  rm -rf "$dir"
+}
+
+[ -w . ] || fail "cannot write to $PWD"
+mkdir -p .deps
+exec 9>.deps/lock
+flock 9
+wanted=()
+for group in "$@"; do
+  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy)"
+  # shellcheck disable=SC2206
+  wanted+=(${packages[$group]})
+done
+: >"$log"
+install_packages "${wanted[@]}"
+if [[ " $* " == *" gui "* ]] && [ ! -e "$qwt_prefix/complete" ] && [ -n "$(missing libqwt-qt6-dev)" ]; then
+  if [ -n "$(apt-cache madison libqwt-qt6-dev 2>/dev/null)" ]; then
+    install_packages libqwt-qt6-dev
+  else
+    build_qwt
+  fi
+fi
