@@ -1,0 +1,66 @@
+#include "app/acquisition.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace terratact {
+
+using namespace std::chrono_literals;
+
+Acquisition::Acquisition(MeasurementSource& source)
+    : source_(source), thread_([this](const std::stop_token& stop) { read(stop); })
+{
+}
+
+void Acquisition::read(const std::stop_token& stop)
+{
+    while (!stop.stop_requested()) {
+        std::string trouble;
+        try {
+            auto next = source_.next(50ms);
+            if (next && !*next) continue;
+            if (next) {
+                const SteadyTime now = std::chrono::steady_clock::now();
+                const std::scoped_lock lock(mutex_);
+                const std::uint64_t count = latest_ ? latest_->count + 1 : 1;
+                latest_ = Received{.sample = **std::move(next), .arrived = now, .count = count};
+                arrivals_.push_back(now);
+                while (now - arrivals_.front() > 1s) arrivals_.pop_front();
+                trouble_.clear();
+                continue;
+            }
+            trouble = next.error().text;
+        } catch (const std::exception& error) {
+            trouble = error.what();
+        }
+        {
+            const std::scoped_lock lock(mutex_);
+            trouble_ = trouble;
+        }
+        std::this_thread::sleep_for(
+            50ms);  // a source that fails at once must not take a whole core
+    }
+}
+
+std::optional<Received> Acquisition::latest() const
+{
+    const std::scoped_lock lock(mutex_);
+    return latest_;
+}
+
+double Acquisition::rate() const
+{
+    const SteadyTime now = std::chrono::steady_clock::now();
+    const std::scoped_lock lock(mutex_);
+    return static_cast<double>(
+        std::count_if(arrivals_.begin(), arrivals_.end(),
+                      [now](SteadyTime arrived) { return now - arrived <= 1s; }));
+}
+
+std::string Acquisition::trouble() const
+{
+    const std::scoped_lock lock(mutex_);
+    return trouble_;
+}
+
+}  // namespace terratact

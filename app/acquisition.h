@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "drivers/measurement_source.h"
+
+namespace terratact {
+
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+/// [s] on the steady clock.
+inline double secondsOf(SteadyTime time)
+{
+    return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+/// The newest telemetry.
+struct Received {
+    Sample sample;
+    SteadyTime arrived;
+    std::uint64_t count = 0;  ///< 1 for the first
+};
+
+/// Reads a source in its own thread into a mailbox that keeps only the newest: whoever draws looks when
+/// it likes and can never be flooded.  The source must outlive it.
+class Acquisition {
+public:
+    explicit Acquisition(MeasurementSource& source);
+
+    std::optional<Received> latest() const;
+    double rate() const;  ///< [Hz] over the last second
+    /// What the source complained about last; empty once telemetry comes again.
+    std::string trouble() const;
+
+private:
+    void read(const std::stop_token& stop);
+
+    MeasurementSource& source_;
+    mutable std::mutex mutex_;  // guards what follows
+    std::optional<Received> latest_;
+    std::deque<SteadyTime> arrivals_;
+    std::string trouble_;
+    std::jthread thread_;  // last: it starts when all else stands
+};
+
+}  // namespace terratact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+namespace terratact {
+
+class MainWindow;
+
+/// Plays the operator of the simulated robot: drives up to the step, asks for an exploration, and
+/// saves a picture of the window once the first estimate stands on it.  Ends the program's event loop
+/// with 0, or with 1 and a sentence on stderr.
+class ScreenshotDemo final : public QObject {
+    Q_OBJECT
+public:
+    ScreenshotDemo(MainWindow& window, QString file);
+
+private:
+    enum class Stage { Loading, Driving, Exploring, Settling };
+    void tick();
+    void finish();
+    void fail(const QString& why);
+
+    MainWindow& window_;
+    QString file_;
+    QTimer timer_;
+    Stage stage_ = Stage::Loading;
+    double began_ = 0.0;    // [s]
+    double settled_ = 0.0;  // [s]
+};
+
+}  // namespace terratact

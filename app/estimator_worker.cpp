@@ -1,0 +1,132 @@
+#include "app/estimator_worker.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "core/infer/reconstruct.h"
+#include "core/learn/bin_models.h"
+#include "core/learn/model_file.h"
+
+namespace terratact {
+
+ModelLoader modelFileLoader(std::string path, RobotModel robot)
+{
+    return [path = std::move(path), robot = std::move(robot)]() -> Result<LoadedModel> {
+        auto stored = readModel(path);
+        if (!stored) return stored.error();
+        // Shared because an Estimator is a copyable value while the models are not.
+        const auto pa = std::make_shared<const BinModels>(stored->data, FeatureSet::Pa);
+        const auto paf = std::make_shared<const BinModels>(stored->data, FeatureSet::Paf);
+        for (int bin = 0; bin < kBins; ++bin) (void)paf->bin(bin);
+
+        LoadedModel model;
+        model.name = QFileInfo(QString::fromStdString(path)).fileName();
+        model.details = QStringLiteral("%1\n%2 training scenes\nmade by: %3\ncontent %4")
+                            .arg(QString::fromStdString(path))
+                            .arg(stored->data.heights.rows())
+                            .arg(QString::fromStdString(stored->data.command),
+                                 QString::fromStdString(stored->contentHash.substr(0, 16)));
+        model.estimate = [pa, paf, robot](const EstimateRequest& request, const Watch& watch) {
+            const BinModels& models = usesForces(request.settings.method) ? *paf : *pa;
+            TerrainEstimate estimate = reconstruct(proprioception(request.measurement), request.arm,
+                                                   robot, models, request.settings, watch);
+            warnIfNotPlanar(estimate, request.measurement);
+            return estimate;
+        };
+        return model;
+    };
+}
+
+EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
+{
+    thread_.setObjectName(QStringLiteral("estimator"));
+    moveToThread(&thread_);
+}
+
+void EstimatorWorker::start()
+{
+    QMetaObject::invokeMethod(
+        this, [this] { load(); }, Qt::QueuedConnection);
+    thread_.start();
+}
+
+EstimatorWorker::~EstimatorWorker()
+{
+    cancel();
+    thread_.quit();
+    thread_.wait();
+}
+
+int EstimatorWorker::request(EstimateRequest request)
+{
+    const int job = ++newest_;
+    progress_ = 0.0;
+    QMetaObject::invokeMethod(
+        this, [this, job, request = std::move(request)] { run(job, request); },
+        Qt::QueuedConnection);
+    return job;
+}
+
+void EstimatorWorker::cancel()
+{
+    ++newest_;
+    progress_ = -1.0;
+}
+
+std::optional<double> EstimatorWorker::progress() const
+{
+    const double share = progress_;
+    return share < 0.0 ? std::nullopt : std::optional(share);
+}
+
+void EstimatorWorker::load()
+{
+    try {
+        auto model = load_();
+        if (model) {
+            estimate_ = model->estimate;
+            emit modelLoaded(model->name, model->details);
+            return;
+        }
+        trouble_ = QString::fromStdString(model.error().text);
+    } catch (const std::exception& error) {
+        trouble_ = QString::fromUtf8(error.what());
+    }
+    emit modelFailed(trouble_);
+}
+
+void EstimatorWorker::run(int job, const EstimateRequest& request)
+{
+    const auto overtaken = [this, job] { return job != newest_; };
+    if (overtaken()) return;
+    QString why;
+    try {
+        if (!estimate_) throw std::runtime_error(trouble_.toStdString());
+        Watch watch;
+        watch.cancelled = overtaken;
+        watch.progress = [this, overtaken](double share) {
+            if (!overtaken()) progress_ = share;
+        };
+        QElapsedTimer timer;
+        timer.start();
+        const TerrainEstimate estimate = estimate_(request, watch);
+        if (overtaken()) return;
+        progress_ = -1.0;
+        emit estimated(job, estimate, static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+        return;
+    } catch (const Cancelled&) {
+        return;
+    } catch (const std::exception& error) {
+        why = QString::fromUtf8(error.what());
+    } catch (...) {
+        why = QStringLiteral("unknown error");
+    }
+    if (overtaken()) return;
+    progress_ = -1.0;
+    emit failed(job, why);
+}
+
+}  // namespace terratact

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QObject>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/infer/estimate.h"
+#include "core/infer/watch.h"
+#include "core/result.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// A captured scene and how to estimate it.
+struct EstimateRequest {
+    Measurement measurement;
+    std::vector<ArmReading> arm;
+    Settings settings;
+};
+
+/// Computes an estimate; throws what reconstruct() throws.
+using Estimator = std::function<TerrainEstimate(const EstimateRequest&, const Watch&)>;
+
+/// An estimator with its model's name as the operator reads it.
+struct LoadedModel {
+    Estimator estimate;
+    QString name;     ///< "default.ttm"
+    QString details;  ///< size, hash, how it was made
+};
+using ModelLoader = std::function<Result<LoadedModel>()>;
+
+/// Reads a model file and makes its Gaussian processes ready; takes a second or so.
+ModelLoader modelFileLoader(std::string path, RobotModel robot);
+
+/// Estimates in its own thread, where it also loads the model first.  The newest request wins: it
+/// cancels the one in flight.  Every request ends in exactly one of estimated, failed or, when a newer
+/// one or cancel() overtook it, nothing.  request(), cancel() and progress() may be called from any thread.
+class EstimatorWorker final : public QObject {
+    Q_OBJECT
+public:
+    explicit EstimatorWorker(ModelLoader load);
+    ~EstimatorWorker() override;
+
+    void start();  ///< loads the model; call once, when everybody listens
+
+    int request(EstimateRequest request);  ///< the job's number
+    void cancel();
+    /// 0 … 1 of the job in flight; empty when there is none.  To be looked at, not to be signalled.
+    std::optional<double> progress() const;
+
+signals:
+    void modelLoaded(const QString& name, const QString& details);
+    void modelFailed(const QString& why);
+    void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds);
+    void failed(int job, const QString& why);
+
+private:
+    void load();
+    void run(int job, const EstimateRequest& request);
+
+    ModelLoader load_;
+    Estimator estimate_;  // used in the worker's thread only
+    QString trouble_;     // why there is no model; likewise
+    std::atomic<int> newest_ = 0;
+    std::atomic<double> progress_ = -1.0;
+    QThread thread_;
+};
+
+}  // namespace terratact

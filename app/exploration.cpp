@@ -1,0 +1,393 @@
+#include "app/exploration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/atem/arm_choice.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+// A pose counts as changed beyond these: five standard deviations of an MTi's difference of two pitches.
+constexpr double kPitchChange = 0.06;    // [rad]
+constexpr double kFlipperChange = 0.05;  // [rad]
+constexpr double kRepeatStop = 0.2;      // [s]
+
+}  // namespace
+
+Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
+                         const Options& options)
+    : source_(source), robot_(std::move(robot)), worker_(worker), options_(options),
+      whyNoEstimate_(tr("No estimate yet: explore the terrain (A)"))
+{
+    connect(&worker_, &EstimatorWorker::modelLoaded, this, [this](const QString& name) {
+        modelName_ = name;
+        emit happened(tr("model %1 loaded").arg(name), Weight::Note);
+    });
+    connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
+        modelTrouble_ = why;
+        emit happened(why, Weight::Bad);
+    });
+    connect(&worker_, &EstimatorWorker::estimated, this,
+            [this](int job, const TerrainEstimate& estimate, double seconds) {
+                if (job != job_) return;
+                estimate_ = estimate;
+                estimateSeconds_ = seconds;
+                pending_.estimateReady = true;
+                const auto bin = proposeProbe(estimate, robot_);
+                pending_.probeWanted = bin.has_value();
+                proposal_.reset();
+                if (bin) {
+                    const auto i = static_cast<std::size_t>(*bin);
+                    proposal_ = ProbeProposal{.id = ++lastProposal_,
+                                              .bin = *bin,
+                                              .mean = estimate.mean[i],
+                                              .q10 = estimate.q10[i],
+                                              .q90 = estimate.q90[i],
+                                              .sd = estimate.sd[i],
+                                              .limit = estimate.settings.probeAbove,
+                                              .armSd = estimate.settings.armSd,
+                                              .seconds = options_.probeSeconds};
+                }
+                emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
+                for (const std::string& warning : estimate.warnings)
+                    emit happened(QString::fromStdString(warning), Weight::Doubt);
+            });
+    connect(&worker_, &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+        if (job != job_) return;
+        pending_.estimateFailed = true;
+        emit happened(tr("estimate failed: %1").arg(why), Weight::Bad);
+    });
+}
+
+void Exploration::request()
+{
+    pending_.requested = true;
+    driving_ = false;  // the halt comes from the exploration
+}
+
+void Exploration::abort()
+{
+    pending_.aborted = true;
+}
+
+void Exploration::approve(quint64 proposal)
+{
+    if (!proposal_ || proposal_->id != proposal) return;
+    pending_.approved = true;
+}
+
+void Exploration::refuse(quint64 proposal)
+{
+    if (proposal_ && proposal_->id == proposal) pending_.refused = true;
+}
+
+void Exploration::drive(int direction)
+{
+    if (!whyNotDriving().isEmpty()) return;
+    driving_ = true;
+    command(DriveCommand{.speed = direction * options_.driveSpeed});
+}
+
+void Exploration::halt()
+{
+    if (!std::exchange(driving_, false)) return;
+    command(HaltCommand{});
+}
+
+void Exploration::stop()
+{
+    command(StopCommand{});
+    stopSent_ = now_;
+    pending_.stop = true;
+    releasing_ = false;
+    driving_ = false;
+}
+
+void Exploration::releaseStop()
+{
+    if (state_.phase != AtemPhase::Stopped) return;
+    releasing_ = true;
+    stopSent_ = now_;
+    command(ReleaseStopCommand{});
+    emit happened(tr("STOP released by the operator"), Weight::Doubt);
+}
+
+void Exploration::leave()
+{
+    halt();
+    if (exploring(state_.phase)) command(HaltCommand{});
+    cancelEstimate();
+}
+
+void Exploration::command(const Command& command)
+{
+    // The next telemetry may have been measured before the command got there; the one after was not.
+    answersFrom_ = (latest_ ? latest_->count : 0) + 2;
+    const Status sent = source_.send(command);
+    if (!sent)
+        emit happened(tr("command not sent: %1").arg(QString::fromStdString(sent.error().text)),
+                      Weight::Bad);
+}
+
+bool Exploration::answered() const
+{
+    return latest_ && latest_->count >= answersFrom_;
+}
+
+bool Exploration::moved() const
+{
+    const Proprioception then = proprioception(scene_->measurement);
+    const Measurement& m = latest_->sample.measurement;
+    const Proprioception s = proprioception(m);
+    return m.activity == RobotActivity::Driving || std::abs(s.pitch - then.pitch) > kPitchChange
+        || std::abs(s.front - then.front) > kFlipperChange
+        || std::abs(s.rear - then.rear) > kFlipperChange;
+}
+
+void Exploration::look(AtemInput& in)
+{
+    linkAlive_ = latest_ && now_ - secondsOf(latest_->arrived) <= options_.linkLostAfter;
+    in.linkAlive = linkAlive_;
+    if (!latest_) return;
+    const Measurement& m = latest_->sample.measurement;
+
+    if (m.activity == RobotActivity::Stopped && state_.phase != AtemPhase::Stopped) in.stop = true;
+    if (state_.phase == AtemPhase::Stopped) {
+        const bool latched = m.activity == RobotActivity::Stopped;
+        if (answered() && releasing_ && !latched) in.stopReleased = true;
+        if (now_ - stopSent_ >= kRepeatStop && latched == releasing_) {
+            stopSent_ = now_;
+            if (releasing_)
+                command(ReleaseStopCommand{});
+            else
+                command(StopCommand{});
+        }
+    }
+
+    if (scene_ && !moved_) {
+        // Twice in a row, so that one outlier of the IMU ends nothing.
+        if (!moved()) {
+            movedAt_ = 0;
+        } else if (movedAt_ == 0) {
+            movedAt_ = latest_->count;
+        } else if (latest_->count > movedAt_) {
+            moved_ = true;
+        }
+    }
+    in.poseChanged = moved_;
+
+    if (!answered()) return;
+    const bool refused = m.refusal != Refusal::None;
+    switch (state_.phase) {
+    case AtemPhase::Halting:
+        in.halted = m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
+        break;
+    case AtemPhase::Pressing:
+        in.pressed = m.activity == RobotActivity::Pressed;
+        in.pressRefused = refused || m.activity == RobotActivity::Halted;
+        break;
+    case AtemPhase::Probing:
+        sawProbing_ = sawProbing_ || m.activity == RobotActivity::Probing;
+        in.probeRefused = refused || m.activity == RobotActivity::Halted;
+        in.probeDone = m.activity == RobotActivity::Pressed && m.arm && approved_
+                    && m.arm->bin == approved_->bin && (sawProbing_ || m.arm != armBefore_);
+        break;
+    case AtemPhase::Idle:
+    case AtemPhase::Estimating:
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::EstimatingAgain:
+    case AtemPhase::Presenting:
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed: break;
+    }
+}
+
+void Exploration::tick(double now, const std::optional<Received>& latest)
+{
+    now_ = now;
+    latest_ = latest;
+    AtemInput in = std::exchange(pending_, AtemInput{});
+    in.now = now;
+    look(in);
+    if (in.aborted && !exploring(state_.phase) && estimate_)
+        forget(tr("No estimate: explore the terrain (A)"));
+    if (moved_ && estimate_) forget(tr("The robot has moved: explore again (A)"));
+
+    const AtemState before = state_;
+    state_ = nextState(state_, in, options_.limits);
+    if (state_.phase != before.phase) enter(before);
+}
+
+void Exploration::enter(const AtemState& before)
+{
+    const auto note = [this](const QString& text, Weight weight = Weight::Note) {
+        emit happened(text, weight);
+    };
+    if (before.phase == AtemPhase::ProposingProbe && state_.phase != AtemPhase::Probing)
+        proposal_.reset();
+    switch (state_.phase) {
+    case AtemPhase::Halting:
+        forget(tr("Exploring: the robot halts"));
+        note(tr("exploration requested"));
+        command(HaltCommand{});
+        break;
+    case AtemPhase::Pressing:
+        whyNoEstimate_ = tr("Exploring: the front flippers press down");
+        command(PressCommand{.torque = options_.pressTorque});
+        break;
+    case AtemPhase::Estimating:
+        whyNoEstimate_ = tr("Estimating …");
+        capture();
+        startEstimate({});
+        break;
+    case AtemPhase::ProposingProbe:
+        note(tr("probe proposed at %1").arg(words::binName(proposal_->bin)));
+        break;
+    case AtemPhase::Probing:
+        approved_ = std::exchange(proposal_, std::nullopt);
+        note(tr("probe at %1 approved").arg(words::binName(approved_->bin)));
+        sawProbing_ = false;
+        armBefore_ = latest_->sample.measurement.arm;
+        command(ProbeCommand{.bin = approved_->bin});
+        break;
+    case AtemPhase::EstimatingAgain: finishProbe(); break;
+    case AtemPhase::Presenting:
+        if (before.phase == AtemPhase::ProposingProbe) {
+            if (state_.approvalExpired)
+                note(tr("no answer in time: no probe"), Weight::Doubt);
+            else
+                note(tr("probe refused"));
+        }
+        proposal_.reset();
+        break;
+    case AtemPhase::Idle:
+        if (exploring(before.phase)) {
+            cancelEstimate();
+            command(HaltCommand{});
+            note(tr("exploration ended by the operator"), Weight::Doubt);
+            if (!estimate_) forget(tr("No estimate: explore the terrain (A)"));
+        }
+        releasing_ = false;
+        break;
+    case AtemPhase::Stopped:
+        cancelEstimate();
+        note(tr("STOP"), Weight::Bad);
+        if (!estimate_) forget(tr("No estimate: STOP was pressed"));
+        break;
+    case AtemPhase::Failed:
+        cancelEstimate();
+        if (linkAlive_) command(HaltCommand{});
+        note(tr("exploration failed: %1").arg(QString::fromStdString(describe(state_.failure))),
+             Weight::Bad);
+        if (!estimate_)
+            forget(tr("No estimate: %1").arg(QString::fromStdString(describe(state_.failure))));
+        break;
+    }
+}
+
+void Exploration::capture()
+{
+    scene_ =
+        CapturedScene{.measurement = latest_->sample.measurement, .truth = latest_->sample.truth};
+    moved_ = false;
+    movedAt_ = 0;
+}
+
+void Exploration::startEstimate(std::vector<ArmReading> arm)
+{
+    Settings settings = options_.settings;
+    if (!arm.empty()) settings.method = Method::Pafac;
+    job_ = worker_.request(
+        {.measurement = scene_->measurement, .arm = std::move(arm), .settings = settings});
+}
+
+void Exploration::finishProbe()
+{
+    const ArmReading reading = *latest_->sample.measurement.arm;
+    const bool inside = approved_->q10 <= reading.height && reading.height <= approved_->q90;
+    emit happened(tr("arm at %1: %2 m, %3 the band shown before")
+                      .arg(words::binName(reading.bin), words::signedNumber(reading.height, 2),
+                           inside ? tr("inside") : tr("outside")),
+                  inside ? Weight::Note : Weight::Doubt);
+    startEstimate({reading});
+}
+
+void Exploration::cancelEstimate()
+{
+    worker_.cancel();
+    job_ = 0;  // a result already on its way is not ours any more
+}
+
+void Exploration::forget(const QString& why)
+{
+    estimate_.reset();
+    scene_.reset();
+    proposal_.reset();
+    moved_ = false;
+    movedAt_ = 0;
+    whyNoEstimate_ = why;
+}
+
+std::optional<double> Exploration::timeLeft() const
+{
+    const auto end = deadline(state_, options_.limits);
+    return end ? std::optional(std::max(0.0, *end - now_)) : std::nullopt;
+}
+
+std::optional<int> Exploration::probingBin() const
+{
+    return state_.phase == AtemPhase::Probing && approved_ ? std::optional(approved_->bin)
+                                                           : std::nullopt;
+}
+
+QString Exploration::whyNotDriving() const
+{
+    if (state_.phase == AtemPhase::Stopped) return tr("STOP is latched: release it first");
+    if (exploring(state_.phase)) return tr("An exploration is running: end it with Esc first");
+    if (!linkAlive_) return tr("No telemetry from the robot");
+    return {};
+}
+
+QList<Precondition> Exploration::preconditions() const
+{
+    using Level = Precondition::Level;
+    QList<Precondition> list;
+    if (linkAlive_)
+        list << Precondition{Level::Met, tr("telemetry is live")};
+    else
+        list << Precondition{Level::Missing, tr("no telemetry from the robot")};
+    if (state_.phase == AtemPhase::Stopped)
+        list << Precondition{Level::Missing,
+                             releasing_ ? tr("STOP: release sent, not yet confirmed by the robot")
+                                        : tr("STOP is latched")};
+    else
+        list << Precondition{Level::Met, tr("STOP is not latched")};
+    if (!modelTrouble_.isEmpty())
+        list << Precondition{Level::Missing, tr("no model: %1").arg(modelTrouble_)};
+    else if (modelName_.isEmpty())
+        list << Precondition{Level::Missing, tr("the model is being loaded")};
+    else
+        list << Precondition{Level::Met, tr("model %1 is ready").arg(modelName_)};
+    if (latest_) {
+        const Measurement& m = latest_->sample.measurement;
+        const Settings& settings = options_.settings;
+        const double asymmetry =
+            std::max(std::abs(m.frontLeft - m.frontRight), std::abs(m.rearLeft - m.rearRight));
+        if (std::abs(m.roll) > settings.rollLimit)
+            list << Precondition{
+                Level::Doubtful,
+                tr("roll %1: left and right ground differ").arg(words::degrees(m.roll))};
+        else if (asymmetry > settings.asymmetryLimit)
+            list << Precondition{
+                Level::Doubtful,
+                tr("left and right flippers differ by %1").arg(words::degrees(asymmetry))};
+        else
+            list << Precondition{Level::Met, tr("left and right agree, roll is small")};
+    }
+    return list;
+}
+
+}  // namespace terratact

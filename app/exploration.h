@@ -1,0 +1,121 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "app/acquisition.h"
+#include "app/estimator_worker.h"
+#include "core/atem/atem_machine.h"
+#include "core/robot/robot_model.h"
+#include "drivers/measurement_source.h"
+#include "widgets/atem_panel.h"
+#include "widgets/event_list.h"
+#include "widgets/probe_card.h"
+
+namespace terratact {
+
+/// The scene an estimate rests on.
+struct CapturedScene {
+    Measurement measurement;
+    std::optional<Heights> truth;
+};
+
+/// Joins the exploration's state machine to the world: telemetry, the operator and the estimator go in,
+/// commands go out.  GUI thread only; it looks at the world when tick() is called.  The source and the
+/// worker must outlive it.
+class Exploration final : public QObject {
+    Q_OBJECT
+public:
+    struct Options {
+        Settings settings;
+        AtemLimits limits;
+        double pressTorque = 18.0;    ///< [N m] sum of both front flippers
+        double driveSpeed = 0.2;      ///< [m/s]
+        double linkLostAfter = 0.25;  ///< [s] without telemetry
+        double probeSeconds = 45.0;   ///< what a probe costs, as told to the operator
+    };
+
+    Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
+                const Options& options);
+
+    // What the operator did.
+    void request();
+    void abort();
+    void approve(quint64 proposal);
+    void refuse(quint64 proposal);
+    void drive(int direction);
+    void halt();  ///< ends drive(); does nothing when not driving
+    void stop();  ///< goes out at once and again until the robot confirms it
+    void releaseStop();
+    void leave();  ///< the window closes: halts what was set in motion from here
+
+    /// now: [s] on the steady clock.
+    void tick(double now, const std::optional<Received>& latest);
+
+    // What there is to see.
+    const AtemState& state() const { return state_; }
+    std::optional<double> timeLeft() const;
+    bool linkAlive() const { return linkAlive_; }
+    const std::optional<CapturedScene>& scene() const { return scene_; }
+    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
+    double estimateSeconds() const { return estimateSeconds_; }
+    const std::optional<ProbeProposal>& proposal() const { return proposal_; }
+    std::optional<int> probingBin() const;
+    double secondsInPhase() const { return now_ - state_.since; }
+    QString whyNoEstimate() const { return whyNoEstimate_; }
+    QString whyNotDriving() const;  ///< empty: driving is allowed
+    QList<Precondition> preconditions() const;
+    const Options& options() const { return options_; }
+
+signals:
+    void happened(const QString& text, terratact::Weight weight);
+
+private:
+    void command(const Command& command);
+    bool answered() const;  ///< the newest telemetry was measured after the last command
+    void look(AtemInput& in);
+    bool moved() const;
+    void enter(const AtemState& before);
+    void capture();
+    void startEstimate(std::vector<ArmReading> arm);
+    void cancelEstimate();
+    void forget(const QString& why);
+    void finishProbe();
+
+    MeasurementSource& source_;
+    RobotModel robot_;
+    EstimatorWorker& worker_;
+    Options options_;
+
+    AtemState state_;
+    AtemInput pending_;  ///< what the operator and the worker did since the last tick
+    double now_ = 0.0;
+    std::optional<Received> latest_;
+    bool linkAlive_ = false;
+    std::uint64_t answersFrom_ =
+        0;  ///< telemetry from this count on was measured after the last command
+
+    bool driving_ = false;
+    bool releasing_ = false;
+    double stopSent_ = 0.0;
+
+    std::optional<CapturedScene> scene_;
+    std::uint64_t movedAt_ = 0;  ///< count of the telemetry that first looked like a move
+    bool moved_ = false;
+    std::optional<TerrainEstimate> estimate_;
+    double estimateSeconds_ = 0.0;
+    QString whyNoEstimate_;
+    std::optional<ProbeProposal> proposal_;
+    std::optional<ProbeProposal> approved_;
+    std::optional<ArmReading> armBefore_;
+    bool sawProbing_ = false;
+    quint64 lastProposal_ = 0;
+    int job_ = 0;
+
+    QString modelName_;
+    QString modelTrouble_;
+};
+
+}  // namespace terratact

@@ -1,0 +1,140 @@
+#include <cblas.h>
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+#include "app/demo.h"
+#include "app/main_window.h"
+#include "app/resources.h"
+#include "core/learn/profile_file.h"
+#include "core/sim/simulated_robot.h"
+#include "core/sim/terrain_shapes.h"
+#include "drivers/sim_source.h"
+#include "widgets/look.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
+constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screenshot's drive
+
+struct Arguments {
+    std::string model, robot, terrain, screenshot;
+    std::uint64_t seed = 1;
+    std::string size = "1440x900";
+};
+
+QSize sizeFrom(const std::string& text)
+{
+    int width = 0, height = 0, end = 0;
+    if (std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &end) != 2
+        || end != static_cast<int>(text.size()))
+        return {};
+    return {width, height};
+}
+
+void addArguments(CLI::App& app, Arguments& arguments)
+{
+    app.set_version_flag("--version", std::string("terratact-console ") + TERRATACT_VERSION);
+    app.add_option("--model", arguments.model, "Model file (default: the shipped one)");
+    app.add_option("--robot", arguments.robot, "Robot file (default: the shipped Absolem)");
+    app.add_option("--terrain", arguments.terrain,
+                   "Profile the simulated robot stands on (default: a built-in one)");
+    app.add_option("--seed", arguments.seed, "Seed of the random numbers")->capture_default_str();
+    app.add_option("--screenshot", arguments.screenshot,
+                   "Drive to a step, estimate it, save the window as PNG, and exit");
+    app.add_option("--size", arguments.size, "Size of the window")
+        ->capture_default_str()
+        ->check([](const std::string& text) {
+            const QSize size = sizeFrom(text);
+            const bool good = size.width() >= 1180 && size.height() >= 680 && size.width() <= 10000
+                           && size.height() <= 10000;
+            return good ? std::string()
+                        : "expected WIDTHxHEIGHT, from 1180x680 to 10000x10000, not " + text;
+        });
+}
+
+Result<TerrainProfile> terrainFrom(const std::string& path)
+{
+    if (path.empty()) return demoTerrain();
+    auto file = readProfiles(path, 0.1, false);
+    if (!file) return file.error();
+    return file->profiles.front();
+}
+
+int failed(const std::string& why)
+{
+    std::fprintf(stderr, "terratact-console: %s\n", why.c_str());
+    return kFailed;
+}
+
+/// Where the robot starts: with some way to go to the step of the built-in terrain.
+double startOn(const TerrainProfile& terrain, bool builtIn)
+{
+    return builtIn ? kDemoStep - 1.1 : terrain.begin() + 0.7;
+}
+
+int run(int argc, char** argv, const Arguments& arguments)
+{
+    auto robot = readRobotModel(arguments.robot.empty() ? resourcePath("robots/absolem.toml")
+                                                        : arguments.robot);
+    if (!robot) return failed(robot.error().text);
+    auto terrain = terrainFrom(arguments.terrain);
+    if (!terrain) return failed(terrain.error().text);
+
+    const bool demo = !arguments.screenshot.empty();
+    if (demo && !std::getenv("QT_QPA_PLATFORM")) setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    if (!std::getenv("QT_QPA_PLATFORM") && !std::getenv("DISPLAY")
+        && !std::getenv("WAYLAND_DISPLAY"))
+        return failed("no display: set DISPLAY, or use --screenshot FILE");
+
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("terratact-console"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
+    QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
+    applyLook(application);
+
+    SimulatedRobot::Options simulation;
+    simulation.startX = startOn(*terrain, arguments.terrain.empty());
+    simulation.seed = arguments.seed;
+    MainWindow::Options options;
+    options.robot = *robot;
+    options.source = std::make_unique<SimSource>(SimulatedRobot(*robot, *terrain, simulation),
+                                                 demo ? kDemoSpeed : 1.0);
+    options.model = modelFileLoader(
+        arguments.model.empty() ? resourcePath("models/default.ttm") : arguments.model, *robot);
+    options.exploration.settings.seed = arguments.seed;
+    if (demo) options.exploration.linkLostAfter = 5.0;  // a picture must not fail on a busy machine
+
+    MainWindow window(std::move(options));
+    window.resize(sizeFrom(arguments.size));
+    window.show();
+    if (!demo) return QApplication::exec();
+    const ScreenshotDemo screenshot(window, QString::fromStdString(arguments.screenshot));
+    return QApplication::exec();
+}
+
+}  // namespace
+}  // namespace terratact
+
+int main(int argc, char** argv)
+{
+    openblas_set_num_threads(1);  // the estimator has threads of its own
+    CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
+    terratact::Arguments arguments;
+    addArguments(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? terratact::kDone : terratact::kWrongArguments;
+    }
+    try {
+        return terratact::run(argc, argv, arguments);
+    } catch (const std::exception& error) {
+        return terratact::failed(error.what());
+    }
+}

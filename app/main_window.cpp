@@ -1,0 +1,356 @@
+#include "app/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QTime>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/terrain/body_ceiling.h"
+#include "widgets/atem_panel.h"
+#include "widgets/card.h"
+#include "widgets/drive_pad.h"
+#include "widgets/estimate_strip.h"
+#include "widgets/event_list.h"
+#include "widgets/force_bars.h"
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/probe_card.h"
+#include "widgets/robot_readout.h"
+#include "widgets/status_header.h"
+#include "widgets/terrain_profile_view.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kRedraw = 40ms;  // 25 Hz at most
+
+Tone toneOf(RobotActivity activity)
+{
+    switch (activity) {
+    case RobotActivity::Halted: return Tone::Plain;
+    case RobotActivity::Driving:
+    case RobotActivity::Pressing:
+    case RobotActivity::Probing: return Tone::Accent;
+    case RobotActivity::Pressed: return Tone::Good;
+    case RobotActivity::Stopped: return Tone::Bad;
+    }
+    return Tone::Plain;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Options options)
+    : robot_(std::move(options.robot)), source_(std::move(options.source)),
+      acquisition_(std::make_unique<Acquisition>(*source_)),
+      worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
+      exploration_(std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration))
+{
+    setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
+    build();
+    connectAll();
+    redraw_.setInterval(kRedraw);
+    connect(&redraw_, &QTimer::timeout, this, &MainWindow::tick);
+    setFocus();
+    redraw_.start();
+    worker_->start();
+    qApp->installEventFilter(this);
+    tick();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::build()
+{
+    setMinimumSize(1180, 680);
+    setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
+    resize(1440, 900);
+
+    header_ = new StatusHeader(this);
+    header_->setSource(QString::fromStdString(source_->name()));
+    header_->setModel(tr("model loading …"), Tone::Doubt);
+    banner_ = new QLabel(this);
+    banner_->setObjectName(QStringLiteral("banner"));
+    banner_->setVisible(false);
+
+    auto* terrainCard = new Card(tr("Terrain under the robot"), this);
+    strip_ = new EstimateStrip(terrainCard);
+    terrain_ = new TerrainProfileView(terrainCard);
+    terrainCard->note()->hide();
+    terrainCard->titleRow()->addWidget(strip_, 1);
+    terrainCard->body()->addWidget(strip_->warnings());
+    terrainCard->body()->addWidget(terrain_, 1);
+
+    atem_ = new AtemPanel(this);
+    probe_ = new ProbeCard(this);
+
+    auto* forceCard = new Card(tr("Front flipper forces [N]"), this);
+    forces_ = new ForceBars(forceCard);
+    const double threshold = exploration_->options().settings.forceThreshold;
+    forces_->setThreshold(threshold);
+    forceCard->note()->setText(tr("- - threshold %1 N").arg(words::number(threshold, 1)));
+    setTone(*forceCard->note(), Tone::Bad);
+    forceCard->body()->addWidget(forces_, 1);
+
+    auto* robotCard = new Card(tr("Robot"), this);
+    robotAge_ = robotCard->note();
+    robotAge_->setAccessibleName(tr("Age of the telemetry"));
+    readout_ = new RobotReadout(robotCard);
+    drive_ = new DrivePad(robotCard);
+    robotCard->body()->addWidget(readout_, 1);
+    robotCard->body()->addWidget(drive_);
+
+    auto* eventCard = new Card(tr("Last minutes"), this);
+    events_ = new EventList(eventCard);
+    eventCard->body()->addWidget(events_, 1);
+
+    auto* decide = new QVBoxLayout;
+    decide->setSpacing(10);
+    decide->addWidget(atem_);
+    decide->addWidget(probe_, 1);
+    auto* upper = new QHBoxLayout;
+    upper->setSpacing(10);
+    upper->addWidget(terrainCard, 1);
+    upper->addLayout(decide);
+    auto* lower = new QHBoxLayout;
+    lower->setSpacing(10);
+    lower->addWidget(forceCard, 10);
+    lower->addWidget(robotCard, 9);
+    lower->addWidget(eventCard, 10);
+    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_}) card->setFixedWidth(404);
+
+    auto* content = new QVBoxLayout;
+    content->setContentsMargins(12, 10, 12, 10);
+    content->setSpacing(10);
+    content->addLayout(upper, 17);
+    content->addLayout(lower, 6);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(header_);
+    all->addWidget(banner_);
+    all->addLayout(content, 1);
+}
+
+void MainWindow::connectAll()
+{
+    Exploration* exploration = exploration_.get();
+    connect(header_, &StatusHeader::stopPressed, exploration, &Exploration::stop);
+    connect(atem_, &AtemPanel::requested, exploration, &Exploration::request);
+    connect(atem_, &AtemPanel::aborted, exploration, &Exploration::abort);
+    connect(atem_, &AtemPanel::stopReleased, exploration, &Exploration::releaseStop);
+    connect(strip_, &EstimateStrip::cancelled, exploration, &Exploration::abort);
+    connect(probe_, &ProbeCard::approved, exploration, &Exploration::approve);
+    connect(probe_, &ProbeCard::refused, exploration, &Exploration::refuse);
+    connect(drive_, &DrivePad::driveRequested, exploration, &Exploration::drive);
+    connect(drive_, &DrivePad::haltRequested, exploration, &Exploration::halt);
+    connect(exploration, &Exploration::happened, events_,
+            [this](const QString& text, Weight weight) {
+                events_->add(text, weight, QTime::currentTime());
+            });
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
+            [this](const QString& name, const QString& details) {
+                header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
+            });
+    connect(worker_.get(), &EstimatorWorker::modelFailed, header_, [this](const QString& why) {
+        modelTrouble_ = why;
+        header_->setModel(tr("no model"), Tone::Bad, why);
+    });
+}
+
+void MainWindow::tick()
+{
+    const double now = secondsOf(std::chrono::steady_clock::now());
+    const auto latest = acquisition_->latest();
+    exploration_->tick(now, latest);
+
+    showLink(now, latest);
+    showTerrain(latest);
+    showProbe();
+    strip_->setProgress(worker_->progress());
+    header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
+    atem_->setState(exploration_->state(), exploration_->timeLeft());
+    atem_->setPreconditions(exploration_->preconditions());
+    drive_->setBlocked(exploration_->whyNotDriving());
+}
+
+void MainWindow::showLink(double now, const std::optional<Received>& latest)
+{
+    const double age = latest ? now - secondsOf(latest->arrived) : 0.0;
+    const bool alive = exploration_->linkAlive();
+    worstAge_ = std::max(worstAge_, age);
+    if (!alive) {
+        header_->setLink(
+            latest ? tr("LINK LOST · %1").arg(words::age(age)) : tr("no telemetry yet"), Tone::Bad);
+        linkShownAt_ = 0.0;
+    } else if (now - linkShownAt_ >= 0.5) {
+        header_->setLink(tr("link %1 Hz · ≤ %2")
+                             .arg(words::number(acquisition_->rate(), 0), words::age(worstAge_)),
+                         worstAge_ <= kStaleAfter ? Tone::Good : Tone::Doubt);
+        linkShownAt_ = now;
+        worstAge_ = 0.0;
+    }
+    const std::string trouble = acquisition_->trouble();
+    banner_->setVisible(latest && !alive);
+    if (latest && !alive)
+        banner_->setText(tr("LINK LOST for %1 — nothing on this screen is live%2")
+                             .arg(words::age(age),
+                                  trouble.empty()
+                                      ? QString()
+                                      : QStringLiteral(": ") + QString::fromStdString(trouble)));
+    if (latest && alive != linkWasAlive_)
+        events_->add(alive ? tr("link is up") : tr("link lost"), alive ? Weight::Note : Weight::Bad,
+                     QTime::currentTime());
+    linkWasAlive_ = alive;
+
+    if (!latest) {
+        readout_->clearMeasurement();
+        robotAge_->clear();
+        header_->setRobot(tr("robot: --"), Tone::Plain);
+        return;
+    }
+    const Measurement& m = latest->sample.measurement;
+    const bool fresh = age <= kStaleAfter;
+    readout_->setMeasurement(m, age);
+    robotAge_->setText(tr("%1 old").arg(words::age(age)));
+    setTone(*robotAge_, fresh ? Tone::Muted : Tone::Bad);
+    if (fresh) {
+        std::array<std::optional<double>, kForceElements> forces;
+        std::copy(m.force.begin(), m.force.end(), forces.begin());
+        if (latest->count != shownCount_) forces_->setForces(forces);
+        header_->setRobot(QString::fromStdString(describe(m.activity)), toneOf(m.activity));
+    } else {
+        forces_->clearForces();
+        header_->setRobot(tr("robot: --"), Tone::Doubt);
+    }
+}
+
+void MainWindow::showTerrain(const std::optional<Received>& latest)
+{
+    const auto& scene = exploration_->scene();
+    const auto& estimate = exploration_->estimate();
+    if (estimate) {
+        if (shown_ != estimate) {
+            terrain_->setEstimate(*estimate);
+            strip_->setEstimate(*estimate, exploration_->estimateSeconds());
+            shown_ = estimate;
+        }
+    } else if (shown_ || shownReason_ != exploration_->whyNoEstimate()) {
+        shown_.reset();
+        shownReason_ = exploration_->whyNoEstimate();
+        terrain_->clearEstimate(shownReason_);
+        strip_->setNothing(QString());
+    }
+    shownEstimate_ = estimate.has_value();
+    if (!estimate)
+        shownReason_ = exploration_->whyNoEstimate();
+    else
+        shownReason_.clear();
+
+    if (latest && (latest->count != shownCount_)) {
+        // An estimate belongs to the scene it rests on, so both are drawn in that pose.
+        const Measurement& m = scene ? scene->measurement : latest->sample.measurement;
+        const Proprioception s = proprioception(m);
+        terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+        terrain_->setTruth(scene ? scene->truth : latest->sample.truth);
+        shownCount_ = latest->count;
+    }
+}
+
+void MainWindow::showProbe()
+{
+    const auto& proposal = exploration_->proposal();
+    const AtemState& state = exploration_->state();
+    const bool asking = proposal && state.phase == AtemPhase::ProposingProbe;
+    terrain_->setProposedProbe(asking ? std::optional(proposal->bin) : exploration_->probingBin());
+    if (asking) {
+        probe_->setProposal(*proposal);
+        probe_->setTimeLeft(exploration_->timeLeft().value_or(0.0));
+    } else if (const auto bin = exploration_->probingBin()) {
+        probe_->setProbing(*bin, exploration_->secondsInPhase(),
+                           exploration_->options().probeSeconds);
+    } else {
+        QString why = tr("No probe is proposed. After an exploration the arm is offered where the "
+                         "terrain stays uncertain.");
+        if (state.phase == AtemPhase::Presenting) {
+            if (state.probed)
+                why = tr("The arm has measured; its height is part of the estimate.");
+            else if (state.approvalExpired)
+                why = tr("The proposal was not answered in time, which means no.");
+            else if (exploration_->estimate() && !proposal)
+                why = tr("No probe: the estimate stands without the arm.");
+        }
+        probe_->setNothing(why);
+    }
+}
+
+bool MainWindow::keyPressed(int key)
+{
+    switch (key) {
+    case Qt::Key_A:
+        if (atem_->requestButton()->isEnabled()) exploration_->request();
+        return true;
+    case Qt::Key_Escape:
+        if (atem_->abortButton()->isEnabled()) exploration_->abort();
+        return true;
+    case Qt::Key_Space: probe_->approveButton()->hold(); return true;
+    case Qt::Key_N:
+        if (probe_->asks()) probe_->refuseButton()->click();
+        return true;
+    case Qt::Key_R: atem_->releaseButton()->hold(); return true;
+    case Qt::Key_W:
+    case Qt::Key_Up: drive_->forwardButton()->hold(); return true;
+    case Qt::Key_S:
+    case Qt::Key_Down: drive_->backButton()->hold(); return true;
+    default: return false;
+    }
+}
+
+bool MainWindow::keyReleased(int key)
+{
+    switch (key) {
+    case Qt::Key_Space: probe_->approveButton()->letGoSoon(); return true;
+    case Qt::Key_R: atem_->releaseButton()->letGoSoon(); return true;
+    case Qt::Key_W:
+    case Qt::Key_Up: drive_->forwardButton()->letGoSoon(); return true;
+    case Qt::Key_S:
+    case Qt::Key_Down: drive_->backButton()->letGoSoon(); return true;
+    default: return false;
+    }
+}
+
+bool MainWindow::eventFilter(QObject* object, QEvent* event)
+{
+    const bool press = event->type() == QEvent::KeyPress;
+    if (!(press || event->type() == QEvent::KeyRelease) || !object->isWidgetType()) return false;
+    const auto* keys = static_cast<QKeyEvent*>(event);
+    if (press && keys->key() == Qt::Key_F12) {  // in every window of the program, dialogs included
+        if (!keys->isAutoRepeat()) exploration_->stop();
+        return true;
+    }
+    const auto* widget = static_cast<QWidget*>(object);
+    if (widget->window() != this || QApplication::activeModalWidget()
+        || QApplication::activePopupWidget())
+        return false;
+    if (keys->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) return false;
+    // Space means the button that has the focus; only without one it answers the proposal.
+    if (keys->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(widget)) return false;
+    if (keys->isAutoRepeat()) return keys->key() != Qt::Key_Tab && keys->key() != Qt::Key_Backtab;
+    return press ? keyPressed(keys->key()) : keyReleased(keys->key());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    exploration_->leave();
+    event->accept();
+}
+
+}  // namespace terratact

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "app/acquisition.h"
+#include "app/estimator_worker.h"
+#include "app/exploration.h"
+
+class QLabel;
+
+namespace terratact {
+
+class AtemPanel;
+class DrivePad;
+class EstimateStrip;
+class EventList;
+class ForceBars;
+class ProbeCard;
+class RobotReadout;
+class StatusHeader;
+class TerrainProfileView;
+
+/// The operator's console: lays the widgets out, shows them the newest state every 40 ms and passes on
+/// what the operator does.  It owns the source and everything that runs.
+class MainWindow final : public QWidget {
+    Q_OBJECT
+public:
+    struct Options {
+        RobotModel robot;
+        std::unique_ptr<MeasurementSource> source;
+        ModelLoader model;
+        Exploration::Options exploration;
+    };
+    explicit MainWindow(Options options);
+    ~MainWindow() override;
+
+    Exploration& exploration() { return *exploration_; }
+    const Acquisition& acquisition() const { return *acquisition_; }
+    /// True once what tick() last showed includes the standing estimate.
+    bool showsEstimate() const { return shownEstimate_; }
+    QString modelTrouble() const { return modelTrouble_; }
+
+    AtemPanel* atemPanel() const { return atem_; }
+    DrivePad* drivePad() const { return drive_; }
+    EventList* events() const { return events_; }
+    ForceBars* forces() const { return forces_; }
+    ProbeCard* probeCard() const { return probe_; }
+    RobotReadout* readout() const { return readout_; }
+    StatusHeader* header() const { return header_; }
+    TerrainProfileView* terrain() const { return terrain_; }
+    EstimateStrip* strip() const { return strip_; }
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void build();
+    void connectAll();
+    void tick();
+    void showLink(double now, const std::optional<Received>& latest);
+    void showTerrain(const std::optional<Received>& latest);
+    void showProbe();
+    bool keyPressed(int key);
+    bool keyReleased(int key);
+
+    RobotModel robot_;
+    std::unique_ptr<MeasurementSource> source_;
+    std::unique_ptr<Acquisition> acquisition_;
+    std::unique_ptr<EstimatorWorker> worker_;
+    std::unique_ptr<Exploration> exploration_;
+    QTimer redraw_;
+
+    // Qt's parents own the widgets.
+    StatusHeader* header_ = nullptr;
+    QLabel* banner_ = nullptr;
+    EstimateStrip* strip_ = nullptr;
+    TerrainProfileView* terrain_ = nullptr;
+    AtemPanel* atem_ = nullptr;
+    ProbeCard* probe_ = nullptr;
+    ForceBars* forces_ = nullptr;
+    RobotReadout* readout_ = nullptr;
+    QLabel* robotAge_ = nullptr;
+    DrivePad* drive_ = nullptr;
+    EventList* events_ = nullptr;
+
+    std::uint64_t shownCount_ = 0;
+    std::optional<TerrainEstimate> shown_;
+    QString shownReason_;
+    bool shownEstimate_ = false;
+    bool linkWasAlive_ = false;
+    double linkShownAt_ = 0.0;
+    double worstAge_ = 0.0;
+    QString modelTrouble_;
+};
+
+}  // namespace terratact

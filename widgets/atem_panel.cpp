@@ -1,0 +1,154 @@
+#include "widgets/atem_panel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/palette.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+Tone toneOf(AtemPhase phase)
+{
+    switch (phase) {
+    case AtemPhase::Idle: return Tone::Strong;
+    case AtemPhase::Halting:
+    case AtemPhase::Pressing:
+    case AtemPhase::Estimating:
+    case AtemPhase::Probing:
+    case AtemPhase::EstimatingAgain:
+    case AtemPhase::ProposingProbe: return Tone::Accent;
+    case AtemPhase::Presenting: return Tone::Good;
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed: return Tone::Bad;
+    }
+    return Tone::Plain;
+}
+
+}  // namespace
+
+AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
+{
+    stateText_ = new QLabel(this);
+    stateText_->setWordWrap(true);
+    stateText_->setAccessibleName(tr("State of the exploration"));
+    timeText_ = note();
+    list_ = new QGridLayout;
+    list_->setContentsMargins(0, 2, 0, 2);
+    list_->setHorizontalSpacing(8);
+    list_->setVerticalSpacing(2);
+    list_->setColumnStretch(1, 1);
+
+    request_ = new QPushButton(tr("Explore the terrain (A)"), this);
+    request_->setProperty("role", "primary");
+    request_->setFocusPolicy(Qt::TabFocus);
+    abort_ = new QPushButton(tr("Abort (Esc)"), this);
+    abort_->setFocusPolicy(Qt::TabFocus);
+    release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), palette::kDoubt, this);
+    release_->setAccessibleName(tr("Hold to release STOP"));
+    release_->setToolTip(tr("Lets commands through again; the robot does not move by itself"));
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(request_, 2);
+    buttons->addWidget(abort_, 1);
+    buttons->addWidget(release_, 1);
+    body()->addWidget(stateText_);
+    body()->addLayout(list_);
+    body()->addStretch(1);
+    body()->addLayout(buttons);
+
+    connect(request_, &QPushButton::clicked, this, &AtemPanel::requested);
+    connect(abort_, &QPushButton::clicked, this, &AtemPanel::aborted);
+    connect(release_, &HoldToConfirmButton::confirmed, this, &AtemPanel::stopReleased);
+    setState({}, std::nullopt);
+    setPreconditions({});
+}
+
+void AtemPanel::setState(const AtemState& state, std::optional<double> timeLeft)
+{
+    state_ = state;
+    QString text = QString::fromStdString(terratact::describe(state.phase));
+    if (state.phase == AtemPhase::Failed)
+        text += QStringLiteral(": ") + QString::fromStdString(terratact::describe(state.failure));
+    if (state.phase == AtemPhase::Presenting && state.approvalExpired)
+        text += tr("; no answer in time, so no probe");
+    else if (state.phase == AtemPhase::Presenting && state.probed)
+        text += tr(", arm included");
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    stateText_->setText(text);
+    setTone(*stateText_, toneOf(state.phase));
+    timeText_->setText(timeLeft ? tr("%1 left").arg(words::countdown(*timeLeft)) : QString());
+    setTone(*timeText_, Tone::Strong);
+    showButtons();
+}
+
+void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)
+{
+    if (preconditions == preconditions_ && list_->count() > 0) return;
+    while (list_->count() < 2 * preconditions.size()) {
+        const int row = list_->count() / 2;
+        auto* mark = new QLabel(this);
+        auto* reason = new QLabel(this);
+        reason->setWordWrap(true);
+        list_->addWidget(mark, row, 0, Qt::AlignTop);
+        list_->addWidget(reason, row, 1);
+    }
+    for (int row = 0; row < list_->count() / 2; ++row) {
+        auto* mark = qobject_cast<QLabel*>(list_->itemAtPosition(row, 0)->widget());
+        auto* reason = qobject_cast<QLabel*>(list_->itemAtPosition(row, 1)->widget());
+        const bool used = row < preconditions.size();
+        mark->setVisible(used);
+        reason->setVisible(used);
+        if (!used) continue;
+        const Precondition& condition = preconditions[row];
+        static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Bad};
+        static const QString kMarks[]{QStringLiteral("✔"), QStringLiteral("!"),
+                                      QStringLiteral("✘")};
+        static const QString kSpoken[]{tr("met"), tr("doubtful"), tr("missing")};
+        const auto level = static_cast<std::size_t>(condition.level);
+        mark->setText(kMarks[level]);
+        reason->setText(condition.text);
+        reason->setAccessibleName(kSpoken[level] + QStringLiteral(": ") + condition.text);
+        setTone(*mark, kTones[level]);
+        setTone(*reason, condition.level == Precondition::Level::Met ? Tone::Plain : kTones[level]);
+    }
+    preconditions_ = preconditions;
+    showButtons();
+}
+
+void AtemPanel::showButtons()
+{
+    QStringList missing;
+    for (const Precondition& condition : preconditions_)
+        if (condition.level == Precondition::Level::Missing) missing << condition.text;
+    const bool busy = exploring(state_.phase);
+    const bool stopped = state_.phase == AtemPhase::Stopped;
+    const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting;
+
+    request_->setVisible(!stopped);
+    abort_->setVisible(!stopped);
+    release_->setVisible(stopped);
+    request_->setEnabled(!busy && !stopped && missing.isEmpty());
+    if (busy)
+        request_->setToolTip(tr("An exploration is running: end it with Esc first"));
+    else if (!missing.isEmpty())
+        request_->setToolTip(tr("Not possible now: %1").arg(missing.join(QStringLiteral("; "))));
+    else
+        request_->setToolTip(
+            tr("Halts the robot, presses the front flippers down and estimates the terrain"));
+    abort_->setEnabled(busy || ended);
+    abort_->setText(ended ? tr("Clear (Esc)") : tr("Abort (Esc)"));
+    abort_->setToolTip(busy    ? tr("Halts the robot and ends the exploration")
+                       : ended ? tr("Takes the result off the screen")
+                               : tr("No exploration is running"));
+}
+
+}  // namespace terratact

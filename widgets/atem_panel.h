@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QList>
+#include <optional>
+
+#include "core/atem/atem_machine.h"
+#include "widgets/card.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace terratact {
+
+class HoldToConfirmButton;
+
+/// One condition of a command, with its reason in words.
+struct Precondition {
+    enum class Level : std::uint8_t { Met, Doubtful, Missing };  ///< ✔, !, ✘
+    Level level = Level::Met;
+    QString text;
+    bool operator==(const Precondition&) const = default;
+};
+
+/// What the operator sees and may do of an exploration: the state in words with the time it has left,
+/// the preconditions, and the buttons that request it, end it, or release STOP.
+class AtemPanel final : public Card {
+    Q_OBJECT
+public:
+    explicit AtemPanel(QWidget* parent = nullptr);
+
+    /// timeLeft: [s] until the phase runs out; empty where it does not.
+    void setState(const AtemState& state, std::optional<double> timeLeft);
+    /// The request is possible unless one is Missing.
+    void setPreconditions(const QList<Precondition>& preconditions);
+
+    QPushButton* requestButton() const { return request_; }
+    QPushButton* abortButton() const { return abort_; }
+    HoldToConfirmButton* releaseButton() const { return release_; }
+
+signals:
+    void requested();
+    void aborted();
+    void stopReleased();
+
+private:
+    void showButtons();
+
+    AtemState state_;
+    QList<Precondition> preconditions_;
+    QLabel* stateText_ = nullptr;
+    QLabel* timeText_ = nullptr;
+    QGridLayout* list_ = nullptr;
+    QPushButton* request_ = nullptr;
+    QPushButton* abort_ = nullptr;
+    HoldToConfirmButton* release_ = nullptr;
+};
+
+}  // namespace terratact

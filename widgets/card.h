@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace terratact {
+
+/// A titled panel: the title at the left, a note at the right, the content below.
+class Card : public QFrame {
+    Q_OBJECT
+public:
+    explicit Card(const QString& title, QWidget* parent = nullptr);
+
+    QVBoxLayout* body() const { return body_; }
+    QHBoxLayout* titleRow() const
+    {
+        return titleRow_;
+    }  ///< for controls that belong beside the title
+    QLabel* note() const { return note_; }
+
+private:
+    QHBoxLayout* titleRow_ = nullptr;
+    QVBoxLayout* body_ = nullptr;
+    QLabel* note_ = nullptr;
+};
+
+}  // namespace terratact

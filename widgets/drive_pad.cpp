@@ -1,0 +1,38 @@
+#include "widgets/drive_pad.h"
+
+#include <QHBoxLayout>
+
+#include "widgets/held_button.h"
+
+namespace terratact {
+
+DrivePad::DrivePad(QWidget* parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Drive"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    const auto button = [&](const QString& text, const QString& name, int direction) {
+        auto* held = new HeldButton(text, this);
+        held->setAccessibleName(name);
+        connect(held, &HeldButton::holdBegan, this,
+                [this, direction] { emit driveRequested(direction); });
+        connect(held, &HeldButton::holdEnded, this, &DrivePad::haltRequested);
+        row->addWidget(held, 1);
+        return held;
+    };
+    back_ = button(tr("◀ hold: back (S)"), tr("Hold to drive back"), -1);
+    forward_ = button(tr("hold: forward (W) ▶"), tr("Hold to drive forward"), +1);
+    setBlocked({});
+}
+
+void DrivePad::setBlocked(const QString& why)
+{
+    for (HeldButton* button : {forward_, back_}) {
+        button->setEnabled(why.isEmpty());
+        button->setToolTip(why.isEmpty() ? tr("Drives while held; also the arrow keys Up and Down")
+                                         : why);
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QWidget>
+
+namespace terratact {
+
+class HeldButton;
+
+/// Drives while a button is held.  Says halt when it is let go, for whatever reason.
+class DrivePad final : public QWidget {
+    Q_OBJECT
+public:
+    explicit DrivePad(QWidget* parent = nullptr);
+
+    /// Disabled with a reason in words; empty: driving is allowed.
+    void setBlocked(const QString& why);
+
+    HeldButton* forwardButton() const { return forward_; }
+    HeldButton* backButton() const { return back_; }
+
+signals:
+    void driveRequested(int direction);  ///< +1 forward, −1 back
+    void haltRequested();
+
+private:
+    HeldButton* forward_ = nullptr;
+    HeldButton* back_ = nullptr;
+};
+
+}  // namespace terratact

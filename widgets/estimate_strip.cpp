@@ -1,0 +1,142 @@
+#include "widgets/estimate_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+
+#include "core/infer/estimate.h"
+#include "widgets/look.h"
+#include "widgets/palette.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+QString methodName(Method method)
+{
+    switch (method) {
+    case Method::Pa: return QStringLiteral("PA");
+    case Method::Pac: return QStringLiteral("PAC");
+    case Method::Pafc: return QStringLiteral("PAFc");
+    case Method::Pafac: return QStringLiteral("PAFAc");
+    }
+    return {};
+}
+
+}  // namespace
+
+EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
+{
+    headline_ = new QLabel(this);
+    headline_->setAccessibleName(tr("Result"));
+    QFont large = headline_->font();
+    large.setPixelSize(17);
+    large.setBold(true);
+    headline_->setFont(large);
+    details_ = new QLabel(this);
+    details_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setTone(*details_, Tone::Muted);
+    warnings_ = new QLabel(this);
+    warnings_->setWordWrap(true);
+    warnings_->setAccessibleName(tr("What makes the result doubtful"));
+    setTone(*warnings_, Tone::Doubt);
+    progress_ = new QProgressBar(this);
+    progress_->setRange(0, 1000);
+    progress_->setFixedWidth(180);
+    progress_->setAccessibleName(tr("Progress of the estimate"));
+    cancel_ = new QPushButton(tr("Cancel (Esc)"), this);
+    cancel_->setFocusPolicy(Qt::TabFocus);
+    cancel_->setToolTip(tr("Ends the estimate and the exploration"));
+
+    setFixedHeight(palette::kTarget);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    row->addWidget(headline_);
+    row->addStretch(1);
+    row->addWidget(details_);
+    row->addWidget(progress_);
+    row->addWidget(cancel_);
+    connect(cancel_, &QPushButton::clicked, this, &EstimateStrip::cancelled);
+    setNothing(QString());
+    setProgress(std::nullopt);
+}
+
+void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
+{
+    const auto widest =
+        std::max_element(estimate.sd.begin(), estimate.sd.end()) - estimate.sd.begin();
+    const auto at = static_cast<std::size_t>(widest);
+    const bool doubtful = estimate.sd[at] > estimate.settings.probeAbove;
+    const QString bin = words::binName(static_cast<int>(widest));
+    const QString sd = words::number(estimate.sd[at], 2);
+    headline_->setText(doubtful ? tr("Uncertain at %1: %2 m ± %3 m")
+                                      .arg(bin, words::signedNumber(estimate.mean[at], 2), sd)
+                                : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
+    headline_->setVisible(true);
+    setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);
+    details_->setText(tr("%1 · %2 draws · %3 s")
+                          .arg(methodName(estimate.settings.method))
+                          .arg(estimate.settings.draws)
+                          .arg(words::number(seconds, 2)));
+    headline_->setToolTip(details_->text());
+    arrange();
+    QStringList warnings;
+    if (!estimate.converged && estimate.warnings.empty())
+        warnings << tr("the chains have not converged");
+    for (const std::string& warning : estimate.warnings)
+        warnings << QString::fromStdString(warning);
+    warnings_->setText(warnings.isEmpty()
+                           ? QString()
+                           : QStringLiteral("! ") + warnings.join(QStringLiteral(" · ")));
+    warnings_->setVisible(!warnings.isEmpty());
+}
+
+void EstimateStrip::setNothing(const QString& why)
+{
+    headline_->setText(why);
+    headline_->setVisible(!why.isEmpty());
+    headline_->setToolTip(QString());
+    setTone(*headline_, Tone::Muted);
+    details_->clear();
+    warnings_->clear();
+    warnings_->setVisible(false);
+}
+
+void EstimateStrip::setProgress(std::optional<double> share)
+{
+    progress_->setVisible(share.has_value());
+    cancel_->setVisible(share.has_value());
+    arrange();
+    if (!share) return;
+    const double done = std::isfinite(*share) ? std::clamp(*share, 0.0, 1.0) : 0.0;
+    progress_->setValue(static_cast<int>(done * 1000.0));
+    progress_->setFormat(tr("estimating %p %"));
+}
+
+void EstimateStrip::arrange()
+{
+    const int needed = headline_->sizeHint().width() + 12 + details_->sizeHint().width();
+    details_->setVisible(progress_->isHidden() && needed <= width());
+}
+
+void EstimateStrip::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+QString EstimateStrip::headline() const
+{
+    return headline_->text();
+}
+
+QString EstimateStrip::warningText() const
+{
+    return warnings_->text();
+}
+
+}  // namespace terratact

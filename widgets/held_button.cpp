@@ -1,0 +1,166 @@
+#include "widgets/held_button.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "widgets/palette.h"
+
+namespace terratact {
+
+HeldButton::HeldButton(const QString& text, QWidget* parent) : QPushButton(text, parent)
+{
+    // A click must not take the focus: Space would then mean this button.
+    setFocusPolicy(Qt::TabFocus);
+    release_.setSingleShot(true);
+    release_.setInterval(40);
+    connect(&release_, &QTimer::timeout, this, &HeldButton::letGo);
+}
+
+void HeldButton::hold()
+{
+    release_.stop();
+    if (held_ || !isEnabled() || !isVisible()) return;
+    held_ = true;
+    setDown(true);
+    emit holdBegan();
+}
+
+void HeldButton::letGoSoon()
+{
+    if (held_ && !release_.isActive()) release_.start();
+}
+
+void HeldButton::letGo()
+{
+    release_.stop();
+    if (!held_) return;
+    held_ = false;
+    setDown(false);
+    emit holdEnded();
+}
+
+void HeldButton::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) hold();
+}
+
+void HeldButton::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!rect().contains(event->position().toPoint())) letGo();
+}
+
+void HeldButton::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) letGo();
+}
+
+void HeldButton::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space) {
+        if (!event->isAutoRepeat()) hold();
+    } else {
+        event->ignore();
+    }
+}
+
+void HeldButton::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space) {
+        if (!event->isAutoRepeat()) letGoSoon();
+    } else {
+        event->ignore();
+    }
+}
+
+void HeldButton::focusOutEvent(QFocusEvent* event)
+{
+    QPushButton::focusOutEvent(event);
+    letGo();
+}
+
+void HeldButton::hideEvent(QHideEvent* event)
+{
+    QPushButton::hideEvent(event);
+    letGo();
+}
+
+void HeldButton::changeEvent(QEvent* event)
+{
+    QPushButton::changeEvent(event);
+    if (event->type() == QEvent::EnabledChange && !isEnabled()) letGo();
+}
+
+bool HeldButton::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowDeactivate) letGo();
+    return QPushButton::event(event);
+}
+
+HoldToConfirmButton::HoldToConfirmButton(const QString& text, const QColor& colour, QWidget* parent)
+    : HeldButton(text, parent), colour_(colour)
+{
+    frames_.setInterval(16);
+    connect(this, &HeldButton::holdBegan, this, [this] {
+        heldFor_ = 0;
+        lastFrame_.start();
+        frames_.start();
+        update();
+    });
+    connect(this, &HeldButton::holdEnded, this, [this] {
+        frames_.stop();
+        update();
+    });
+    connect(&frames_, &QTimer::timeout, this, &HoldToConfirmButton::advance);
+}
+
+double HoldToConfirmButton::share() const
+{
+    if (!isHeld()) return 0.0;
+    return std::min(1.0, static_cast<double>(heldFor_) / std::max(1, holdTime_));
+}
+
+void HoldToConfirmButton::advance()
+{
+    // After a freeze the release may still wait in the queue behind this timer.
+    constexpr qint64 kLongestFrame = 50;
+    heldFor_ += std::min(lastFrame_.restart(), kLongestFrame);
+    update();
+    if (share() < 1.0) return;
+    letGo();
+    emit confirmed();
+}
+
+QSize HoldToConfirmButton::sizeHint() const
+{
+    return {fontMetrics().horizontalAdvance(text()) + 36, 42};
+}
+
+void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF area = QRectF(rect()).adjusted(1, 1, -1, -1);
+    QPainterPath shape;
+    shape.addRoundedRect(area, 5, 5);
+    painter.fillPath(shape, isEnabled() ? colour_ : QColor(0xf1, 0xf4, 0xf7));
+    if (isHeld()) {
+        painter.setClipPath(shape);
+        const QRectF done(area.left(), area.top(), area.width() * share(), area.height());
+        painter.fillRect(done, colour_.lighter(145));
+        painter.fillRect(QRectF(done.right() - 3, area.top(), 3, area.height()), Qt::white);
+        painter.setClipping(false);
+    }
+    painter.setPen(QPen(hasFocus() ? palette::kText : colour_.darker(130), hasFocus() ? 2.5 : 1.0));
+    if (!isEnabled()) painter.setPen(QColor(0xd5, 0xdd, 0xe5));
+    painter.drawPath(shape);
+    painter.setPen(isEnabled() ? QColor(Qt::white) : QColor(0x5d, 0x6a, 0x77));
+    QFont bold = font();
+    bold.setBold(isEnabled());
+    painter.setFont(bold);
+    painter.drawText(rect(), Qt::AlignCenter, text());
+}
+
+}  // namespace terratact

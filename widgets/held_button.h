@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QTimer>
+
+namespace terratact {
+
+/// A button that acts while it is held: by the left mouse button, by Space when it has the focus, or by
+/// hold() and letGo() from a window-wide key.  It lets go by itself when the mouse leaves it, it loses
+/// the focus, is hidden or disabled, or its window is no longer the active one.
+class HeldButton : public QPushButton {
+    Q_OBJECT
+public:
+    explicit HeldButton(const QString& text, QWidget* parent = nullptr);
+    bool isHeld() const { return held_; }
+
+public slots:
+    void hold();
+    void letGo();
+    /// For a key's release.  Some X servers repeat a held key as release and press, indistinguishable
+    /// from an operator's; so a release counts 40 ms later, unless hold() comes first.
+    void letGoSoon();
+
+signals:
+    void holdBegan();
+    void holdEnded();
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    bool held_ = false;
+    QTimer release_;
+};
+
+/// A button that must be held for a while before it means yes; its fill shows how far.  Letting go
+/// early means nothing.
+class HoldToConfirmButton final : public HeldButton {
+    Q_OBJECT
+public:
+    explicit HoldToConfirmButton(const QString& text, const QColor& colour,
+                                 QWidget* parent = nullptr);
+    void setHoldTime(int milliseconds) { holdTime_ = milliseconds; }
+    double share() const;  ///< 0 … 1 of the time held
+
+signals:
+    void confirmed();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    QSize sizeHint() const override;
+
+private:
+    void advance();
+
+    QColor colour_;
+    int holdTime_ = 1500;  // [ms]
+    qint64 heldFor_ = 0;   // [ms] counted frame by frame: a frozen window holds nothing
+    QElapsedTimer lastFrame_;
+    QTimer frames_;
+};
+
+}  // namespace terratact

@@ -1,0 +1,117 @@
+#include "widgets/look.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QLabel>
+#include <QPalette>
+#include <QStyle>
+#include <QStyleFactory>
+
+#include "widgets/palette.h"
+
+namespace terratact {
+namespace {
+
+QString styleSheet()
+{
+    using namespace palette;
+    QString sheet = QStringLiteral(R"(
+QToolTip { color: @text; background: #fffbe6; border: 1px solid @border; padding: 4px; }
+QFrame[card="true"] { background: @card; border: 1px solid @border; border-radius: 6px; }
+QLabel[heading="true"] { font-weight: bold; }
+QLabel[tone="muted"] { color: @muted; }
+QLabel[tone="strong"] { font-weight: bold; }
+QLabel[tone="good"] { color: @good; }
+QLabel[tone="doubt"] { color: @doubt; }
+QLabel[tone="bad"] { color: @bad; font-weight: bold; }
+QLabel[tone="accent"] { color: @accent; font-weight: bold; }
+
+QPushButton { background: @button; color: @text; border: 1px solid #b9c5d0; border-radius: 5px;
+              padding: 4px 12px; min-height: @targetpx; }
+QPushButton:hover { background: #d8e0e8; }
+QPushButton:pressed { background: @down; }
+QPushButton:focus { border: 2px solid @contact; padding: 3px 11px; }
+QPushButton:disabled { background: #f1f4f7; color: #5d6a77; border-color: #d5dde5; }
+QPushButton[role="primary"] { background: @contact; color: white; border-color: #0d3f7a; font-weight: bold; }
+QPushButton[role="primary"]:hover { background: #1b66bd; }
+QPushButton[role="primary"]:pressed { background: #0d3f7a; }
+QPushButton[role="primary"]:focus { border: 2px solid @text; }
+QPushButton[role="primary"]:disabled { background: #f1f4f7; color: #5d6a77; border-color: #d5dde5; }
+QPushButton[role="stop"] { background: @stop; color: white; border: 2px solid #ffffff; border-radius: 6px;
+                           font-size: 20px; font-weight: bold; min-width: 200px; min-height: 36px; padding: 0 20px; }
+QPushButton[role="stop"]:hover { background: #d92626; }
+QPushButton[role="stop"]:pressed { background: #8e0f0f; }
+QPushButton[role="stop"]:focus { border: 3px solid @source; }
+QPushButton[latched="true"] { background: #7d0b0b; border: 2px dashed #ffffff; }
+
+QFrame#statusHeader { background: @header; }
+QFrame#statusHeader QLabel { color: @headertext; }
+QFrame#statusHeader QLabel#sourceName { color: @source; font-size: 19px; font-weight: bold; }
+QFrame#statusHeader QLabel[chip="true"] { border-radius: 5px; padding: 5px 12px; background: #33444f; }
+QFrame#statusHeader QLabel[chip="true"][tone="good"] { background: #1f5a35; color: #e2f7e8; }
+QFrame#statusHeader QLabel[chip="true"][tone="doubt"] { background: #7a4a00; color: #fff1d6; }
+QFrame#statusHeader QLabel[chip="true"][tone="bad"] { background: #8e1414; color: #ffffff; }
+QFrame#statusHeader QLabel[chip="true"][tone="accent"] { background: #55217c; color: #f3e6ff; }
+QLabel#banner { background: #8e1414; color: white; font-weight: bold; padding: 7px 16px; }
+
+QProgressBar { border: 1px solid #b9c5d0; border-radius: 4px; background: @card; color: @text;
+               text-align: center; min-height: 20px; }
+QProgressBar::chunk { background: #a9c8ea; border-radius: 3px; }
+QListWidget { background: @card; border: none; color: @text; }
+QListWidget::item { padding: 2px 0; }
+)");
+    const std::pair<const char*, QString> words[]{
+        {"@headertext", kHeaderText.name()},
+        {"@header", kHeader.name()},
+        {"@text", kText.name()},
+        {"@muted", kMuted.name()},
+        {"@card", kCard.name()},
+        {"@border", kCardBorder.name()},
+        {"@good", kGood.name()},
+        {"@doubt", kDoubt.name()},
+        {"@bad", kBad.name()},
+        {"@accent", kAccent.name()},
+        {"@button", kButton.name()},
+        {"@down", kButtonDown.name()},
+        {"@contact", kContact.name()},
+        {"@stop", kStop.name()},
+        {"@source", kSource.name()},
+        {"@target", QString::number(kTarget - 10)},
+    };
+    for (const auto& [word, value] : words) sheet.replace(QLatin1String(word), value);
+    return sheet;
+}
+
+}  // namespace
+
+void applyLook(QApplication& application)
+{
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QPalette colours;
+    colours.setColor(QPalette::Window, palette::kWindow);
+    colours.setColor(QPalette::WindowText, palette::kText);
+    colours.setColor(QPalette::Base, palette::kCard);
+    colours.setColor(QPalette::Text, palette::kText);
+    colours.setColor(QPalette::Button, palette::kButton);
+    colours.setColor(QPalette::ButtonText, palette::kText);
+    colours.setColor(QPalette::Highlight, palette::kContact);
+    colours.setColor(QPalette::ToolTipText, palette::kText);
+    QApplication::setPalette(colours);
+    QFont font = QApplication::font();
+    font.setPixelSize(14);
+    QApplication::setFont(font);
+    application.setStyleSheet(styleSheet());
+}
+
+void setTone(QLabel& label, Tone tone)
+{
+    static constexpr const char* kNames[]{"plain", "muted", "strong", "good",
+                                          "doubt", "bad",   "accent"};
+    const QString wanted = QLatin1String(kNames[static_cast<int>(tone)]);
+    if (label.property("tone").toString() == wanted) return;
+    label.setProperty("tone", wanted);
+    label.style()->unpolish(&label);
+    label.style()->polish(&label);
+}
+
+}  // namespace terratact

@@ -1,0 +1,147 @@
+#include "widgets/probe_card.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/palette.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+enum Page { kNothing, kQuestion, kProbing };
+
+}  // namespace
+
+ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
+{
+    pages_ = new QStackedLayout;
+    body()->addLayout(pages_, 1);
+
+    nothing_ = new QLabel(this);
+    nothing_->setWordWrap(true);
+    nothing_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    setTone(*nothing_, Tone::Muted);
+    pages_->addWidget(nothing_);
+
+    auto* question = new QWidget(this);
+    auto* rows = new QGridLayout(question);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setHorizontalSpacing(14);
+    rows->setVerticalSpacing(1);
+    rows->setColumnStretch(1, 1);
+    const auto row = [&](const QString& name, Tone tone) {
+        auto* key = new QLabel(name, question);
+        setTone(*key, Tone::Muted);
+        auto* value = new QLabel(question);
+        setTone(*value, tone);
+        value->setAccessibleName(name);
+        const int at = rows->rowCount();
+        rows->addWidget(key, at, 0);
+        rows->addWidget(value, at, 1);
+        return value;
+    };
+    where_ = row(tr("where"), Tone::Accent);
+    predicted_ = row(tr("predicted"), Tone::Strong);
+    band_ = row(tr("80 % band"), Tone::Strong);
+    why_ = row(tr("why"), Tone::Plain);
+    after_ = row(tr("gives"), Tone::Plain);
+    cost_ = row(tr("costs"), Tone::Strong);
+    rows->setRowStretch(rows->rowCount(), 1);
+    approve_ = new HoldToConfirmButton(QString(), palette::kAccent, question);
+    approve_->setToolTip(
+        tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing"));
+    refuse_ = new QPushButton(tr("Refuse (N)"), question);
+    refuse_->setFocusPolicy(Qt::TabFocus);
+    refuse_->setToolTip(tr("Keeps the estimate as it is"));
+    rows->addWidget(approve_, rows->rowCount(), 0, 1, 2);
+    rows->setRowMinimumHeight(rows->rowCount(), 4);
+    rows->addWidget(refuse_, rows->rowCount(), 0, 1, 2);
+    pages_->addWidget(question);
+
+    auto* probing = new QWidget(this);
+    auto* column = new QVBoxLayout(probing);
+    column->setContentsMargins(0, 0, 0, 0);
+    probingText_ = new QLabel(probing);
+    probingText_->setWordWrap(true);
+    setTone(*probingText_, Tone::Accent);
+    probingBar_ = new QProgressBar(probing);
+    probingBar_->setRange(0, 1000);
+    probingBar_->setAccessibleName(tr("Progress of the probe"));
+    column->addWidget(probingText_);
+    column->addWidget(probingBar_);
+    column->addStretch(1);
+    pages_->addWidget(probing);
+
+    connect(approve_, &HoldToConfirmButton::confirmed, this, [this] {
+        if (asks()) emit approved(proposal_->id);
+    });
+    connect(refuse_, &QPushButton::clicked, this, [this] {
+        if (asks()) emit refused(proposal_->id);
+    });
+    setNothing(QString());
+}
+
+bool ProbeCard::asks() const
+{
+    return proposal_.has_value();
+}
+
+void ProbeCard::setProposal(const ProbeProposal& proposal)
+{
+    if (proposal_ == proposal) return;
+    approve_->letGo();  // a hold begun on another question does not count for this one
+    proposal_ = proposal;
+    where_->setText(tr("bin %1").arg(words::binName(proposal.bin)));
+    predicted_->setText(
+        tr("%1 m ± %2 m (sd)")
+            .arg(words::signedNumber(proposal.mean, 2), words::number(proposal.sd, 2)));
+    band_->setText(
+        tr("%1 … %2 m")
+            .arg(words::signedNumber(proposal.q10, 2), words::signedNumber(proposal.q90, 2)));
+    why_->setText(tr("widest in reach; limit ± %1 m").arg(words::number(proposal.limit, 2)));
+    after_->setText(tr("this bin to ± %1 m").arg(words::number(proposal.armSd, 2)));
+    cost_->setText(tr("≈ %1 s, arm out in smoke").arg(words::number(proposal.seconds, 0)));
+    approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));
+    approve_->setAccessibleName(
+        tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
+    pages_->setCurrentIndex(kQuestion);
+}
+
+void ProbeCard::setTimeLeft(double seconds)
+{
+    note()->setText(asks() ? tr("%1 left, then no").arg(words::countdown(seconds)) : QString());
+    setTone(*note(), seconds < 10.0 ? Tone::Bad : Tone::Accent);
+}
+
+void ProbeCard::setProbing(int bin, double elapsed, double expected)
+{
+    proposal_.reset();
+    note()->clear();
+    probingText_->setText(tr("The arm is probing bin %1").arg(words::binName(bin)));
+    const double share =
+        expected > 0.0 && std::isfinite(elapsed) ? std::clamp(elapsed / expected, 0.0, 1.0) : 0.0;
+    probingBar_->setValue(static_cast<int>(share * 1000.0));
+    probingBar_->setFormat(
+        tr("%1 of about %2")
+            .arg(words::countdown(std::floor(elapsed)), words::countdown(expected)));
+    pages_->setCurrentIndex(kProbing);
+}
+
+void ProbeCard::setNothing(const QString& why)
+{
+    proposal_.reset();
+    note()->clear();
+    nothing_->setText(why);
+    pages_->setCurrentIndex(kNothing);
+}
+
+}  // namespace terratact

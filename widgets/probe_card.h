@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+
+#include "widgets/card.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedLayout;
+
+namespace terratact {
+
+class HoldToConfirmButton;
+
+/// A probe as it is put to the operator.  An answer carries the proposal's id, so that it can only
+/// mean what was on the screen.
+struct ProbeProposal {
+    quint64 id = 0;
+    int bin = 0;
+    double mean = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
+    double limit = 0.06;                                ///< [m] sd above which the arm is asked for
+    double armSd = 0.03;                                ///< [m] sd of what the arm would measure
+    double seconds = 45.0;                              ///< what it costs
+    bool operator==(const ProbeProposal&) const = default;
+};
+
+/// The card that asks for the arm: where, what is expected there, what it costs, and how long the
+/// question stands.  Approving takes a hold of 1.5 s; refusing a click; no answer means no.
+class ProbeCard final : public Card {
+    Q_OBJECT
+public:
+    explicit ProbeCard(QWidget* parent = nullptr);
+
+    void setProposal(const ProbeProposal& proposal);
+    void setTimeLeft(double seconds);
+    /// The arm is on its way to `bin` for `elapsed` of about `expected` seconds.
+    void setProbing(int bin, double elapsed, double expected);
+    void setNothing(const QString& why);
+
+    bool asks() const;  ///< a proposal is on the screen
+    HoldToConfirmButton* approveButton() const { return approve_; }
+    QPushButton* refuseButton() const { return refuse_; }
+
+signals:
+    void approved(quint64 id);
+    void refused(quint64 id);
+
+private:
+    std::optional<ProbeProposal> proposal_;
+    QStackedLayout* pages_ = nullptr;
+    QLabel* nothing_ = nullptr;
+    QLabel* where_ = nullptr;
+    QLabel* predicted_ = nullptr;
+    QLabel* band_ = nullptr;
+    QLabel* why_ = nullptr;
+    QLabel* after_ = nullptr;
+    QLabel* cost_ = nullptr;
+    HoldToConfirmButton* approve_ = nullptr;
+    QPushButton* refuse_ = nullptr;
+    QLabel* probingText_ = nullptr;
+    QProgressBar* probingBar_ = nullptr;
+};
+
+}  // namespace terratact

@@ -1,0 +1,74 @@
+#include "widgets/robot_readout.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "widgets/look.h"
+#include "widgets/words.h"
+
+namespace terratact {
+
+RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Robot"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(14);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(1, 1);
+    const std::array<QString, kRows> names{tr("pitch"),          tr("roll"),
+                                           tr("front flippers"), tr("rear flippers"),
+                                           tr("front currents"), tr("rear currents")};
+    for (int row = 0; row < kRows; ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        auto* name = new QLabel(names[i], this);
+        setTone(*name, Tone::Muted);
+        values_[i] = new QLabel(this);
+        values_[i]->setAccessibleName(names[i]);
+        values_[i]->setTextFormat(Qt::PlainText);
+        grid->addWidget(name, row, 0);
+        grid->addWidget(values_[i], row, 1);
+    }
+    grid->setRowStretch(kRows, 1);
+    clearMeasurement();
+}
+
+void RobotReadout::show(Row row, const QString& text, bool known)
+{
+    QLabel* label = values_[row];
+    label->setText(text);
+    setTone(*label, known ? Tone::Strong : Tone::Muted);
+}
+
+void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds)
+{
+    const bool fresh = ageSeconds <= kStaleAfter;
+    const auto put = [&](Row row, const QString& text) {
+        show(row, fresh ? text : words::kNothing, fresh);
+    };
+    const auto pair = [](const QString& left, const QString& right) {
+        return QStringLiteral("L %1   R %2").arg(left, right);
+    };
+    const auto amperes = [](double value) {
+        return words::signedNumber(value, 2) + QStringLiteral(" A");
+    };
+    put(Pitch, words::degrees(m.pitch));
+    put(Roll, words::degrees(m.roll));
+    put(FrontFlippers, pair(words::degrees(m.frontLeft), words::degrees(m.frontRight)));
+    put(RearFlippers, pair(words::degrees(m.rearLeft), words::degrees(m.rearRight)));
+    put(FrontCurrents, pair(amperes(m.frontLeftCurrent), amperes(m.frontRightCurrent)));
+    put(RearCurrents, pair(amperes(m.rearLeftCurrent), amperes(m.rearRightCurrent)));
+}
+
+void RobotReadout::clearMeasurement()
+{
+    for (int row = 0; row < kRows; ++row) show(static_cast<Row>(row), words::kNothing, false);
+}
+
+QString RobotReadout::text(int row) const
+{
+    return values_.at(static_cast<std::size_t>(row))->text();
+}
+
+}  // namespace terratact

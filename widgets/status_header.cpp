@@ -1,0 +1,91 @@
+#include "widgets/status_header.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+
+#include "widgets/look.h"
+
+namespace terratact {
+
+StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
+{
+    setObjectName(QStringLiteral("statusHeader"));
+    setAccessibleName(tr("Status"));
+    source_ = new QLabel(this);
+    source_->setObjectName(QStringLiteral("sourceName"));
+    source_->setAccessibleName(tr("Where the data come from"));
+    const auto chip = [this](const QString& name) {
+        auto* label = new QLabel(this);
+        label->setProperty("chip", true);
+        label->setAccessibleName(name);
+        return label;
+    };
+    link_ = chip(tr("Link"));
+    robot_ = chip(tr("What the robot does"));
+    model_ = chip(tr("Model"));
+    stop_ = new QPushButton(tr("STOP (F12)"), this);
+    stop_->setProperty("role", "stop");
+    stop_->setProperty("latched", false);
+    stop_->setFocusPolicy(Qt::TabFocus);
+    stop_->setAccessibleName(tr("STOP"));
+    stop_->setAccessibleDescription(
+        tr("Halts the robot at once and latches; F12 does the same everywhere"));
+    stop_->setToolTip(stop_->accessibleDescription());
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(18, 7, 12, 7);
+    row->setSpacing(10);
+    row->addWidget(source_);
+    row->addSpacing(12);
+    for (QLabel* label : {link_, robot_, model_}) row->addWidget(label, 0, Qt::AlignVCenter);
+    row->addStretch(1);
+    row->addWidget(stop_);
+    connect(stop_, &QPushButton::pressed, this, &StatusHeader::stopPressed);
+}
+
+void StatusHeader::setSource(const QString& name)
+{
+    source_->setText(name);
+}
+
+void StatusHeader::setLink(const QString& text, Tone tone)
+{
+    link_->setText(text);
+    setTone(*link_, tone);
+}
+
+void StatusHeader::setRobot(const QString& text, Tone tone)
+{
+    robot_->setText(text);
+    setTone(*robot_, tone);
+}
+
+void StatusHeader::setModel(const QString& text, Tone tone, const QString& details)
+{
+    model_->setText(text);
+    model_->setToolTip(details);
+    setTone(*model_, tone);
+}
+
+void StatusHeader::setLatched(bool latched)
+{
+    if (stop_->property("latched").toBool() == latched) return;
+    stop_->setProperty("latched", latched);
+    stop_->setText(latched ? tr("STOPPED (F12)") : tr("STOP (F12)"));
+    stop_->style()->unpolish(stop_);
+    stop_->style()->polish(stop_);
+}
+
+QString StatusHeader::sourceName() const
+{
+    return source_->text();
+}
+
+QString StatusHeader::linkText() const
+{
+    return link_->text();
+}
+
+}  // namespace terratact

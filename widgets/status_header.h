@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+
+namespace terratact {
+
+enum class Tone;
+
+/// The dark strip at the top: where the data come from, how the link is, what the robot does, and STOP.
+/// STOP acts on the press, is never confirmed and never disabled.
+class StatusHeader final : public QFrame {
+    Q_OBJECT
+public:
+    explicit StatusHeader(QWidget* parent = nullptr);
+
+    void setSource(const QString& name);
+    void setLink(const QString& text, Tone tone);
+    void setRobot(const QString& text, Tone tone);
+    void setModel(const QString& text, Tone tone, const QString& details = {});
+    void setLatched(bool latched);  ///< STOP has been pressed and not been released
+
+    QString sourceName() const;
+    QString linkText() const;
+    QPushButton* stopButton() const { return stop_; }
+
+signals:
+    void stopPressed();
+
+private:
+    QLabel* source_ = nullptr;
+    QLabel* link_ = nullptr;
+    QLabel* robot_ = nullptr;
+    QLabel* model_ = nullptr;
+    QPushButton* stop_ = nullptr;
+};
+
+}  // namespace terratact

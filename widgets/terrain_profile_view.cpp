@@ -1,0 +1,593 @@
+#include "widgets/terrain_profile_view.h"
+
+#include <qwt_graphic.h>
+#include <qwt_interval_symbol.h>
+#include <qwt_legend.h>
+#include <qwt_legend_label.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_intervalcurve.h>
+#include <qwt_plot_layout.h>
+#include <qwt_plot_marker.h>
+#include <qwt_plot_shapeitem.h>
+#include <qwt_plot_textlabel.h>
+#include <qwt_scale_draw.h>
+#include <qwt_scale_map.h>
+#include <qwt_scale_widget.h>
+#include <qwt_symbol.h>
+#include <qwt_text.h>
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/drawable.h"
+#include "widgets/palette.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+// What is always in the picture [m]: the robot with its flippers out, and the bins.
+constexpr double kLeft = -0.66, kRight = 0.80, kBottom = -0.42, kTop = 0.22;
+// How far it grows for heights that lie outside.
+constexpr double kLowest = -1.6, kHighest = 1.2;
+
+QFont scaled(QFont font, int pixels, bool bold = false)
+{
+    font.setPixelSize(pixels);
+    font.setBold(bold);
+    return font;
+}
+
+QwtText text(const QString& words, const QColor& colour, const QFont& font)
+{
+    QwtText result(words);
+    result.setColor(colour);
+    result.setFont(font);
+    return result;
+}
+
+/// Ticks in the form "+0.1", "0.0", "−0.2"; every label as wide as the widest.
+class MetreScale final : public QwtScaleDraw {
+public:
+    explicit MetreScale(bool withPlus) : withPlus_(withPlus)
+    {
+        enableComponent(QwtAbstractScaleDraw::Backbone, false);
+        setTickLength(QwtScaleDiv::MajorTick, 5);
+        setTickLength(QwtScaleDiv::MediumTick, 0);
+        setTickLength(QwtScaleDiv::MinorTick, 0);
+    }
+    QwtText label(double value) const override
+    {
+        const double rounded = std::round(value * 10.0) / 10.0;
+        if (rounded == 0.0) return QStringLiteral("0.0");
+        return withPlus_ ? words::signedNumber(rounded, 1) : words::number(rounded, 1);
+    }
+
+private:
+    bool withPlus_;
+};
+
+QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill, int size)
+{
+    return new QwtSymbol(style, fill, QPen(line, 2.0), QSize(size, size));
+}
+
+}  // namespace
+
+/// A line in metres whose legend shows a piece of it.
+class LineItem final : public QwtPlotShapeItem {
+public:
+    using QwtPlotShapeItem::QwtPlotShapeItem;
+    QwtGraphic legendIcon(int /*index*/, const QSizeF& /*size*/) const override
+    {
+        QwtGraphic icon;
+        icon.setDefaultSize(QSizeF(26, 14));
+        QPainter painter(&icon);
+        painter.setPen(pen());
+        painter.drawLine(QPointF(0, 7), QPointF(26, 7));
+        return icon;
+    }
+};
+
+/// Says in the legend what the bars are; draws nothing itself.
+class BandKey final : public QwtPlotItem {
+public:
+    BandKey() : QwtPlotItem(QwtText(TerrainProfileView::tr("mean, 80 % band")))
+    {
+        setItemAttribute(QwtPlotItem::Legend);
+    }
+    void draw(QPainter* /*painter*/, const QwtScaleMap& /*x*/, const QwtScaleMap& /*y*/,
+              const QRectF& /*canvas*/) const override
+    {
+    }
+    QwtGraphic legendIcon(int /*index*/, const QSizeF& /*size*/) const override
+    {
+        QwtGraphic icon;
+        icon.setDefaultSize(QSizeF(26, 16));
+        QPainter painter(&icon);
+        painter.setPen(QPen(palette::kSampled, 3.0));
+        painter.drawLine(QPointF(1, 8), QPointF(25, 8));
+        painter.setPen(QPen(palette::kSampled, 2.0));
+        painter.drawLine(QPointF(13, 1), QPointF(13, 15));
+        painter.drawLine(QPointF(8, 1), QPointF(18, 1));
+        painter.drawLine(QPointF(8, 15), QPointF(18, 15));
+        return icon;
+    }
+};
+
+/// Lines between the bins, not at their centres, where they would hide the bars.
+class BinBorders final : public QwtPlotItem {
+public:
+    BinBorders()
+    {
+        setZ(0.6);
+        setItemAttribute(QwtPlotItem::Legend, false);
+    }
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
+              const QRectF& canvas) const override
+    {
+        painter->setPen(palette::kGrid);
+        for (int bin = 0; bin <= kBins; ++bin) {
+            const double px = std::round(x.transform(binBegin(bin))) + 0.5;
+            painter->drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
+        }
+    }
+};
+
+/// The zones of bins for which nothing but the training set speaks.
+class BinZones final : public QwtPlotItem {
+public:
+    BinZones() : QwtPlotItem(QwtText("prior only"))
+    {
+        setZ(1.0);
+        setItemAttribute(QwtPlotItem::Legend, false);
+    }
+    std::array<bool, kBins> shown{};
+
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
+              const QRectF& canvas) const override
+    {
+        const QFont font = scaled(plot()->font(), 13);
+        for (std::size_t i = 0; i < kBins; ++i) {
+            if (!shown[i] || (i > 0 && shown[i - 1])) continue;
+            std::size_t last = i;
+            while (last + 1 < kBins && shown[last + 1]) ++last;
+            const double from = std::round(x.transform(binBegin(static_cast<int>(i))));
+            const double to = std::round(x.transform(binEnd(static_cast<int>(last))));
+            const QRectF zone(from, canvas.top(), to - from, canvas.height());
+            QColor fill = palette::kPriorZone;
+            fill.setAlpha(0xc0);
+            painter->fillRect(zone, fill);
+            painter->setPen(palette::kDoubt);
+            painter->setFont(font);
+            const QString label = QStringLiteral("prior only");
+            const double width = painter->fontMetrics().horizontalAdvance(label);
+            QRectF place(zone.center().x() - width / 2.0 - 2.0, zone.top() + 5.0, width + 4.0,
+                         20.0);
+            place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
+            painter->fillRect(place, palette::kPriorZone);
+            painter->drawText(place, Qt::AlignCenter, label);
+        }
+    }
+};
+
+/// Dashed line down to the bin the arm would touch.
+class ProbeMark final : public QwtPlotItem {
+public:
+    ProbeMark() : QwtPlotItem(QwtText("probe"))
+    {
+        setZ(28.0);
+        setItemAttribute(QwtPlotItem::Legend, false);
+    }
+    double at = 0.0, down = 0.0;  ///< [m]
+
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override
+    {
+        const double px = std::round(x.transform(at)) + 0.5;
+        const double top = canvas.top() + 28.0;
+        painter->setFont(scaled(plot()->font(), 14, true));
+        painter->setPen(palette::kAccent);
+        const QString label = QStringLiteral("▼ probe");
+        const double width = painter->fontMetrics().horizontalAdvance(label) + 4.0;
+        QRectF place(px - 8.0, top, width, 20.0);
+        place.moveLeft(std::min(place.left(), canvas.right() - width));
+        painter->drawText(place, Qt::AlignLeft | Qt::AlignVCenter, label);
+        QPen dashes(palette::kAccent, 2.0, Qt::CustomDashLine);
+        dashes.setDashPattern({4.0, 3.0});
+        painter->setPen(dashes);
+        const double bottom = std::max(y.transform(down) - 12.0, top + 34.0);
+        painter->drawLine(QPointF(px, top + 22.0), QPointF(px, bottom));
+    }
+};
+
+TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
+{
+    setAccessibleName(tr("Terrain profile"));
+    setAutoReplot(false);
+    auto* frame = new QwtPlotCanvas(this);
+    frame->setFrameStyle(QFrame::NoFrame);
+    frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
+    setCanvas(frame);
+    frame->installEventFilter(this);
+    setCanvasBackground(palette::kCard);
+    setAutoFillBackground(false);
+    plotLayout()->setAlignCanvasToScales(true);
+    plotLayout()->setCanvasMargin(0);
+
+    setAxisScaleDraw(QwtPlot::xBottom, new MetreScale(false));
+    setAxisScaleDraw(QwtPlot::yLeft, new MetreScale(true));
+    const QFont small = scaled(font(), 13);
+    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
+        setAxisFont(axis, small);
+        QPalette colours = axisWidget(axis)->palette();
+        colours.setColor(QPalette::Text, palette::kMuted);
+        colours.setColor(QPalette::WindowText, palette::kMuted);
+        axisWidget(axis)->setPalette(colours);
+        axisWidget(axis)->setMargin(0);
+    }
+    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(48);
+    // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
+    axisWidget(QwtPlot::xBottom)->setMinBorderDist(22, 22);
+    axisWidget(QwtPlot::yLeft)->setMinBorderDist(10, 10);
+    setAxisTitle(QwtPlot::xBottom, text(tr("forward from the IMU [m]"), palette::kMuted, small));
+    setAxisTitle(QwtPlot::yLeft, text(tr("height above the IMU [m]"), palette::kMuted, small));
+
+    auto* key = new QwtLegend;
+    key->setFont(small);
+    key->setFrameStyle(QFrame::NoFrame);
+    insertLegend(key, QwtPlot::BottomLegend);
+
+    (new BandKey)->attach(this);
+    zones_ = new BinZones;
+    zones_->attach(this);
+
+    auto* grid = new QwtPlotGrid;
+    grid->enableX(false);
+    grid->setMajorPen(palette::kGrid, 1.0);
+    grid->setZ(0.5);
+    grid->attach(this);
+    (new BinBorders)->attach(this);
+
+    const auto line = [this](const QPen& pen, double z, const QString& name) {
+        auto* item = new LineItem(name);
+        item->setPen(pen);
+        item->setBrush(Qt::NoBrush);
+        item->setRenderHint(QwtPlotItem::RenderAntialiased);
+        item->setItemAttribute(QwtPlotItem::Legend, !name.isEmpty());
+        item->setZ(z);
+        item->attach(this);
+        return item;
+    };
+    QPen ceilingPen(palette::kCeiling, 1.5, Qt::DotLine);
+    ceilings_ = line(ceilingPen, 12.0, tr("ceiling"));
+    QPen soft(palette::kSampled, 2.5, Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
+    soft.setDashPattern({2.5, 2.5});
+    meanPrior_ = line(soft, 20.0, {});
+    mean_ =
+        line(QPen(palette::kSampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin), 21.0, {});
+    truthLine_ = line(QPen(palette::kTruth, 1.2), 19.0, tr("truth (simulation)"));
+
+    struct Look {
+        QString name;
+        QColor colour;
+        QwtSymbol* mark;
+    };
+    const std::array<Look, kKinds> looks{{
+        {tr("sampled"), palette::kSampled,
+         symbol(QwtSymbol::Ellipse, palette::kSampled, palette::kSampled, 10)},
+        {tr("prior only"), palette::kPrior,
+         symbol(QwtSymbol::Diamond, palette::kPrior, palette::kCard, 14)},
+        {tr("contact"), palette::kContact,
+         symbol(QwtSymbol::Rect, palette::kContact, palette::kContact, 11)},
+        {tr("arm"), palette::kArm, symbol(QwtSymbol::Triangle, palette::kArm, palette::kArm, 13)},
+    }};
+    for (const std::size_t kind : {Contact, Arm, Sampled, PriorOnly}) {
+        auto* bar = new QwtPlotIntervalCurve;
+        bar->setStyle(QwtPlotIntervalCurve::NoCurve);
+        auto* cap = new QwtIntervalSymbol(QwtIntervalSymbol::Bar);
+        cap->setWidth(13);
+        cap->setPen(QPen(looks[kind].colour, 2.0));
+        bar->setSymbol(cap);
+        bar->setItemAttribute(QwtPlotItem::Legend, false);
+        bar->setZ(24.0);
+        bar->attach(this);
+        bars_[kind] = bar;
+
+        auto* points = new QwtPlotCurve(looks[kind].name);
+        points->setStyle(QwtPlotCurve::NoCurve);
+        points->setSymbol(looks[kind].mark);
+        points->setRenderHint(QwtPlotItem::RenderAntialiased);
+        points->setLegendAttribute(QwtPlotCurve::LegendShowSymbol);
+        points->setLegendIconSize(looks[kind].mark->size() + QSize(3, 3));
+        points->setZ(26.0);
+        points->attach(this);
+        points_[kind] = points;
+    }
+
+    auto* imu = new QwtPlotMarker;
+    imu->setSymbol(symbol(QwtSymbol::Ellipse, palette::kText, palette::kText, 7));
+    imu->setValue(0.0, 0.0);
+    imu->setLabel(text(tr("IMU"), palette::kMuted, scaled(font(), 12)));
+    imu->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    imu->setSpacing(6);
+    imu->setRenderHint(QwtPlotItem::RenderAntialiased);
+    imu->setZ(15.0);
+    imu->attach(this);
+
+    probeMark_ = new ProbeMark;
+    probeMark_->setVisible(false);
+    probeMark_->attach(this);
+
+    nothing_ = new QwtPlotTextLabel;
+    nothing_->setItemAttribute(QwtPlotItem::Legend, false);
+    nothing_->setMargin(12);
+    nothing_->setZ(40.0);
+    nothing_->attach(this);
+
+    clearEstimate(tr("No estimate yet"));
+    showTruth();
+}
+
+void TerrainProfileView::setEstimate(const TerrainEstimate& estimate)
+{
+    estimate_ = estimate;
+    nothing_->setVisible(false);
+    showEstimate();
+}
+
+void TerrainProfileView::clearEstimate(const QString& why)
+{
+    estimate_.reset();
+    QwtText words = text(why, palette::kMuted, scaled(font(), 16, true));
+    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
+    words.setBackgroundBrush(QColor(0xff, 0xff, 0xff, 0xe0));
+    nothing_->setText(words);
+    nothing_->setVisible(true);
+    showEstimate();
+}
+
+TerrainProfileView::Kind TerrainProfileView::kindOf(const TerrainEstimate& estimate, int bin)
+{
+    switch (estimate.origin[static_cast<std::size_t>(bin)]) {
+    case Origin::Contact: return Contact;
+    case Origin::Arm: return Arm;
+    case Origin::Sampled: break;
+    }
+    return estimate.priorOnly(bin) ? PriorOnly : Sampled;
+}
+
+void TerrainProfileView::showEstimate()
+{
+    std::array<QVector<QPointF>, kKinds> points;
+    std::array<QVector<QwtIntervalSample>, kKinds> bars;
+    std::vector<QPointF> known, prior;
+    QPainterPath ceilings;
+    zones_->shown.fill(false);
+    if (estimate_) {
+        const TerrainEstimate& e = *estimate_;
+        constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+        for (int bin = 0; bin < kBins; ++bin) {
+            const auto i = static_cast<std::size_t>(bin);
+            const Kind kind = kindOf(e, bin);
+            const QPointF point(binCentre(bin), e.mean[i]);
+            if (drawable(point)) points[kind].append(point);
+            if (drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
+                bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
+            if (drawable(e.ceiling[i])) {
+                ceilings.moveTo(binBegin(bin), e.ceiling[i]);
+                ceilings.lineTo(binEnd(bin), e.ceiling[i]);
+            }
+            zones_->shown[i] = kind == PriorOnly;
+
+            // A segment that touches a prior-only bin is dashed.
+            known.push_back(kind == PriorOnly ? QPointF(point.x(), kGap) : point);
+            if (bin > 0) {
+                const bool soft = kind == PriorOnly || kindOf(e, bin - 1) == PriorOnly;
+                prior.push_back(soft ? QPointF(binCentre(bin - 1), e.mean[i - 1])
+                                     : QPointF(point.x(), kGap));
+                prior.push_back(soft ? point : QPointF(point.x(), kGap));
+                prior.push_back(QPointF(point.x(), kGap));
+            }
+        }
+    }
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        points_[kind]->setSamples(points[kind]);
+        bars_[kind]->setSamples(bars[kind]);
+    }
+    mean_->setShape(pathThrough(known));
+    meanPrior_->setShape(pathThrough(prior));
+    ceilings_->setShape(ceilings);
+    showProbe();
+    describe();
+}
+
+void TerrainProfileView::setOutline(const Outline& outline)
+{
+    outline_ = outline;
+    while (robot_.size() < outline.size()) {
+        auto* part = new QwtPlotShapeItem;
+        part->setItemAttribute(QwtPlotItem::Legend, false);
+        part->setRenderHint(QwtPlotItem::RenderAntialiased);
+        part->setZ(5.0 + 0.01 * static_cast<double>(robot_.size()));
+        part->attach(this);
+        robot_.push_back(part);
+    }
+    for (std::size_t i = 0; i < robot_.size(); ++i) {
+        QPainterPath path;
+        if (i < outline.size()) {
+            std::vector<QPointF> corners;
+            for (const auto& [x, z] : outline[i].points)
+                if (drawable(QPointF(x, z))) corners.emplace_back(x, z);
+            path = pathThrough(corners);
+            if (!path.isEmpty()) path.closeSubpath();
+            QColor fill;
+            switch (outline[i].kind) {
+            case OutlinePart::Kind::Body: fill = palette::kRobotBody; break;
+            case OutlinePart::Kind::Track: fill = palette::kRobotTrack; break;
+            case OutlinePart::Kind::FrontFlipper:
+            case OutlinePart::Kind::RearFlipper: fill = palette::kRobotFlipper; break;
+            }
+            fill.setAlpha(0xd0);
+            robot_[i]->setBrush(fill);
+            robot_[i]->setPen(QPen(palette::kRobotLine, 1.0));
+        }
+        robot_[i]->setShape(path);
+    }
+    fitAxes();
+    replot();
+}
+
+void TerrainProfileView::setTruth(const std::optional<Heights>& truth)
+{
+    if (truth == truth_) return;
+    truth_ = truth;
+    showTruth();
+    fitAxes();
+    replot();
+}
+
+void TerrainProfileView::showTruth()
+{
+    // A truth is a mean per bin: a level line over each, so that a step stays a step.
+    std::vector<QPointF> line;
+    if (truth_) {
+        for (int bin = 0; bin < kBins; ++bin) {
+            line.emplace_back(binBegin(bin), (*truth_)[static_cast<std::size_t>(bin)]);
+            line.emplace_back(binEnd(bin), (*truth_)[static_cast<std::size_t>(bin)]);
+        }
+    }
+    truthLine_->setShape(pathThrough(line));
+    if (truthLine_->testItemAttribute(QwtPlotItem::Legend) != truth_.has_value())
+        truthLine_->setItemAttribute(QwtPlotItem::Legend, truth_.has_value());
+}
+
+void TerrainProfileView::setProposedProbe(std::optional<int> bin)
+{
+    if (bin == probe_) return;
+    probe_ = bin;
+    showProbe();
+}
+
+void TerrainProfileView::showProbe()
+{
+    const std::optional<int>& bin = probe_;
+    const bool shown = bin && *bin >= 0 && *bin < kBins && estimate_
+                    && drawable(estimate_->mean[static_cast<std::size_t>(*bin)]);
+    if (shown) {
+        const auto i = static_cast<std::size_t>(*bin);
+        probeMark_->at = binCentre(*bin);
+        probeMark_->down = drawable(estimate_->q90[i])
+                             ? std::max(estimate_->q90[i], estimate_->mean[i])
+                             : estimate_->mean[i];
+    }
+    probeMark_->setVisible(shown);
+    fitAxes();
+    replot();
+}
+
+void TerrainProfileView::updateLayout()
+{
+    QwtPlot::updateLayout();
+    fitAxes();
+}
+
+void TerrainProfileView::fitAxes()
+{
+    // Other labels may need other margins, which leave the canvas another size.
+    constexpr int kRounds = 3;
+    for (int round = 0; round < kRounds && setScales(); ++round) QwtPlot::updateLayout();
+}
+
+bool TerrainProfileView::setScales()
+{
+    double bottom = kBottom, top = kTop;
+    const auto include = [&](double z) {
+        if (!drawable(z)) return;
+        bottom = std::min(bottom, std::max(kLowest, z - 0.03));
+        top = std::max(top, std::min(kHighest, z + 0.06));
+    };
+    if (estimate_) {
+        for (std::size_t i = 0; i < kBins; ++i) {
+            for (const double z : {estimate_->mean[i], estimate_->q10[i], estimate_->q90[i]})
+                include(z);
+        }
+    }
+    if (truth_) {
+        for (const double z : *truth_) include(z);
+    }
+    // In steps, so that the picture does not swim with the noise.
+    bottom = std::floor(bottom / 0.05 + 1e-9) * 0.05;
+    top = std::ceil(top / 0.05 - 1e-9) * 0.05;
+
+    const double width = canvasMap(QwtPlot::xBottom).pDist();
+    const double height = canvasMap(QwtPlot::yLeft).pDist();
+    if (!(width > 10.0 && height > 10.0)) return false;
+    const std::array<double, 4> wanted{bottom, top, width, height};
+    if (wanted == fitted_) return false;
+    fitted_ = wanted;
+    const double scale = std::min(width / (kRight - kLeft), height / (top - bottom));  // [px/m]
+    const double spareX = width / scale - (kRight - kLeft);
+    const double spareZ = height / scale - (top - bottom);
+
+    const auto setScale = [this, scale](int axis, double from, double to) {
+        QList<double> centres;
+        const double least = axis == QwtPlot::xBottom ? 44.0 : 22.0;  // [px] between labels
+        const double step = 0.1 * scale >= least ? 0.1 : 0.2 * scale >= least ? 0.2 : 0.5;
+        for (double tick = std::ceil(from / step - 1e-9) * step; tick <= to + 1e-9; tick += step)
+            centres << tick;
+        setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
+    };
+    setScale(QwtPlot::xBottom, kLeft - spareX / 2.0, kRight + spareX / 2.0);
+    setScale(QwtPlot::yLeft, bottom - spareZ * 0.6, top + spareZ * 0.4);
+    updateAxes();
+    return true;
+}
+
+QPointF TerrainProfileView::pixelOf(double x, double z) const
+{
+    return {canvasMap(QwtPlot::xBottom).transform(x), canvasMap(QwtPlot::yLeft).transform(z)};
+}
+
+QPointF TerrainProfileView::pointAt(QPointF pixel) const
+{
+    return {canvasMap(QwtPlot::xBottom).invTransform(pixel.x()),
+            canvasMap(QwtPlot::yLeft).invTransform(pixel.y())};
+}
+
+QString TerrainProfileView::binText(int bin) const
+{
+    if (!estimate_ || bin < 0 || bin >= kBins) return {};
+    const auto i = static_cast<std::size_t>(bin);
+    static const std::array<QString, kKinds> kNames{tr("sampled"), tr("prior only"), tr("contact"),
+                                                    tr("arm")};
+    return tr("bin %1: %2 m, 80 % in %3 … %4, %5")
+        .arg(words::binName(bin), words::signedNumber(estimate_->mean[i], 2),
+             words::signedNumber(estimate_->q10[i], 2), words::signedNumber(estimate_->q90[i], 2),
+             kNames[kindOf(*estimate_, bin)]);
+}
+
+void TerrainProfileView::describe()
+{
+    QStringList lines;
+    for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
+    setAccessibleDescription(estimate_ ? lines.join(QLatin1Char('\n')) : nothing_->text().text());
+}
+
+bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
+{
+    if (object == canvas() && event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const auto bin = binOf(pointAt(help->pos()).x());
+        QToolTip::showText(help->globalPos(), bin ? binText(*bin) : QString(), canvas());
+        return true;
+    }
+    return QwtPlot::eventFilter(object, event);
+}
+
+}  // namespace terratact

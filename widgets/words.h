@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QString>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/terrain/bins.h"
+
+/// Numbers as an operator reads them.  A value that is not finite reads "--".
+namespace terratact::words {
+
+inline const QString kNothing = QStringLiteral("--");
+
+inline QString number(double value, int decimals)
+{
+    if (!std::isfinite(value)) return kNothing;
+    return QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// With its sign, also a plus.
+inline QString signedNumber(double value, int decimals)
+{
+    const QString text = number(value, decimals);
+    return std::isfinite(value) && !text.startsWith(QChar(0x2212)) ? QLatin1Char('+') + text : text;
+}
+
+inline QString degrees(double radians, int decimals = 1)
+{
+    return signedNumber(radians * 180.0 / std::numbers::pi, decimals) + QStringLiteral("°");
+}
+
+/// "bin 0.6 m"'s number.
+inline QString binName(int bin)
+{
+    return number(binCentre(bin), 1) + QStringLiteral(" m");
+}
+
+/// "0:24"; never negative.
+inline QString countdown(double seconds)
+{
+    if (!std::isfinite(seconds)) return kNothing;
+    const int whole = static_cast<int>(std::ceil(std::clamp(seconds, 0.0, 35999.0)));
+    return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+/// An age: "41 ms", "2.4 s".
+inline QString age(double seconds)
+{
+    if (!std::isfinite(seconds)) return kNothing;
+    return seconds < 1.0 ? QStringLiteral("%1 ms").arg(std::lround(seconds * 1000.0))
+                         : number(seconds, 1) + QStringLiteral(" s");
+}
+
+}  // namespace terratact::words
