@@ -1,0 +1,64 @@
+#include "app/acquisition.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/gui.h"
+#include "tests/support/scripted_source.h"
+
+namespace terratact {
+namespace {
+
+TEST(AcquisitionTest, keepsTheNewestOnly)
+{
+    ScriptedSource source;
+    const Acquisition acquisition(source);
+    ASSERT_TRUE(
+        gui::eventually([&] { return acquisition.latest() && acquisition.latest()->count > 20; }));
+    const auto first = acquisition.latest();
+    ASSERT_TRUE(gui::eventually([&] { return acquisition.latest()->count > first->count; }));
+    const auto second = acquisition.latest();
+    EXPECT_EQ(second->sample.measurement.time - first->sample.measurement.time,
+              static_cast<double>(second->count - first->count));
+    EXPECT_GE(second->arrived, first->arrived);
+    EXPECT_GT(acquisition.rate(), 5.0);
+}
+
+TEST(AcquisitionTest, silenceLeavesTheLastAndItsAge)
+{
+    ScriptedSource source;
+    const Acquisition acquisition(source);
+    ASSERT_TRUE(gui::eventually([&] { return acquisition.latest().has_value(); }));
+    source.setSilent(true);
+    const auto age = [&] {
+        return std::chrono::steady_clock::now() - acquisition.latest()->arrived;
+    };
+    EXPECT_TRUE(gui::eventually([&] { return age() > std::chrono::milliseconds(200); }));
+    EXPECT_TRUE(gui::eventually([&] { return acquisition.rate() == 0.0; }));
+}
+
+TEST(AcquisitionTest, troubleIsToldAndEndsWithTheNextTelemetry)
+{
+    ScriptedSource source;
+    source.setTrouble("can0 is down");
+    const Acquisition acquisition(source);
+    ASSERT_TRUE(gui::eventually([&] { return acquisition.trouble() == "can0 is down"; }));
+    EXPECT_FALSE(acquisition.latest());
+    source.setTrouble("");
+    EXPECT_TRUE(
+        gui::eventually([&] { return acquisition.latest() && acquisition.trouble().empty(); }));
+}
+
+TEST(AcquisitionTest, endsPromptlyOnASilentSource)
+{
+    ScriptedSource source;
+    source.setSilent(true);
+    QElapsedTimer timer;
+    {
+        const Acquisition acquisition(source);
+        timer.start();
+    }
+    EXPECT_LT(timer.elapsed(), 2000);
+}
+
+}  // namespace
+}  // namespace terratact

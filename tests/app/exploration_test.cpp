@@ -1,0 +1,395 @@
+#include "app/exploration.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/scripted_source.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kBin06 = 9;
+
+/// An exploration whose telemetry and clock are in the test's hands; only the estimator is a thread.
+struct Bench : testing::Test {
+    Bench()
+    {
+        RobotModel robot;
+        robot.armReachBegin = 0.35;
+        robot.armReachEnd = 0.75;
+        worker = std::make_unique<EstimatorWorker>([this]() -> Result<LoadedModel> {
+            return LoadedModel{.estimate = [this](const EstimateRequest& r,
+                                                  const Watch& w) { return estimate(r, w); },
+                               .name = "fake.ttm",
+                               .details = {}};
+        });
+        exploration = std::make_unique<Exploration>(source, robot, *worker, Exploration::Options{});
+        QObject::connect(exploration.get(), &Exploration::happened,
+                         [this](const QString& text) { events << text; });
+        worker->start();
+        EXPECT_TRUE(gui::eventually([this] { return events.contains("model fake.ttm loaded"); }));
+        tick(3);
+    }
+
+    TerrainEstimate estimate(const EstimateRequest& request, const Watch& watch)
+    {
+        ++estimates;
+        while (blocked && !watch.cancelled()) std::this_thread::sleep_for(1ms);
+        if (watch.cancelled()) throw Cancelled{};
+        if (broken) throw std::runtime_error("the covariance is not positive definite");
+        TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
+        e.settings = request.settings;
+        return e;
+    }
+
+    /// Lets ticks of 40 ms pass, each with fresh telemetry.
+    void tick(int times = 1)
+    {
+        for (int i = 0; i < times; ++i) {
+            now += 0.04;
+            latest =
+                Received{.sample = {.measurement = telemetry, .truth = std::nullopt},
+                         .arrived = SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
+                             std::chrono::duration<double>(now))),
+                         .count = ++count};
+            exploration->tick(now, latest);
+        }
+    }
+    /// Lets ticks pass without telemetry.
+    void tickInSilence(int times)
+    {
+        for (int i = 0; i < times; ++i) exploration->tick(now += 0.04, latest);
+    }
+    AtemPhase phase() const { return exploration->state().phase; }
+    bool reaches(AtemPhase wanted)
+    {
+        // Slowly: an estimate in the other thread must not run into a time limit of this clock.
+        return gui::eventually([&] {
+            if (phase() == wanted) return true;
+            tick();
+            return phase() == wanted;
+        });
+    }
+    template <class C>
+    int sent()
+    {
+        for (const Command& command : source.takeCommands()) all.push_back(command);
+        return static_cast<int>(std::count_if(
+            all.begin(), all.end(), [](const Command& c) { return std::holds_alternative<C>(c); }));
+    }
+    void press()
+    {
+        exploration->request();
+        tick();
+        telemetry.activity = RobotActivity::Halted;
+        ASSERT_TRUE(reaches(AtemPhase::Pressing));
+        telemetry.activity = RobotActivity::Pressed;
+    }
+    void propose()
+    {
+        press();
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    }
+
+    std::atomic<int> estimates = 0;
+    std::atomic<bool> blocked = false, broken = false;
+    ScriptedSource source;
+    std::unique_ptr<EstimatorWorker> worker;
+    std::unique_ptr<Exploration> exploration;
+    Measurement telemetry;
+    std::optional<Received> latest;
+    std::uint64_t count = 0;
+    double now = 1000.0;
+    QStringList events;
+    std::vector<Command> all;
+};
+
+TEST_F(Bench, theWholeLoop)
+{
+    telemetry.activity = RobotActivity::Driving;
+    exploration->request();
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Halting);
+    EXPECT_EQ(sent<HaltCommand>(), 1);
+    tick(5);
+    EXPECT_EQ(phase(), AtemPhase::Halting) << "still rolling";
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    EXPECT_EQ(sent<PressCommand>(), 1);
+    telemetry.activity = RobotActivity::Pressing;
+    tick(5);
+    EXPECT_EQ(phase(), AtemPhase::Pressing);
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    ASSERT_TRUE(exploration->proposal());
+    EXPECT_EQ(exploration->proposal()->bin, kBin06);
+    EXPECT_EQ(exploration->estimate()->settings.method, Method::Pafc);
+
+    exploration->approve(exploration->proposal()->id);
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Probing);
+    EXPECT_EQ(exploration->probingBin(), kBin06);
+    EXPECT_EQ(sent<ProbeCommand>(), 1);
+    telemetry.activity = RobotActivity::Probing;
+    tick(20);
+    EXPECT_EQ(phase(), AtemPhase::Probing);
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_EQ(exploration->estimate()->origin[kBin06], Origin::Arm);
+    EXPECT_EQ(exploration->estimate()->settings.method, Method::Pafac);
+    EXPECT_EQ(estimates, 2);
+    EXPECT_TRUE(events.join('\n').contains("inside the band"));
+
+    exploration->drive(+1);
+    EXPECT_EQ(sent<DriveCommand>(), 1);
+    telemetry.activity = RobotActivity::Driving;
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    EXPECT_FALSE(exploration->estimate()) << "it held for another place";
+}
+
+TEST_F(Bench, telemetryFromBeforeACommandIsNoAnswer)
+{
+    telemetry.activity = RobotActivity::Halted;
+    exploration->request();
+    tick();  // halting
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Halting) << "this line may have been measured before the halt";
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Pressing);
+    telemetry.activity = RobotActivity::Pressed;  // from an earlier exploration
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Pressing);
+    tickInSilence(3);
+    EXPECT_EQ(phase(), AtemPhase::Pressing) << "without telemetry there is no answer at all";
+}
+
+TEST_F(Bench, anOldRefusalIsNotTheAnswerToANewCommand)
+{
+    telemetry.refusal = Refusal::Busy;
+    exploration->request();
+    tick();
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Pressing);
+    tick();
+    EXPECT_EQ(exploration->state().failure, AtemFailure::PressRefused) << "now it is";
+}
+
+TEST_F(Bench, anAnswerToAnotherProposalMeansNothing)
+{
+    propose();
+    const quint64 id = exploration->proposal()->id;
+    exploration->approve(id + 1);
+    exploration->refuse(id - 1);
+    tick(3);
+    EXPECT_EQ(phase(), AtemPhase::ProposingProbe);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
+TEST_F(Bench, aRefusedProbeLeavesTheEstimate)
+{
+    propose();
+    exploration->refuse(exploration->proposal()->id);
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Presenting);
+    EXPECT_TRUE(exploration->estimate());
+    EXPECT_FALSE(exploration->proposal());
+    tick(5);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
+TEST_F(Bench, noAnswerMeansNo)
+{
+    propose();
+    const quint64 id = exploration->proposal()->id;
+    tick(static_cast<int>(AtemLimits{}.approval / 0.04) + 2);
+    EXPECT_EQ(phase(), AtemPhase::Presenting);
+    exploration->approve(id);
+    tick(3);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+    EXPECT_TRUE(events.join('\n').contains("no answer in time"));
+}
+
+TEST_F(Bench, aMovedRobotEndsTheExplorationButOneOutlierDoesNot)
+{
+    propose();
+    telemetry.pitch += 0.1;
+    tick();
+    telemetry.pitch -= 0.1;
+    tick(3);
+    EXPECT_EQ(phase(), AtemPhase::ProposingProbe);
+    telemetry.frontLeft += 0.3;
+    tick(2);
+    EXPECT_EQ(exploration->state().failure, AtemFailure::PoseChanged);
+    tick();
+    EXPECT_FALSE(exploration->estimate());
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
+TEST_F(Bench, stopGoesOutAtOnceAndAgainUntilTheRobotConfirms)
+{
+    propose();
+    exploration->stop();
+    EXPECT_EQ(sent<StopCommand>(), 1) << "before any tick";
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+    tick(20);
+    const int repeated = sent<StopCommand>();
+    EXPECT_GE(repeated, 3);
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    (void)sent<StopCommand>();
+    const int confirmed = sent<StopCommand>();
+    tick(20);
+    EXPECT_EQ(sent<StopCommand>(), confirmed);
+    EXPECT_EQ(exploration->whyNotDriving(), "STOP is latched: release it first");
+}
+
+TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->request();
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped) << "nothing but a release ends it";
+    exploration->releaseStop();
+    tick(10);
+    EXPECT_EQ(phase(), AtemPhase::Stopped) << "the robot is still latched";
+    EXPECT_GE(sent<ReleaseStopCommand>(), 2);
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    tick(10);
+    EXPECT_EQ(phase(), AtemPhase::Idle);
+}
+
+TEST_F(Bench, stopDuringAReleaseWins)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->releaseStop();
+    exploration->stop();
+    telemetry.activity = RobotActivity::Halted;
+    tick(30);
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, aRobotThatStoppedItselfIsShownAsStopped)
+{
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, aLostLinkFailsTheExploration)
+{
+    press();
+    tickInSilence(10);
+    EXPECT_EQ(exploration->state().failure, AtemFailure::LinkLost);
+    EXPECT_FALSE(exploration->linkAlive());
+    EXPECT_FALSE(exploration->whyNotDriving().isEmpty());
+    tick();
+    EXPECT_TRUE(exploration->linkAlive());
+}
+
+TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    const int before = sent<HaltCommand>();
+    exploration->abort();
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Idle);
+    EXPECT_EQ(sent<HaltCommand>(), before + 1);
+    blocked = false;
+    QTest::qWait(50);
+    tick(3);
+    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->proposal());
+}
+
+TEST_F(Bench, anEstimateThatFailsIsToldInWords)
+{
+    broken = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Failed));
+    EXPECT_EQ(exploration->state().failure, AtemFailure::EstimateError);
+    EXPECT_TRUE(events.join('\n').contains("covariance is not positive definite"));
+}
+
+TEST_F(Bench, aRobotThatRefusesToPressIsNotWaitedFor)
+{
+    exploration->request();
+    tick();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    tick(4);  // stays halted
+    EXPECT_EQ(exploration->state().failure, AtemFailure::PressRefused);
+}
+
+TEST_F(Bench, aCommandThatDoesNotGetOutIsTold)
+{
+    source.setDeaf(true);
+    exploration->drive(+1);
+    EXPECT_TRUE(events.join('\n').contains("the bus is off"));
+}
+
+TEST_F(Bench, drivingEndsWithOneHaltAndOnlyIfItBegan)
+{
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), 0);
+    exploration->drive(-1);
+    exploration->halt();
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), 1);
+    propose();
+    const int before = sent<HaltCommand>();
+    exploration->drive(+1);
+    EXPECT_EQ(sent<DriveCommand>(), 1) << "not while exploring";
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), before) << "a halt would end the press";
+}
+
+TEST_F(Bench, leavingHaltsWhatWasSetInMotion)
+{
+    exploration->drive(+1);
+    exploration->leave();
+    EXPECT_EQ(sent<HaltCommand>(), 1);
+    press();
+    const int before = sent<HaltCommand>();
+    exploration->leave();
+    EXPECT_EQ(sent<HaltCommand>(), before + 1);
+}
+
+TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
+{
+    using Level = Precondition::Level;
+    const auto level = [this](const QString& words) {
+        for (const Precondition& p : exploration->preconditions())
+            if (p.text.contains(words)) return static_cast<int>(p.level);
+        return -1;
+    };
+    EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Met));
+    telemetry.roll = 0.2;
+    tick();
+    EXPECT_EQ(level("roll"), static_cast<int>(Level::Doubtful));
+    telemetry.roll = 0.0;
+    telemetry.rearLeft = 0.4;
+    tick();
+    EXPECT_EQ(level("flippers differ"), static_cast<int>(Level::Doubtful));
+    tickInSilence(10);
+    EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,184 @@
+"""The command line as a person meets it: the chain of commands, their files, exit codes and complaints."""
+
+import math
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from support import CLI, SOURCE, complaint, rows, run
+
+COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note".split(",")
+
+
+class Commands(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name)
+        cls.data, cls.model = cls.path / "scenes.csv", cls.path / "small.ttm"
+        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--out", cls.data)
+        run("train", "--data", cls.data, "--out", cls.model, "--seed", 3)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def reconstruct(self, *arguments, data=None):
+        out = self.path / "est.csv"
+        run("reconstruct", "--model", self.model, "--data", data or self.data, "--out", out, "--sweeps", 64,
+            "--chains", 4, *arguments)
+        return rows(out)
+
+    def first_scenes(self, count):
+        few = self.path / "few.csv"
+        few.write_text("".join(self.data.read_text().splitlines(keepends=True)[: count + 1]))
+        return few
+
+    def test_every_command_explains_itself(self):
+        for command in ("simulate", "train", "reconstruct", "evaluate", "demo", "model"):
+            self.assertIn("--help", run(command, "--help"))
+        self.assertIn("terratact", run("--version"))
+
+    def test_wrong_arguments_exit_with_2(self):
+        for arguments in ((), ("fly",), ("train",), ("simulate", "--terrain", "boxes"),
+                          ("reconstruct", "--data", "x", "--out", "y", "--method", "pax"),
+                          ("reconstruct", "--data", "x", "--out", "y", "--chains", "0")):
+            self.assertTrue(complaint(*arguments, code=2))
+
+    def test_simulation_repeats_for_a_seed(self):
+        again, other = self.path / "again.csv", self.path / "other.csv"
+        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--out", again)
+        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 4, "--out", other)
+        self.assertEqual(self.data.read_bytes(), again.read_bytes())
+        self.assertNotEqual(self.data.read_bytes(), other.read_bytes())
+
+    def test_training_repeats_to_the_bit(self):
+        again = self.path / "again.ttm"
+        run("train", "--data", self.data, "--out", again, "--seed", 3)
+        content = [line for line in run("model", "show", self.model).splitlines() if "log likelihood" in line]
+        self.assertEqual(content, [line for line in run("model", "show", again).splitlines() if "log likelihood" in line])
+
+    def test_reconstruct_writes_one_row_per_scene_and_bin_for_every_method(self):
+        few = self.first_scenes(3)
+        for method in ("pa", "pac", "pafc", "pafac"):
+            estimates = self.reconstruct("--method", method, data=few)
+            self.assertEqual(len(estimates), 3 * 11)
+            self.assertEqual(list(estimates[0]), COLUMNS)
+            for row in estimates:
+                self.assertTrue(math.isfinite(float(row["mean_m"])))
+                self.assertIn(row["source"], ("sampled", "contact", "arm"))
+                if method in ("pac",) and row["ceiling_m"]:
+                    self.assertLessEqual(float(row["q90_m"]), float(row["ceiling_m"]))
+            if method in ("pa", "pac"):
+                self.assertEqual({row["source"] for row in estimates}, {"sampled"})
+
+    def test_the_simulated_arm_reveals_the_truth(self):
+        arms = [row for row in self.reconstruct("--method", "pafac") if row["source"] == "arm"]
+        self.assertGreater(len(arms), 5)
+        for row in arms:
+            self.assertEqual(row["mean_m"], row["truth_m"])
+            self.assertEqual(float(row["sd_m"]), 0.03)
+
+    def test_reconstruct_repeats_for_a_seed(self):
+        few = self.first_scenes(4)
+        self.assertEqual(self.reconstruct("--seed", 5, data=few), self.reconstruct("--seed", 5, data=few))
+        self.assertNotEqual(self.reconstruct("--seed", 5, data=few), self.reconstruct("--seed", 6, data=few))
+
+    def test_a_scene_with_unknown_forces_is_reported_not_dropped(self):
+        few = self.first_scenes(2)
+        header, first, second = few.read_text().splitlines()
+        fields = second.split(",")
+        fields[header.split(",").index("force_3_n")] = ""
+        few.write_text("\n".join((header, first, ",".join(fields))) + "\n")
+        estimates = self.reconstruct("--method", "pafc", data=few)
+        self.assertEqual(len(estimates), 22)
+        self.assertEqual(estimates[11]["mean_m"], "")
+        self.assertIn("force_3_n is unknown", estimates[11]["note"])
+        self.assertNotEqual(self.reconstruct("--method", "pa", data=few)[11]["mean_m"], "")
+
+    def test_evaluate_writes_its_files_and_tables(self):
+        out = self.path / "evaluation"
+        text = run("evaluate", "--model", self.model, "--data", self.first_scenes(12), "--out", out, "--sweeps", 64)
+        self.assertEqual(sorted(p.name for p in out.iterdir()),
+                         ["errors.csv", "fig8.csv", "fig8.png", "fig9.csv", "fig9.png"])
+        self.assertEqual(len(rows(out / "errors.csv")), 4 * 12 * 11)
+        for method in ("pa", "pac", "pafc", "pafac"):
+            self.assertIn(method, text)
+        self.assertEqual((out / "fig8.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_real_profiles_of_both_forms_can_be_driven_over(self):
+        points = self.path / "points.csv"
+        points.write_text("x,z\n0,0\n2,0\n2,0.2\n5,0.2\n")
+        heights = self.path / "heights.csv"
+        heights.write_text("0,0.01,0.02,0,0,0.1,0.1,0.1,0,0,0,0\n" * 3)
+        for file in (points, heights):
+            out = self.path / "driven.csv"
+            run("simulate", "--terrain", file, "--exact-truth", "--out", out)
+            self.assertGreaterEqual(len(rows(out)), 3)
+
+    def test_the_demo_does_the_whole_job(self):
+        out = self.path / "demo"
+        text = run("demo", "--out", out, "--sweeps", 320)
+        self.assertIn("First estimate", text)
+        self.assertIn("SIMULATED ROBOT", text)
+        self.assertTrue((out / "first.csv").exists() and (out / "first.png").exists())
+
+    def test_bad_files_are_refused_in_one_sentence_and_nothing_is_written(self):
+        good = self.data.read_bytes()
+        header, rest = good.split(b"\n", 1)
+        cases = {
+            "empty": b"",
+            "torn": good[:-20],
+            "no pitch": header.replace(b"pitch_rad", b"tilt") + b"\n" + rest,
+            "not a number": good.replace(rest.split(b",")[2], b"abc", 1),
+            "nan": good.replace(rest.split(b",")[2], b"nan", 1),
+            "degrees": good.replace(rest.split(b",")[3], b"35.0", 1),
+            "binary": bytes(range(256)) * 40,
+        }
+        for name, content in cases.items():
+            bad, out = self.path / "bad.csv", self.path / "never.csv"
+            bad.write_bytes(content)
+            for command in (("reconstruct", "--model", self.model), ("train",)):
+                with self.subTest(case=name, command=command[0]):
+                    said = complaint(*command, "--data", bad, "--out", out)
+                    self.assertIn("bad.csv", said)
+                    self.assertEqual(said.count("\n"), 1, said)
+                    self.assertFalse(out.exists())
+        self.assertEqual([p.name for p in self.path.iterdir() if "never" in p.name], [])
+
+    def test_bad_models_are_refused_in_one_sentence(self):
+        good = self.model.read_bytes()
+        flipped = bytearray(good)
+        position = good.find(b"pitch_rad")
+        flipped[position] ^= 1
+        for content in (b"", good[:5000], bytes(flipped), b"no database " * 100):
+            bad = self.path / "bad.ttm"
+            bad.write_bytes(content)
+            said = complaint("model", "show", bad)
+            self.assertIn("bad.ttm", said)
+            self.assertEqual(said.count("\n"), 1, said)
+
+    def test_a_missing_directory_is_named(self):
+        said = complaint("simulate", "--terrain", "boxes", "--count", 30, "--out", "/nowhere/at/all.csv")
+        self.assertIn("/nowhere/at/all.csv", said)
+
+    def test_crlf_and_any_column_order_are_read(self):
+        lines = [line.split(",") for line in self.first_scenes(3).read_text().splitlines()]
+        turned = self.path / "turned.csv"
+        turned.write_bytes(b"".join((",".join(reversed(line)) + "\r\n").encode() for line in lines))
+        self.assertEqual(self.reconstruct(data=turned), self.reconstruct(data=self.first_scenes(3)))
+
+    def test_no_progress_is_printed_where_nobody_watches(self):
+        done = subprocess.run([CLI, "simulate", "--terrain", "boxes", "--count", "60", "--out", self.path / "quiet.csv"],
+                              capture_output=True, check=True)
+        self.assertEqual(done.stderr, b"")
+
+    def test_the_shipped_model_tells_how_it_was_made(self):
+        text = run("model", "show", f"{SOURCE}/resources/models/default.ttm")
+        self.assertIn("terratact train", text)
+        self.assertLess((pathlib.Path(SOURCE) / "resources/models/default.ttm").stat().st_size, 2_000_000)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,152 @@
+#include "core/eval/evaluation.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+BinError errorOf(double error, Method method = Method::Pa, int bin = 0, std::size_t scene = 0)
+{
+    return {.scene = scene, .method = method, .bin = bin, .error = error, .inBand = true};
+}
+
+TEST(BinErrors, areTakenWhereTheTruthIsKnown)
+{
+    Scene scene;
+    scene.truth[2] = -0.20;
+    scene.truth[9] = 0.10;
+    TerrainEstimate estimate;
+    estimate.settings.method = Method::Pafac;
+    estimate.mean[2] = -0.17;
+    estimate.q10[2] = -0.19;  // the truth lies 1 cm below the band
+    estimate.q90[2] = -0.15;
+    estimate.origin[2] = Origin::Contact;
+    estimate.mean[9] = 0.05;
+    estimate.q10[9] = 0.0;
+    estimate.q90[9] = 0.10;  // and here on its edge
+
+    const auto errors = binErrors(7, scene, estimate);
+    ASSERT_EQ(errors.size(), 2U);
+    EXPECT_EQ(errors[0].scene, 7U);
+    EXPECT_EQ(errors[0].method, Method::Pafac);
+    EXPECT_EQ(errors[0].bin, 2);
+    EXPECT_DOUBLE_EQ(errors[0].error, 0.03);
+    EXPECT_FALSE(errors[0].inBand);
+    EXPECT_EQ(errors[0].origin, Origin::Contact);
+    EXPECT_EQ(errors[1].bin, 9);
+    EXPECT_DOUBLE_EQ(errors[1].error, -0.05);
+    EXPECT_TRUE(errors[1].inBand);
+    EXPECT_EQ(errors[1].origin, Origin::Sampled);
+}
+
+TEST(Quantile, interpolatesAsRDoesByDefault)
+{
+    const std::vector<double> x{4.0, 1.0, 8.0, 2.0};  // quantile(x, p, type = 7)
+    EXPECT_DOUBLE_EQ(quantile(x, 0.0), 1.0);
+    EXPECT_DOUBLE_EQ(quantile(x, 0.25), 1.75);
+    EXPECT_DOUBLE_EQ(quantile(x, 0.5), 3.0);
+    EXPECT_DOUBLE_EQ(quantile(x, 0.75), 5.0);
+    EXPECT_DOUBLE_EQ(quantile(x, 1.0), 8.0);
+    EXPECT_DOUBLE_EQ(quantile({5.0}, 0.3), 5.0);
+    EXPECT_THROW(quantile({}, 0.5), std::invalid_argument);
+    EXPECT_THROW(quantile(x, 1.5), std::invalid_argument);
+}
+
+TEST(Statistics, speakOfTheErrorsSizeNotItsSign)
+{
+    std::vector<BinError> errors{errorOf(-0.04), errorOf(0.01), errorOf(0.08), errorOf(-0.02)};
+    errors[0].inBand = errors[1].inBand = false;
+    errors[1].origin = Origin::Contact;
+    const ErrorStatistics s = statistics(errors);
+    EXPECT_EQ(s.n, 4U);
+    EXPECT_DOUBLE_EQ(s.q1, 0.0175);
+    EXPECT_DOUBLE_EQ(s.median, 0.03);
+    EXPECT_DOUBLE_EQ(s.q3, 0.05);
+    EXPECT_DOUBLE_EQ(s.mean, 0.0375);
+    EXPECT_DOUBLE_EQ(s.coverage, 0.5);
+    EXPECT_EQ(s.sampled, 3U);
+    EXPECT_DOUBLE_EQ(s.sampledCoverage, 2.0 / 3.0);
+    EXPECT_EQ(statistics({}).n, 0U);
+}
+
+TEST(Summaries, keepMethodsAndBinsApart)
+{
+    const std::vector<BinError> errors{errorOf(0.05, Method::Pafc, 3), errorOf(0.01, Method::Pa, 3),
+                                       errorOf(0.03, Method::Pa, 4)};
+    const auto summaries = summarise(errors);
+    ASSERT_EQ(summaries.size(), 2U);
+    EXPECT_EQ(summaries[0].method, Method::Pa);
+    EXPECT_DOUBLE_EQ(summaries[0].bin[3].median, 0.01);
+    EXPECT_DOUBLE_EQ(summaries[0].bin[4].median, 0.03);
+    EXPECT_EQ(summaries[0].bin[5].n, 0U);
+    EXPECT_DOUBLE_EQ(summaries[0].all.median, 0.02);
+    EXPECT_EQ(summaries[1].method, Method::Pafc);
+    EXPECT_DOUBLE_EQ(summaries[1].all.median, 0.05);
+}
+
+TEST(Histograms, countEveryErrorOnceTheLargeOnesInTheLastClass)
+{
+    const std::vector<BinError> errors{errorOf(0.0),  errorOf(-0.009), errorOf(0.011),
+                                       errorOf(-0.5), errorOf(0.021),  errorOf(0.03, Method::Pac)};
+    const auto found = histograms(errors, 0.01, 3);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].count, (std::vector<std::size_t>{2, 1, 2}));
+    EXPECT_EQ(found[0].n, 5U);
+    EXPECT_EQ(found[1].method, Method::Pac);
+    EXPECT_EQ(found[1].count, (std::vector<std::size_t>{0, 0, 1}));
+    EXPECT_THROW(histograms(errors, 0.0, 3), std::invalid_argument);
+    EXPECT_THROW(histograms(errors, 0.01, 0), std::invalid_argument);
+}
+
+TEST(ErrorsInBins, areThoseListedForTheirScene)
+{
+    const std::vector<BinError> errors{
+        errorOf(0.01, Method::Pa, 6, 0), errorOf(0.02, Method::Pa, 7, 0),
+        errorOf(0.03, Method::Pa, 6, 1), errorOf(0.04, Method::Pa, 7, 1)};
+    const std::vector<std::vector<int>> bins{{6}, {7, 8}};
+    const auto kept = errorsInBins(errors, bins);
+    ASSERT_EQ(kept.size(), 2U);
+    EXPECT_EQ(kept[0], errors[0]);
+    EXPECT_EQ(kept[1], errors[3]);
+    EXPECT_THROW(errorsInBins(errors, std::span(bins).first(1)), std::invalid_argument);
+}
+
+class FrontFlipper : public testing::Test {
+protected:
+    std::vector<int> binsAt(double pitch, double front) const
+    {
+        Proprioception s;
+        s.pitch = pitch;
+        s.front = front;
+        return binsUnderFrontFlipper(robot_, s);
+    }
+
+private:
+    RobotModel robot_ = *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
+};
+
+TEST_F(FrontFlipper, coversTheBinsOfThePaperWhenItLiesFlat)
+{
+    EXPECT_EQ(binsAt(0.0, 0.0), (std::vector<int>{6, 7, 8}));  // 0.3, 0.4, 0.5
+}
+
+TEST_F(FrontFlipper, coversFewerBinsTheSteeperItStands)
+{
+    EXPECT_EQ(binsAt(0.0, 1.0), (std::vector<int>{6, 7}));  // tip at 0.25 + 0.319 cos(0.81) + 0.03
+    EXPECT_EQ(binsAt(0.0, 0.93), (std::vector<int>{6, 7, 8}));  // 0.5 lies under the tip's circle
+    EXPECT_EQ(binsAt(0.0, -1.1), (std::vector<int>{6}));
+    // As steep, but the nose up by 0.3 moves the pivot, 0.13 m below the IMU, 3 cm ahead.
+    EXPECT_EQ(binsAt(0.3, 0.7), (std::vector<int>{6, 7, 8}));
+}
+
+TEST_F(FrontFlipper, coversBinsBehindItsPivotWhenItIsFoldedBack)
+{
+    EXPECT_EQ(binsAt(0.0, std::numbers::pi), (std::vector<int>{3, 4, 5}));  // 0, 0.1, 0.2
+    EXPECT_EQ(binsAt(0.0, 2.605), (std::vector<int>{3, 4, 5}));  // 0 lies under the tip's circle
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,128 @@
+#include "core/infer/convergence.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace terratact {
+namespace {
+
+struct Reference {
+    std::string name;
+    double rhat = 0.0, ess = 0.0;
+    Eigen::MatrixXd draws;
+};
+
+/// tests/data/make_posterior_reference.R says what the lines are.
+std::vector<Reference> readReference()
+{
+    std::ifstream file(TERRATACT_SOURCE_DIR "/tests/data/posterior_reference.csv");
+    std::vector<Reference> all;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::istringstream fields(line);
+        Reference r;
+        std::string rhat, ess, chains;
+        std::getline(fields, r.name, ',');
+        std::getline(fields, rhat, ',');
+        std::getline(fields, ess, ',');
+        std::getline(fields, chains, ',');
+        r.rhat = std::stod(rhat);
+        r.ess = std::stod(ess);
+        std::vector<double> x;
+        for (double value = 0.0; fields >> value;) x.push_back(value);
+        const Eigen::Index columns = std::stol(chains);
+        r.draws = Eigen::Map<Eigen::MatrixXd>(
+            x.data(), static_cast<Eigen::Index>(x.size()) / columns, columns);
+        all.push_back(std::move(r));
+    }
+    return all;
+}
+
+TEST(RankNormalisedRhat, equalsThePosteriorPackage)
+{
+    const auto references = readReference();
+    ASSERT_EQ(references.size(), 20U);
+    for (const Reference& r : references)
+        EXPECT_NEAR(rankNormalisedRhat(r.draws), r.rhat, 1e-10 * r.rhat) << r.name;
+}
+
+TEST(BulkEss, equalsThePosteriorPackage)
+{
+    const auto references = readReference();
+    ASSERT_EQ(references.size(), 20U);
+    for (const Reference& r : references)
+        EXPECT_NEAR(bulkEss(r.draws), r.ess, 1e-10 * r.ess) << r.name;
+}
+
+TEST(Convergence, ofOneHeightEverywhereIsPerfect)
+{
+    const Eigen::MatrixXd fixed = Eigen::MatrixXd::Constant(250, 4, -0.137);
+    EXPECT_EQ(rankNormalisedRhat(fixed), 1.0);
+    EXPECT_EQ(bulkEss(fixed), 1000.0);
+    EXPECT_EQ(rankNormalisedRhat(fixed.topLeftCorner(3, 2)), 1.0);
+    EXPECT_EQ(bulkEss(fixed.topLeftCorner(3, 2)), 6.0);
+    Eigen::MatrixXd middle = fixed.topLeftCorner(7, 2);
+    middle.row(3).setZero();  // belongs to neither half
+    EXPECT_EQ(rankNormalisedRhat(middle), 1.0);
+    EXPECT_EQ(bulkEss(middle), 14.0);
+}
+
+TEST(Convergence, ofChainsFrozenAtDifferentHeightsIsNone)
+{
+    Eigen::MatrixXd frozen(250, 4);
+    for (Eigen::Index c = 0; c < 4; ++c) frozen.col(c).setConstant(0.01 * static_cast<double>(c));
+    EXPECT_EQ(rankNormalisedRhat(frozen), kRhatNever);
+    EXPECT_EQ(bulkEss(frozen), 4.0);
+}
+
+TEST(Convergence, ofTwoHeightsInTurnIsJudgedThoughTheFoldedDrawsAreOneValue)
+{
+    Eigen::MatrixXd turns(100, 2);
+    for (Eigen::Index i = 0; i < turns.size(); ++i) turns(i) = (i * 7 % 10) < 5 ? 0.0 : 1.0;
+    EXPECT_NEAR(rankNormalisedRhat(turns), 1.0, 0.05);
+    EXPECT_GT(bulkEss(turns), 100.0);
+}
+
+TEST(Convergence, ofTooFewDrawsIsNotClaimed)
+{
+    for (Eigen::Index n = 1; n < 6; ++n) {
+        const Eigen::MatrixXd few = Eigen::MatrixXd::Random(n, 3);
+        EXPECT_EQ(bulkEss(few), 3.0) << n;
+        if (n < 4) {
+            EXPECT_EQ(rankNormalisedRhat(few), kRhatNever) << n;
+        }
+    }
+}
+
+TEST(Convergence, isFiniteForEveryShapeAndManyTies)
+{
+    for (Eigen::Index n = 1; n <= 24; ++n)
+        for (Eigen::Index chains = 1; chains <= 5; ++chains)
+            for (const double levels : {1.0, 2.0, 1e6}) {
+                const Eigen::MatrixXd x =
+                    (Eigen::MatrixXd::Random(n, chains) * levels).array().round();
+                ASSERT_TRUE(std::isfinite(rankNormalisedRhat(x))) << n << " × " << chains;
+                ASSERT_TRUE(std::isfinite(bulkEss(x))) << n << " × " << chains;
+                ASSERT_GT(bulkEss(x), 0.0) << n << " × " << chains;
+            }
+}
+
+TEST(Convergence, ofNothingOrOfNotANumberIsRefused)
+{
+    Eigen::MatrixXd x = Eigen::MatrixXd::Random(10, 2);
+    x(3, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(rankNormalisedRhat(x), std::invalid_argument);
+    EXPECT_THROW(bulkEss(x), std::invalid_argument);
+    EXPECT_THROW(rankNormalisedRhat(Eigen::MatrixXd()), std::invalid_argument);
+    EXPECT_THROW(bulkEss(Eigen::MatrixXd(0, 4)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact

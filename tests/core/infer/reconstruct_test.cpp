@@ -1,0 +1,146 @@
+#include "core/infer/reconstruct.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/support/toy_model.h"
+
+namespace terratact {
+namespace {
+
+struct Bench {
+    RobotModel robot = absolem();
+    ModelData data = toyModel();
+    BinModels pa{data, FeatureSet::Pa};
+    BinModels paf{data, FeatureSet::Paf};
+    Scene scene = someScenes(3, 42, SensorNoise::none())[4];
+};
+
+const Bench& bench()
+{
+    static const Bench shared;
+    return shared;
+}
+
+Settings quick(Method method)
+{
+    Settings settings;
+    settings.method = method;
+    settings.draws = 400;
+    settings.chains = 8;
+    return settings;
+}
+
+TerrainEstimate estimate(Method method, std::span<const ArmReading> arm = {})
+{
+    const Bench& b = bench();
+    return reconstruct(b.scene.s, arm, b.robot, usesForces(method) ? b.paf : b.pa, quick(method));
+}
+
+TEST(Reconstruct, givesFiniteNumbersInOrderForEveryMethod)
+{
+    for (const Method method : kMethods) {
+        const TerrainEstimate e = estimate(method);
+        for (std::size_t i = 0; i < kBins; ++i) {
+            EXPECT_TRUE(std::isfinite(e.mean[i]) && std::isfinite(e.rhat[i]) && std::isfinite(e.ess[i]));
+            EXPECT_LE(e.q10[i], e.q90[i]);
+            EXPECT_GT(e.sd[i], 0.0);
+        }
+    }
+}
+
+TEST(Reconstruct, constrainsPacButNotPa)
+{
+    const TerrainEstimate pa = estimate(Method::Pa);
+    const TerrainEstimate pac = estimate(Method::Pac);
+    int above = 0;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        EXPECT_LE(pac.q90[i], pac.ceiling[i]);
+        above += pa.q90[i] > pa.ceiling[i] ? 1 : 0;
+    }
+    EXPECT_GT(above, 0);
+}
+
+TEST(Reconstruct, fixesContactBinsForPafcOnly)
+{
+    Proprioception s = bench().scene.s;
+    s.force = {0.0, 0.0, 0.0, 0.0, 9.0, 0.0};
+    const TerrainEstimate e = reconstruct(s, {}, bench().robot, bench().paf, quick(Method::Pafc));
+    int contacts = 0;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        if (e.origin[i] != Origin::Contact) continue;
+        ++contacts;
+        EXPECT_DOUBLE_EQ(e.sd[i], e.settings.contactSd);
+        EXPECT_NEAR(e.q90[i] - e.mean[i], 1.2815515655446004 * e.settings.contactSd, 1e-12);
+    }
+    EXPECT_EQ(contacts, 1);
+    const TerrainEstimate pac = reconstruct(s, {}, bench().robot, bench().pa, quick(Method::Pac));
+    EXPECT_EQ(std::count(pac.origin.begin(), pac.origin.end(), Origin::Contact), 0);
+}
+
+TEST(Reconstruct, fixesTheBinTheArmMeasured)
+{
+    const ArmReading reading{9, -0.31, 0.03};
+    const TerrainEstimate e = estimate(Method::Pafc, {&reading, 1});
+    EXPECT_EQ(e.origin[9], Origin::Arm);
+    EXPECT_DOUBLE_EQ(e.mean[9], -0.31);
+    EXPECT_DOUBLE_EQ(e.sd[9], 0.03);
+    EXPECT_EQ(e.origin[10], Origin::Sampled);
+}
+
+TEST(Reconstruct, reportsAnArmReadingAboveTheBodyAndKeepsIt)
+{
+    const ArmReading impossible{3, 0.2, 0.03};
+    const TerrainEstimate e = estimate(Method::Pafc, {&impossible, 1});
+    EXPECT_EQ(e.origin[3], Origin::Arm);
+    ASSERT_FALSE(e.warnings.empty());
+    EXPECT_NE(e.warnings.front().find("above the robot's own lower edge"), std::string::npos);
+}
+
+TEST(Reconstruct, repeatsBitForBit)
+{
+    EXPECT_EQ(estimate(Method::Pafc), estimate(Method::Pafc));
+}
+
+TEST(Reconstruct, saysWhenTheChainsHaveNotConverged)
+{
+    Settings settings = quick(Method::Pa);
+    settings.draws = 16;
+    settings.burnIn = 0;
+    const TerrainEstimate e = reconstruct(bench().scene.s, {}, bench().robot, bench().pa, settings);
+    EXPECT_FALSE(e.converged);
+    ASSERT_FALSE(e.warnings.empty());
+    EXPECT_NE(e.warnings.back().find("not converged"), std::string::npos);
+}
+
+TEST(Reconstruct, refusesTheWrongModelsAndMissingFeatures)
+{
+    const Bench& b = bench();
+    EXPECT_THROW((void)reconstruct(b.scene.s, {}, b.robot, b.pa, quick(Method::Pafc)), std::invalid_argument);
+    Proprioception s = b.scene.s;
+    s.force[2].reset();
+    EXPECT_THROW((void)reconstruct(s, {}, b.robot, b.paf, quick(Method::Pafc)), std::invalid_argument);
+    EXPECT_NO_THROW((void)reconstruct(s, {}, b.robot, b.pa, quick(Method::Pa)));
+    Settings none = quick(Method::Pa);
+    none.chains = 0;
+    EXPECT_THROW((void)reconstruct(s, {}, b.robot, b.pa, none), std::invalid_argument);
+}
+
+TEST(PlanarWarning, isGivenForRollAndForUnequalFlippers)
+{
+    TerrainEstimate e = estimate(Method::Pa);
+    e.warnings.clear();
+    Measurement level;
+    warnIfNotPlanar(e, level);
+    EXPECT_TRUE(e.warnings.empty());
+    level.roll = 0.2;
+    level.frontLeft = 0.3;
+    warnIfNotPlanar(e, level);
+    EXPECT_EQ(e.warnings.size(), 2U);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,176 @@
+#include "core/learn/gaussian_process.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+struct Data {
+    Eigen::MatrixXd X;
+    Eigen::VectorXd y;
+    Hyperparameters hyper;
+};
+
+Data someData(int U, int d, unsigned seed = 1)
+{
+    std::mt19937_64 rng(seed);
+    std::normal_distribution<double> normal;
+    Data data{Eigen::MatrixXd(U, d), Eigen::VectorXd(U), {}};
+    for (double& x : data.X.reshaped()) x = normal(rng);
+    for (int u = 0; u < U; ++u) data.y[u] = std::sin(data.X(u, 0)) + 0.1 * normal(rng);
+    data.hyper.lengthScale = Eigen::VectorXd::LinSpaced(d, 0.7, 2.5);
+    data.hyper.signalSd = 0.9;
+    data.hyper.noiseSd = 0.15;
+    return data;
+}
+
+double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Hyperparameters& h)
+{
+    return h.signalSd * h.signalSd * std::exp(-0.5 * (a - b).cwiseQuotient(h.lengthScale).squaredNorm());
+}
+
+Eigen::MatrixXd covariance(const Data& data)
+{
+    const Eigen::Index U = data.X.rows();
+    Eigen::MatrixXd K(U, U);
+    for (Eigen::Index i = 0; i < U; ++i)
+        for (Eigen::Index j = 0; j < U; ++j)
+            K(i, j) = kernel(data.X.row(i), data.X.row(j), data.hyper) +
+                      (i == j ? data.hyper.noiseSd * data.hyper.noiseSd : 0.0);
+    return K;
+}
+
+/// Textbook prediction by a dense solve.
+Normal reference(const Data& data, const Eigen::VectorXd& x)
+{
+    const Eigen::LDLT<Eigen::MatrixXd> K(covariance(data));
+    Eigen::VectorXd k(data.X.rows());
+    for (Eigen::Index u = 0; u < k.size(); ++u) k[u] = kernel(data.X.row(u), x, data.hyper);
+    const double prior = std::pow(data.hyper.signalSd, 2) + std::pow(data.hyper.noiseSd, 2);
+    return {k.dot(K.solve(data.y)), prior - k.dot(K.solve(k))};
+}
+
+TEST(GaussianProcess, predictsAsTheTextbookFormula)
+{
+    for (const int U : {1, 2, 7, 8, 9, 65, 130}) {
+        const Data data = someData(U, 3);
+        const GaussianProcess gp(data.X, data.y, data.hyper, 0.25);
+        for (const double at : {-1.0, 0.0, 0.4, 9.0}) {
+            const Eigen::Vector3d x(at, 0.3, -at);
+            const Normal expected = reference(data, x);
+            const Normal got = gp.predict(x);
+            EXPECT_NEAR(got.mean, 0.25 + expected.mean, 1e-12) << U << " rows";
+            EXPECT_NEAR(got.variance, expected.variance, 1e-12) << U << " rows";
+        }
+    }
+}
+
+TEST(GaussianProcess, farFromAllDataReturnsThePrior)
+{
+    const Data data = someData(20, 2);
+    const Normal far = GaussianProcess(data.X, data.y, data.hyper, -0.3).predict(Eigen::Vector2d(1e6, -1e6));
+    EXPECT_DOUBLE_EQ(far.mean, -0.3);
+    EXPECT_DOUBLE_EQ(far.variance, 0.9 * 0.9 + 0.15 * 0.15);
+}
+
+TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
+{
+    const Data data = someData(77, 6);
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    std::mt19937_64 rng(4);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(6);
+    for (double& v : x) v = normal(rng);
+    SceneConditional conditional(gp, x, {4, 1});
+    Eigen::VectorXd mean;
+    Eigen::VectorXd variance;
+    for (const int n : {1, 3, 8, 17, 2}) {
+        Eigen::MatrixXd moving(2, n);
+        for (double& v : moving.reshaped()) v = normal(rng);
+        conditional.predict(moving, mean, variance);
+        ASSERT_EQ(mean.size(), n);
+        for (int c = 0; c < n; ++c) {
+            Eigen::VectorXd whole = x;
+            whole[4] = moving(0, c);
+            whole[1] = moving(1, c);
+            const Normal expected = gp.predict(whole);
+            EXPECT_NEAR(mean[c], expected.mean, 1e-13);
+            EXPECT_NEAR(variance[c], expected.variance, 1e-13);
+        }
+    }
+}
+
+TEST(GaussianProcess, refusesWhatItCannotAnswer)
+{
+    const Data good = someData(10, 2);
+    const auto build = [](const Data& d) { return GaussianProcess(d.X, d.y, d.hyper, 0.0); };
+    EXPECT_NO_THROW(build(good));
+    Data bad = good;
+    bad.X(3, 1) = std::nan("");
+    EXPECT_THROW(build(bad), std::invalid_argument);
+    bad = good;
+    bad.y[0] = INFINITY;
+    EXPECT_THROW(build(bad), std::invalid_argument);
+    bad = good;
+    bad.hyper.lengthScale[0] = 0.0;
+    EXPECT_THROW(build(bad), std::invalid_argument);
+    bad = good;  // doubled rows without noise: the covariance is singular
+    bad.X.row(1) = bad.X.row(0);
+    bad.hyper.noiseSd = 0.0;
+    EXPECT_THROW(build(bad), std::invalid_argument);
+    const GaussianProcess gp = build(good);
+    EXPECT_THROW((void)gp.predict(Eigen::Vector2d(0.0, std::nan(""))), std::invalid_argument);
+    EXPECT_THROW((void)gp.predict(Eigen::Vector3d(0.0, 0.0, 0.0)), std::invalid_argument);
+}
+
+TEST(GaussianProcess, withTinyLengthScalesIsTheNoisyDataItself)
+{
+    Data data = someData(30, 2);
+    data.hyper.lengthScale.setConstant(1e-8);
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
+    const Normal at = gp.predict(data.X.row(5).transpose());
+    const double signal2 = 0.81;
+    const double noise2 = 0.0225;
+    EXPECT_NEAR(at.mean, data.y[5] * signal2 / (signal2 + noise2), 1e-12);
+    const Likelihood l = negativeLogLikelihood(data.X, data.y, data.hyper);
+    const double each = 0.5 * std::log(2.0 * std::numbers::pi * (signal2 + noise2));
+    EXPECT_NEAR(l.negativeLog, 30.0 * each + 0.5 * data.y.squaredNorm() / (signal2 + noise2), 1e-9);
+}
+
+TEST(Likelihood, isTheLogDensityOfTheOutputs)
+{
+    const Data data = someData(40, 3);
+    const Eigen::MatrixXd K = covariance(data);
+    const Eigen::LLT<Eigen::MatrixXd> llt(K);
+    const Eigen::MatrixXd L = llt.matrixL();
+    const double expected = 0.5 * data.y.dot(llt.solve(data.y)) + L.diagonal().array().log().sum() +
+                            20.0 * std::log(2.0 * std::numbers::pi);
+    EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, expected, 1e-10 * std::abs(expected));
+}
+
+TEST(Likelihood, gradientIsTheSlopeOfTheValue)
+{
+    const Data data = someData(50, 4);
+    const Likelihood at = negativeLogLikelihood(data.X, data.y, data.hyper);
+    ASSERT_EQ(at.gradient.size(), 6);
+    constexpr double h = 1e-5;
+    for (Eigen::Index k = 0; k < 6; ++k) {
+        const auto shifted = [&](double by) {
+            Hyperparameters p = data.hyper;
+            double& value = k < 4 ? p.lengthScale[k] : (k == 4 ? p.signalSd : p.noiseSd);
+            value *= std::exp(by);
+            return negativeLogLikelihood(data.X, data.y, p).negativeLog;
+        };
+        const double slope = (shifted(h) - shifted(-h)) / (2.0 * h);
+        EXPECT_NEAR(at.gradient[k], slope, 1e-6 * (1.0 + std::abs(slope))) << "parameter " << k;
+    }
+}
+
+}  // namespace
+}  // namespace terratact

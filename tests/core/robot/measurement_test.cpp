@@ -1,0 +1,40 @@
+#include "core/robot/measurement.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+TEST(Measurement, becomesTheAverageOfLeftAndRight)
+{
+    Measurement m;
+    m.pitch = 0.1;
+    m.frontLeft = 0.2, m.frontRight = 0.4, m.rearLeft = -0.2;
+    m.frontLeftCurrent = 1.0, m.frontRightCurrent = 2.0, m.rearLeftCurrent = -1.0;
+    m.force = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
+    const Proprioception s = proprioception(m);
+    EXPECT_EQ(s.pitch, 0.1);
+    EXPECT_DOUBLE_EQ(s.front, 0.3);
+    EXPECT_DOUBLE_EQ(s.rear, -0.1);
+    EXPECT_EQ(s.frontCurrent, 1.5);
+    EXPECT_EQ(s.rearCurrent, -0.5);
+    for (std::size_t i = 0; i < kForceElements; ++i)
+        EXPECT_EQ(s.force[i], 1.0 + static_cast<double>(i));
+}
+
+TEST(Measurement, describesEveryActivityAndRefusalInWordsOfItsOwn)
+{
+    std::set<std::string> words;
+    for (int i = 0; i <= static_cast<int>(RobotActivity::Stopped); ++i)
+        words.insert(describe(static_cast<RobotActivity>(i)));
+    for (int i = 0; i <= static_cast<int>(Refusal::NoRestPose); ++i)
+        words.insert(describe(static_cast<Refusal>(i)));
+    EXPECT_EQ(words.size(), 12U);
+    EXPECT_THROW(static_cast<void>(describe(static_cast<Refusal>(99))), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact

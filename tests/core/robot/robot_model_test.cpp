@@ -1,0 +1,250 @@
+#include "core/robot/robot_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+#include "tests/support/refusal.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+const std::string kAbsolem = TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml";
+
+std::string replaced(std::string text, const std::string& old, const std::string& with)
+{
+    const std::size_t at = text.find(old);
+    if (at == std::string::npos) throw std::invalid_argument("no " + old);
+    return text.replace(at, old.size(), with);
+}
+
+struct RobotFile : testing::Test {
+    Result<RobotModel> read(const std::string& content)
+    {
+        return readRobotModel(dir.write("robot.toml", content));
+    }
+    testing::AssertionResult refuses(const std::string& content,
+                                     std::initializer_list<std::string_view> parts)
+    {
+        return refused(read(content), dir.file("robot.toml"), parts);
+    }
+    testing::AssertionResult refusesChange(const std::string& old, const std::string& with,
+                                           std::initializer_list<std::string_view> parts)
+    {
+        return refuses(replaced(absolem, old, with), parts);
+    }
+    TemporaryDirectory dir;
+    std::string absolem = contentOf(kAbsolem);
+};
+
+RobotModel absolem()
+{
+    Result<RobotModel> robot = readRobotModel(kAbsolem);
+    if (!robot) throw std::runtime_error(robot.error().text);
+    return *std::move(robot);
+}
+
+/// Centre of mass of both flippers of an axle at joint angle 0, base frame; `forward` is +1 or −1.
+Vec2 comOf(const FlipperGeometry& flipper, double forward)
+{
+    return {flipper.pivot.x + forward * flipper.comDistance * std::cos(flipper.taper()),
+            flipper.pivot.z - flipper.comDistance * std::sin(flipper.taper())};
+}
+
+TEST(Absolem, hasTheCentreOfMassOfTheWholeRobotWithItsFlippersFlat)
+{
+    const RobotModel robot = absolem();
+    const Vec2 front = comOf(robot.front, 1.0), rear = comOf(robot.rear, -1.0);
+    const double x =
+        robot.bodyMass * robot.bodyCom.x + robot.front.mass * front.x + robot.rear.mass * rear.x;
+    const double z =
+        robot.bodyMass * robot.bodyCom.z + robot.front.mass * front.z + robot.rear.mass * rear.z;
+    EXPECT_NEAR(robot.totalMass(), 38.1, 1e-9);
+    EXPECT_NEAR(x / robot.totalMass(), -0.031, 1e-5);
+    EXPECT_NEAR(z / robot.totalMass(), 0.108, 1e-5);
+}
+
+TEST(Absolem, touchesFlatGroundWithTracksAndFlat)
+{
+    const RobotModel robot = absolem();
+    EXPECT_NEAR(robot.trackZ - robot.trackRadius, -robot.baseHeight, 1e-4);
+    for (const FlipperGeometry& flipper : {robot.front, robot.rear}) {
+        const double tipZ = flipper.pivot.z - flipper.axleDistance * std::sin(flipper.taper());
+        EXPECT_NEAR(flipper.pivot.z - flipper.pivotRadius, -robot.baseHeight, 1e-9);
+        EXPECT_NEAR(tipZ - flipper.tipRadius, -robot.baseHeight, 1e-9);
+        EXPECT_NEAR(flipper.axleDistance + flipper.tipRadius, 0.3476, 1e-9);
+        EXPECT_NEAR(flipper.taper(), 0.193732, 1e-4);
+        EXPECT_NEAR(flipper.edgeLength(), 0.31303, 1e-5);
+    }
+}
+
+TEST(Absolem, isMirroredAtTheMiddleBetweenItsAxles)
+{
+    const RobotModel robot = absolem();
+    EXPECT_EQ(robot.rear.pivot, (Vec2{-robot.front.pivot.x, robot.front.pivot.z}));
+    EXPECT_EQ(robot.front.pivot.x, robot.trackAxle / 2.0);
+    EXPECT_EQ(robot.front.axleDistance, robot.rear.axleDistance);
+}
+
+TEST(Absolem, hasSixElementsOfWhichTheLastIsAtTheTip)
+{
+    const RobotModel robot = absolem();
+    for (std::size_t i = 0; i < kForceElements; ++i)
+        EXPECT_DOUBLE_EQ(robot.elementShare[i], static_cast<double>(i + 1) / kForceElements);
+    EXPECT_EQ(robot.forceSaturation, 20.0);
+}
+
+TEST(Absolem, reachesTheBinsAheadOfItsTracksWithTheArm)
+{
+    const RobotModel robot = absolem();
+    for (int bin = 0; bin <= 10; ++bin) EXPECT_EQ(robot.armReaches(bin), bin >= 6) << bin;
+    EXPECT_THROW(static_cast<void>(robot.armReaches(-1)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(robot.armReaches(11)), std::invalid_argument);
+}
+
+TEST(Absolem, readsEveryKeyIntoItsPlace)
+{
+    const RobotModel robot = absolem();
+    EXPECT_EQ(robot.name, "Absolem");
+    EXPECT_EQ(robot.baseHeight, 0.0705);
+    EXPECT_EQ(robot.imu, (Vec2{0.0, 0.1694}));
+    EXPECT_EQ(robot.trackAxle, 0.5);
+    EXPECT_EQ(robot.trackRadius, 0.089);
+    EXPECT_EQ(robot.trackZ, 0.01855);
+    ASSERT_EQ(robot.body.size(), 3U);
+    EXPECT_EQ(
+        robot.body[0],
+        (std::vector<Vec2>{{-0.372, 0.0485}, {0.128, 0.0485}, {0.128, 0.1875}, {-0.372, 0.1875}}));
+    EXPECT_EQ(robot.front.mass, 1.5);
+    EXPECT_EQ(robot.front.comDistance, 0.08);
+    EXPECT_NEAR(robot.torquePerAmpere * 3.0, 17.0, 1e-12);
+    EXPECT_EQ(robot.maxFlipperTorque, 30.0);
+    EXPECT_EQ(robot.flipperSpeed, 0.785);
+    EXPECT_EQ(robot.armReachBegin, 0.3);
+    EXPECT_EQ(robot.armReachEnd, 0.8);
+}
+
+TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
+{
+    std::istringstream lines(absolem);
+    std::string line, section;
+    int keys = 0;
+    for (std::size_t begin = 0; std::getline(lines, line);) {
+        begin += line.size() + 1;  // of the next line
+        if (line.starts_with('[')) section = line.substr(1, line.find(']') - 1) + ".";
+        const std::size_t equals = line.find(" = ");
+        if (equals == std::string::npos || line.starts_with('#')) continue;
+        const std::string key = line.substr(0, equals);
+        // Renamed rather than left out: a value may go on for several lines.
+        const std::size_t at = begin - line.size() - 1;
+        const std::string renamed = std::string(absolem).insert(at, "my_");
+        EXPECT_TRUE(refuses(renamed, {section + key, "missing"})) << section << key;
+        const std::string added = std::string(absolem).insert(at, replaced("my_? = 1\n", "?", key));
+        EXPECT_TRUE(refuses(added, {"line ", section + "my_" + key, "not a known key"}))
+            << section << key;
+        ++keys;
+    }
+    EXPECT_EQ(keys, 29);
+    EXPECT_TRUE(refusesChange("[arm]", "[arms]", {"arm is missing"}));
+    EXPECT_TRUE(refuses(absolem + "\n[laser]\n", {"'laser' is not a known key"}));
+}
+
+TEST_F(RobotFile, refusesNumbersOutOfRangeSayingWhatWasExpected)
+{
+    EXPECT_TRUE(refusesChange(
+        "wheel_radius_m = 0.089", "wheel_radius_m = 89",
+        {"line 26", "track.wheel_radius_m is 89", "expected a number from 0.001 to 0.5"}));
+    EXPECT_TRUE(
+        refusesChange("height_m = 0.0705", "height_m = nan", {"base.height_m is nan", "expected"}));
+    EXPECT_TRUE(refusesChange("height_m = 0.0705", "height_m = -inf",
+                              {"base.height_m is -inf", "expected"}));
+    EXPECT_TRUE(refusesChange("height_m = 0.0705", "height_m = 0", {"base.height_m is 0"}));
+    EXPECT_TRUE(refusesChange("mass_kg = 35.1", "mass_kg = -1", {"body.mass_kg is -1"}));
+    EXPECT_TRUE(refusesChange("tip_radius_m = 0.0286", "tip_radius_m = 0.1",
+                              {"front_flipper.tip_radius_m is 0.1"}));
+    EXPECT_TRUE(refusesChange("axle_distance_m = 0.319", "axle_distance_m = 0.05",
+                              {"front_flipper.axle_distance_m"}));
+    EXPECT_TRUE(refusesChange("com_distance_m = 0.08", "com_distance_m = 0.4",
+                              {"front_flipper.com_distance_m"}));
+    EXPECT_TRUE(refusesChange("speed_rad_s = 0.785", "speed_rad_s = 45",
+                              {"flipper_drive.speed_rad_s is 45"}));
+    EXPECT_TRUE(
+        refusesChange("reach_end_m = 0.80", "reach_end_m = 0.1", {"arm.reach_end_m", "from 0.3"}));
+}
+
+TEST_F(RobotFile, refusesValuesOfOtherTypes)
+{
+    EXPECT_TRUE(refusesChange("0.0705", "\"0.0705\"", {"base.height_m is not a number"}));
+    EXPECT_TRUE(refusesChange("0.0705", "true", {"base.height_m is not a number"}));
+    EXPECT_TRUE(refusesChange("\"Absolem\"", "7", {"name is not a text"}));
+    EXPECT_TRUE(refusesChange("\"Absolem\"", "\"\"", {"name is not a text"}));
+    EXPECT_TRUE(
+        refusesChange("com_m = [-0.03365, 0.11688]", "com_m = [1]", {"body.com_m", "array of 2"}));
+    EXPECT_TRUE(refusesChange("0.5, 0.66", "0.66", {"force_elements.edge_share", "array of 6"}));
+    EXPECT_TRUE(refusesChange("0.5, 0.66", "0.1, 0.66", {"force_elements.edge_share", "increase"}));
+    EXPECT_TRUE(
+        refuses("arm = 1\n" + replaced(absolem, "[arm]\n", "[my_arm]\n"), {"arm is not a table"}));
+}
+
+TEST_F(RobotFile, takesWholeNumbersForNumbers)
+{
+    EXPECT_TRUE(read(replaced(absolem, "saturation_n = 20.0", "saturation_n = 20")));
+}
+
+TEST_F(RobotFile, refusesPolygonsThatAreNotConvex)
+{
+    const std::string box =
+        "[[-0.372, 0.0485], [0.128, 0.0485], [0.128, 0.1875], [-0.372, 0.1875]]";
+    const auto with = [&](const std::string& polygon) { return replaced(absolem, box, polygon); };
+    EXPECT_TRUE(read(with("[[0, 0], [0, 1], [1, 0]]"))) << "clockwise";
+    EXPECT_TRUE(
+        refuses(with("[[0, 0], [1, 0], [0.1, 0.1], [0, 1]]"), {"body.polygons_m", "not convex"}));
+    EXPECT_TRUE(refuses(with("[[0, 0], [1, 0], [2, 0]]"), {"not convex"})) << "flat";
+    EXPECT_TRUE(
+        refuses(with("[[0, 1], [0.59, -0.81], [-0.95, 0.31], [0.95, 0.31], [-0.59, -0.81]]"),
+                {"not convex"}))
+        << "a star";
+    EXPECT_TRUE(refuses(with("[[0, 0], [1, 0]]"), {"array of 3 to 64"}));
+    EXPECT_TRUE(refuses(with("[[0, 0], [1, 0], [0]]"), {"array of 2"}));
+}
+
+TEST_F(RobotFile, refusesWhatIsNotToml)
+{
+    EXPECT_TRUE(refuses("", {"is empty"}));
+    EXPECT_TRUE(refuses("name = \n", {"line 1", "not TOML"}));
+    EXPECT_TRUE(refuses(absolem + "\nheight_m = 1\nheight_m = 2\n", {"not TOML"}));
+    EXPECT_TRUE(refuses(std::string("\0\0\0\0", 4), {"not TOML"}));
+    EXPECT_TRUE(refuses("name = \"\xff\xfe\"\n", {"not TOML"}));
+    EXPECT_TRUE(refused(readRobotModel(dir.file("")), dir.file(""), {"directory"}));
+    EXPECT_TRUE(refused(readRobotModel(dir.file("none")), dir.file("none"), {"cannot be opened"}));
+}
+
+TEST_F(RobotFile, refusesHugeAndDeepFilesBeforeParsingThem)
+{
+    EXPECT_TRUE(refuses(absolem + std::string(65536, '#'), {"larger than the 65536 bytes"}));
+    std::string dotted = "a", braces = "a = ";
+    for (int i = 0; i < 10000; ++i) dotted += ".a";
+    for (int i = 0; i < 10000; ++i) braces += "{a=";
+    for (const std::string& deep :
+         {"a = " + std::string(60000, '['), dotted + " = 1\n", braces, "[" + dotted + "]\n"})
+        EXPECT_TRUE(refuses(deep, {"nests deeper than 16"}));
+}
+
+TEST_F(RobotFile, everyFileOfBytesIsReadOrRefusedInOneLine)
+{
+    std::mt19937_64 rng(9);
+    for (int i = 0; i < 500; ++i) {
+        std::string content = absolem;
+        for (int changes = 0; changes < 3; ++changes)
+            content[rng() % content.size()] = static_cast<char>(rng());
+        const Result<RobotModel> robot = read(content);
+        ASSERT_TRUE(robot || refused(robot, dir.file("robot.toml"), {}));
+    }
+}
+
+}  // namespace
+}  // namespace terratact

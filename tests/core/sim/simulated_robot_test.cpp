@@ -1,0 +1,130 @@
+#include "core/sim/simulated_robot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/absolem.h"
+
+namespace terratact {
+namespace {
+
+SimulatedRobot robotBefore(double distance, double height = 0.24)
+{
+    SimulatedRobot::Options options;
+    options.startX = 3.0 - distance;
+    options.probeSeconds = 2.0;
+    return SimulatedRobot(absolem(), stepTerrain(height, 3.0, 6.0), options);
+}
+
+template <class Condition>
+bool within(SimulatedRobot& robot, double seconds, Condition condition)
+{
+    for (double t = 0.0; t < seconds; t += 0.05) {
+        robot.step(0.05);
+        if (condition(robot.measure())) return true;
+    }
+    return false;
+}
+
+bool isPressed(const Measurement& m)
+{
+    return m.activity == RobotActivity::Pressed;
+}
+
+TEST(SimulatedRobot, drivesWhenToldAndHaltsWhenTold)
+{
+    SimulatedRobot robot = robotBefore(1.5);
+    const double start = robot.rest().pose.base.x;
+    robot.command(DriveCommand{0.3});
+    EXPECT_FALSE(within(robot, 1.0, [](const Measurement& m) { return m.activity != RobotActivity::Driving; }));
+    const double driven = robot.rest().pose.base.x - start;
+    EXPECT_NEAR(driven, 0.3, 0.05);
+    robot.command(HaltCommand{});
+    robot.step(0.5);
+    EXPECT_DOUBLE_EQ(robot.rest().pose.base.x, start + driven);
+}
+
+TEST(SimulatedRobot, pressesUntilTheTorqueIsReached)
+{
+    SimulatedRobot robot = robotBefore(0.5);
+    robot.command(PressCommand{16.0});
+    ASSERT_TRUE(within(robot, 10.0, isPressed));
+    EXPECT_NEAR(robot.rest().frontTorque, 16.0, 0.01);
+    EXPECT_GT(robot.rest().pose.front, 0.2);  // on the step's edge, not through it
+}
+
+TEST(SimulatedRobot, stopsPressingWhereThereIsNoGround)
+{
+    SimulatedRobot robot = robotBefore(0.15, -1.0);
+    robot.command(PressCommand{16.0});
+    ASSERT_TRUE(within(robot, 10.0, isPressed));
+    EXPECT_NEAR(robot.rest().pose.front, kLowestFlipper, 1e-9);
+}
+
+TEST(SimulatedRobot, probesOnlyWhenPressedAndWithinReach)
+{
+    SimulatedRobot robot = robotBefore(0.5);
+    robot.command(ProbeCommand{9});
+    EXPECT_EQ(robot.measure().refusal, Refusal::NotPressed);
+    robot.command(PressCommand{16.0});
+    ASSERT_TRUE(within(robot, 10.0, isPressed));
+    robot.command(ProbeCommand{2});
+    EXPECT_EQ(robot.measure().refusal, Refusal::OutOfReach);
+    robot.command(ProbeCommand{9});
+    EXPECT_EQ(robot.measure().activity, RobotActivity::Probing);
+    ASSERT_TRUE(within(robot, 3.0, [](const Measurement& m) { return m.arm.has_value(); }));
+    EXPECT_NEAR(robot.measure().arm->height, robot.truth()[9], 0.15);  // 5 sd
+    EXPECT_EQ(robot.measure().arm->bin, 9);
+}
+
+TEST(SimulatedRobot, latchesStop)
+{
+    SimulatedRobot robot = robotBefore(1.5);
+    robot.command(DriveCommand{0.3});
+    robot.step(0.1);
+    robot.command(StopCommand{});
+    const double x = robot.rest().pose.base.x;
+    robot.command(DriveCommand{0.3});
+    EXPECT_EQ(robot.measure().refusal, Refusal::StopLatched);
+    robot.step(0.5);
+    EXPECT_DOUBLE_EQ(robot.rest().pose.base.x, x);
+    robot.command(ReleaseStopCommand{});
+    EXPECT_EQ(robot.measure().activity, RobotActivity::Halted);
+}
+
+TEST(SimulatedRobot, forgetsTheArmsReadingWhenItMoves)
+{
+    SimulatedRobot robot = robotBefore(0.5);
+    robot.command(PressCommand{16.0});
+    ASSERT_TRUE(within(robot, 10.0, isPressed));
+    robot.command(ProbeCommand{10});
+    ASSERT_TRUE(within(robot, 3.0, [](const Measurement& m) { return m.arm.has_value(); }));
+    robot.command(DriveCommand{-0.2});
+    robot.step(0.1);
+    EXPECT_FALSE(robot.measure().arm.has_value());
+}
+
+TEST(SimulatedRobot, repeatsItselfForASeed)
+{
+    SimulatedRobot a = robotBefore(0.5);
+    SimulatedRobot b = robotBefore(0.5);
+    a.command(PressCommand{16.0});
+    b.command(PressCommand{16.0});
+    for (int k = 0; k < 60; ++k) {
+        a.step(0.05);
+        b.step(0.05);
+        EXPECT_EQ(a.measure(), b.measure());
+    }
+}
+
+TEST(SimulatedRobot, refusesImpossibleTime)
+{
+    SimulatedRobot robot = robotBefore(1.5);
+    EXPECT_THROW(robot.step(0.0), std::invalid_argument);
+    EXPECT_THROW(robot.step(2.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,49 @@
+#include "core/text.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace terratact {
+namespace {
+
+TEST(NumberText, readsBackAsTheSameBits)
+{
+    std::mt19937_64 rng(1);
+    for (int i = 0; i < 100000; ++i) {
+        const double value = std::bit_cast<double>(rng());
+        if (!std::isfinite(value)) continue;
+        const auto read = numberFrom(numberText(value));
+        ASSERT_TRUE(read) << numberText(value);
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(*read), std::bit_cast<std::uint64_t>(value));
+    }
+}
+
+TEST(NumberText, isTheShortestThatDoes)
+{
+    EXPECT_EQ(numberText(0.1), "0.1");
+    EXPECT_EQ(numberText(-0.3), "-0.3");
+    EXPECT_EQ(numberText(5.0), "5");
+    EXPECT_EQ(numberText(1e-9), "1e-09");
+}
+
+TEST(NumberFrom, takesTheWholeTextOrNothing)
+{
+    EXPECT_EQ(numberFrom("-1.5e-3"), -1.5e-3);
+    for (const char* text :
+         {"", " 1", "1 ", "1,5", "0x10", "1.5m", "--1", "+1", "1e999", "e5", "."})
+        EXPECT_FALSE(numberFrom(text)) << text;
+}
+
+TEST(Shown, bringsTextOfAStrangerOnOneShortLine)
+{
+    EXPECT_EQ(shown("pitch"), "'pitch'");
+    EXPECT_EQ(shown(std::string_view("a\n\0\x1b[31m", 8)), "'a???[31m'");
+    EXPECT_EQ(shown(std::string(41, 'x')), "'" + std::string(40, 'x') + "…'");
+}
+
+}  // namespace
+}  // namespace terratact

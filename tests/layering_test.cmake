@@ -1,0 +1,103 @@
+# Who may include whom, and is every file built?  Run with cmake -P; fails with a list of all
+# offences.  -D ROOT=<tree> checks another tree.  The rules:
+#   core     a folder includes itself and the folders before it in core_order; no Qt, no Linux
+#   drivers  core/result.h and core/{wire,robot,sim,log}, the bins; no Qt
+#   widgets  the values of core that they draw, Qt, Qwt
+#   app      all four (its command line: no Qt)
+#   tests    anything, through headers
+cmake_minimum_required(VERSION 3.25)
+if(NOT ROOT)
+  cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROOT)
+endif()
+
+set(core_order wire robot terrain learn infer eval atem sim log)   # files of core/ itself come first
+set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
+set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
+set(drivers_core "^core/(result\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h)$")
+set(widgets_core "^core/(robot/(measurement|command)|terrain/(bins|outline)|infer/(estimate|settings|variant)|atem/[a-z_]+)\\.h$")
+
+set(offences "")
+macro(offence text)
+  list(APPEND offences "${file}: ${text}")
+endmacro()
+
+# rank of a path inside core; its last folder in the order includes everything before it
+function(core_rank path result)
+  if(path MATCHES "^core/([^/]+)/")
+    list(FIND core_order ${CMAKE_MATCH_1} rank)
+    if(rank EQUAL -1)
+      message(FATAL_ERROR "layering: core/${CMAKE_MATCH_1} has no place in core_order")
+    endif()
+  else()
+    set(rank -1)
+  endif()
+  set(${result} ${rank} PARENT_SCOPE)
+endfunction()
+
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/core/*.h ${ROOT}/core/*.cpp ${ROOT}/drivers/*.h
+  ${ROOT}/drivers/*.cpp ${ROOT}/widgets/*.h ${ROOT}/widgets/*.cpp ${ROOT}/app/*.h ${ROOT}/app/*.cpp
+  ${ROOT}/tests/*.h ${ROOT}/tests/*.cpp)
+foreach(file IN LISTS files)
+  string(REGEX REPLACE "/.*" "" layer ${file})
+
+  # Built? Named by its folder's CMakeLists.txt, or a header nobody checks, a test nobody runs.
+  file(READ ${ROOT}/${layer}/CMakeLists.txt listed)
+  string(REGEX REPLACE "^${layer}/" "" name ${file})
+  if(layer STREQUAL "tests")
+    string(REGEX REPLACE "\\.cpp$" "" name ${name})   # a test is listed without its suffix
+  endif()
+  string(FIND "${listed}" "${name}" position)
+  if(position EQUAL -1 AND NOT (layer STREQUAL "tests" AND file MATCHES "\\.h$"))
+    offence("is not listed in ${layer}/CMakeLists.txt")
+  endif()
+
+  file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^[ \t]*#[ \t]*include[ \t]*" "" what "${line}")
+    if(what MATCHES "^\"([^\"]+)\"")
+      set(target ${CMAKE_MATCH_1})
+      string(REGEX REPLACE "/.*" "" to ${target})
+      if(target MATCHES "\\.moc$")
+        continue()
+      elseif(target MATCHES "\\.cpp$")
+        offence("includes the source file ${target}")
+      elseif(NOT to MATCHES "^(core|drivers|widgets|app|tests)$")
+        offence("includes \"${target}\", which is not written from the root")
+      elseif(to STREQUAL "tests" AND NOT layer STREQUAL "tests")
+        offence("includes ${target} of the tests")
+      elseif(layer STREQUAL "core")
+        if(NOT to STREQUAL "core")
+          offence("core includes ${target}")
+        else()
+          core_rank(${file} from_rank)
+          core_rank(${target} to_rank)
+          if(to_rank GREATER from_rank)
+            offence("includes ${target}, which comes later in core")
+          endif()
+        endif()
+      elseif(layer STREQUAL "drivers")
+        if(NOT to STREQUAL "drivers" AND NOT target MATCHES "${drivers_core}")
+          offence("drivers include ${target}")
+        endif()
+      elseif(layer STREQUAL "widgets")
+        if(NOT to STREQUAL "widgets" AND NOT target MATCHES "${widgets_core}")
+          offence("widgets include ${target}")
+        endif()
+      endif()
+    elseif(what MATCHES "${qt}" AND (layer MATCHES "^(core|drivers)$" OR file MATCHES "^app/(cli|command)"))
+      offence("includes ${what}: no Qt here")
+    elseif(what MATCHES "${linux}" AND layer STREQUAL "core")
+      offence("includes ${what}: Linux belongs to drivers")
+    endif()
+  endforeach()
+endforeach()
+
+list(LENGTH files count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "layering: no source files under ${ROOT}")
+endif()
+if(offences)
+  list(JOIN offences "\n" text)
+  message(FATAL_ERROR "layering:\n${text}")
+endif()
+message(STATUS "layering: ${count} files, none out of place")

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <limits>
+
+#include "core/infer/estimate.h"
+#include "core/robot/robot_model.h"
+
+/// Made-up results for tests that need one of every kind.
+namespace terratact {
+
+/// A step of 0.2 m at 0.45 m: bins −0.3 … 0.4 under the robot, 0.5 a contact, 0.6 and 0.7 prior only;
+/// widest at 0.6 m.
+inline TerrainEstimate stepEstimate()
+{
+    TerrainEstimate e;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        const bool onStep = i >= 8;
+        e.mean[i] = onStep ? -0.05 : -0.25;
+        e.sd[i] = i == 9 ? 0.09 : i == 10 ? 0.08 : 0.01;
+        e.q10[i] = e.mean[i] - 1.28 * e.sd[i];
+        e.q90[i] = e.mean[i] + 1.28 * e.sd[i];
+        e.ceiling[i] = i <= 8 ? e.mean[i] + 0.02 : std::numeric_limits<double>::infinity();
+        e.origin[i] = i == 8 ? Origin::Contact : Origin::Sampled;
+        e.rhat[i] = 1.0;
+        e.ess[i] = 1000.0;
+    }
+    return e;
+}
+
+/// The same after the arm has touched bin 0.6.
+inline TerrainEstimate probedEstimate()
+{
+    TerrainEstimate e = stepEstimate();
+    e.origin[9] = Origin::Arm;
+    e.sd[9] = e.sd[10] = 0.03;
+    for (const std::size_t i : {std::size_t{9}, std::size_t{10}}) {
+        e.q10[i] = e.mean[i] - 0.04;
+        e.q90[i] = e.mean[i] + 0.04;
+    }
+    return e;
+}
+
+}  // namespace terratact

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QTest>
+#include <QWidget>
+#include <array>
+#include <limits>
+
+/// What the GUI tests share.
+namespace terratact::gui {
+
+/// Values no painter may ever see.
+inline constexpr std::array kHostile{
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::max(), -1e300};
+
+/// A paint that takes longer than this hangs; a healthy one takes milliseconds.
+inline constexpr qint64 kHang = 2000;  // [ms]
+
+/// Runs the event loop until the condition holds; false after `patience`.
+template <class Condition>
+bool eventually(Condition&& condition, int patience = 20000)
+{
+    return QTest::qWaitFor(std::forward<Condition>(condition), patience);
+}
+
+/// Shows a widget and gives it the focus of its window.
+inline void showActive(QWidget& widget)
+{
+    widget.show();
+    (void)QTest::qWaitForWindowExposed(&widget);
+    widget.activateWindow();
+    (void)QTest::qWaitForWindowActive(&widget);
+}
+
+/// Paints a widget; fails by returning a null image when that takes as long as a hang.
+inline QImage painted(QWidget& widget)
+{
+    QElapsedTimer timer;
+    timer.start();
+    const QImage image = widget.grab().toImage();
+    return timer.elapsed() < kHang ? image : QImage();
+}
+
+/// How many different colours an image has: more than a handful when something was drawn.
+inline int colours(const QImage& image)
+{
+    QSet<QRgb> seen;
+    for (int y = 0; y < image.height(); y += 2)
+        for (int x = 0; x < image.width(); x += 2) seen.insert(image.pixel(x, y));
+    return static_cast<int>(seen.size());
+}
+
+}  // namespace terratact::gui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <random>
+
+#include "core/learn/bin_models.h"
+#include "core/learn/training.h"
+#include "core/sim/drive.h"
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/absolem.h"
+
+namespace terratact {
+
+/// Scenes of a short simulated campaign over varied ground.
+inline std::vector<Scene> someScenes(int runs, std::uint64_t seed, SensorNoise noise = {})
+{
+    const RobotModel robot = absolem();
+    std::mt19937_64 rng(seed);
+    std::vector<Scene> scenes;
+    int skipped = 0;
+    for (int run = 0; run < runs; ++run) {
+        const TerrainProfile terrain = randomVariedDrive(rng);
+        auto more = driveOver(robot, terrain, stopsOver(terrain, 0.3), std::to_string(run + 1), randomDriveStyle(rng),
+                              noise, rng, skipped);
+        scenes.insert(scenes.end(), more.begin(), more.end());
+    }
+    return scenes;
+}
+
+/// A small model with plausible hyper-parameters, not optimised: quick to make, real in every other way.
+inline ModelData toyModel(int runs = 8, std::uint64_t seed = 1)
+{
+    ModelData model = prepareTraining(someScenes(runs, seed)).model;
+    for (BinModelData* data : {&model.pa, &model.paf})
+        for (std::size_t i = 0; i < kBins; ++i) {
+            Hyperparameters& hyper = data->bins[i];
+            hyper.lengthScale = Eigen::VectorXd::Constant(data->mean.size() - 1, 5.0);
+            hyper.signalSd = data->sd[static_cast<Eigen::Index>(i)];
+            hyper.noiseSd = 0.02;
+        }
+    model.command = "toy";
+    return model;
+}
+
+}  // namespace terratact

@@ -1,0 +1,97 @@
+#include "widgets/atem_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "tests/support/gui.h"
+#include "widgets/held_button.h"
+
+namespace terratact {
+namespace {
+
+using Level = Precondition::Level;
+
+struct Atem : testing::Test {
+    Atem()
+    {
+        panel.resize(400, 260);
+        gui::showActive(panel);
+        QObject::connect(&panel, &AtemPanel::requested, [this] { said << "request"; });
+        QObject::connect(&panel, &AtemPanel::aborted, [this] { said << "abort"; });
+        QObject::connect(&panel, &AtemPanel::stopReleased, [this] { said << "release"; });
+    }
+    bool shows(const QString& words) const
+    {
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
+    AtemPanel panel;
+    QStringList said;
+};
+
+TEST_F(Atem, saysTheStateAndItsTime)
+{
+    panel.setState({.phase = AtemPhase::Pressing}, 12.2);
+    EXPECT_TRUE(shows("Pressing the front flippers"));
+    EXPECT_TRUE(shows("0:13 left"));
+    panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::LinkLost}, std::nullopt);
+    EXPECT_TRUE(shows("link to the robot was lost"));
+    EXPECT_FALSE(shows("left"));
+}
+
+TEST_F(Atem, requestsWhenNothingIsMissing)
+{
+    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Doubtful, "roll 7°"}});
+    QTest::mouseClick(panel.requestButton(), Qt::LeftButton);
+    EXPECT_EQ(said, QStringList{"request"});
+    EXPECT_TRUE(shows(QStringLiteral("✔")) && shows("!") && shows("roll 7°"));
+}
+
+TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
+{
+    panel.setPreconditions(
+        {{Level::Met, "telemetry is live"}, {Level::Missing, "the model is being loaded"}});
+    QTest::mouseClick(panel.requestButton(), Qt::LeftButton);
+    EXPECT_TRUE(said.isEmpty());
+    EXPECT_TRUE(panel.requestButton()->toolTip().contains("the model is being loaded"));
+    EXPECT_TRUE(shows(QStringLiteral("✘")));
+    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    EXPECT_TRUE(panel.requestButton()->isEnabled());
+    EXPECT_FALSE(shows("the model is being loaded"));
+}
+
+TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
+{
+    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    panel.setState({.phase = AtemPhase::Probing}, 80.0);
+    EXPECT_FALSE(panel.requestButton()->isEnabled());
+    EXPECT_FALSE(panel.requestButton()->toolTip().isEmpty());
+    QTest::mouseClick(panel.abortButton(), Qt::LeftButton);
+    EXPECT_EQ(said, QStringList{"abort"});
+}
+
+TEST_F(Atem, releasingStopTakesAHold)
+{
+    panel.releaseButton()->setHoldTime(100);
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt);
+    EXPECT_TRUE(shows("STOPPED"));
+    EXPECT_FALSE(panel.requestButton()->isVisible());
+    QTest::mouseClick(panel.releaseButton(), Qt::LeftButton);
+    EXPECT_TRUE(said.isEmpty());
+    QTest::mousePress(panel.releaseButton(), Qt::LeftButton);
+    EXPECT_TRUE(gui::eventually([this] { return said == QStringList{"release"}; }));
+}
+
+TEST_F(Atem, hostileTimesLeaveItDrawn)
+{
+    for (const double bad : gui::kHostile) {
+        panel.setState({.phase = AtemPhase::Pressing, .since = bad}, bad);
+        EXPECT_FALSE(gui::painted(panel).isNull());
+    }
+}
+
+}  // namespace
+}  // namespace terratact

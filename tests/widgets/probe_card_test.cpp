@@ -1,0 +1,112 @@
+#include "widgets/probe_card.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "tests/support/gui.h"
+#include "widgets/held_button.h"
+
+namespace terratact {
+namespace {
+
+constexpr ProbeProposal kProposal{
+    .id = 7, .bin = 9, .mean = 0.02, .q10 = -0.05, .q90 = 0.09, .sd = 0.07};
+
+struct Probe : testing::Test {
+    Probe()
+    {
+        card.resize(400, 320);
+        card.approveButton()->setHoldTime(100);
+        gui::showActive(card);
+        QObject::connect(&card, &ProbeCard::approved, [this](quint64 id) { approved << id; });
+        QObject::connect(&card, &ProbeCard::refused, [this](quint64 id) { refused << id; });
+    }
+    QString allText() const
+    {
+        QString text;
+        for (const QLabel* label : card.findChildren<QLabel*>())
+            if (label->isVisible()) text += label->text() + QLatin1Char('\n');
+        return text;
+    }
+    ProbeCard card;
+    QList<quint64> approved, refused;
+};
+
+TEST_F(Probe, saysWhereWhatAndForHowMuch)
+{
+    card.setProposal(kProposal);
+    card.setTimeLeft(23.4);
+    const QString text = allText();
+    for (const char* words : {"bin 0.6 m", "+0.02 m", "−0.05 … +0.09 m", "45 s", "0:24 left"})
+        EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
+                                                             << text.toStdString();
+    EXPECT_TRUE(card.approveButton()->text().contains("0.6 m"));
+}
+
+TEST_F(Probe, anAnswerCarriesTheProposalsNumber)
+{
+    card.setProposal(kProposal);
+    QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    ASSERT_TRUE(gui::eventually([this] { return !approved.isEmpty(); }));
+    EXPECT_EQ(approved, QList<quint64>{7});
+    QTest::mouseClick(card.refuseButton(), Qt::LeftButton);
+    EXPECT_EQ(refused, QList<quint64>{7});
+}
+
+TEST_F(Probe, aHoldBegunOnAnotherQuestionDoesNotCount)
+{
+    card.approveButton()->setHoldTime(100000);
+    card.setProposal(kProposal);
+    QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    ProbeProposal other = kProposal;
+    other.id = 8;
+    other.bin = 10;
+    card.setProposal(other);
+    EXPECT_FALSE(card.approveButton()->isHeld());
+}
+
+TEST_F(Probe, theSameQuestionAgainDoesNotDisturbTheHold)
+{
+    card.approveButton()->setHoldTime(100000);
+    card.setProposal(kProposal);
+    QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    card.setProposal(kProposal);
+    card.setTimeLeft(3.0);
+    EXPECT_TRUE(card.approveButton()->isHeld());
+}
+
+TEST_F(Probe, withoutAQuestionThereIsNothingToAnswer)
+{
+    card.setProposal(kProposal);
+    card.setNothing("no probe is needed");
+    EXPECT_FALSE(card.asks());
+    EXPECT_FALSE(card.approveButton()->isVisible());
+    card.approveButton()->hold();
+    EXPECT_FALSE(card.approveButton()->isHeld());
+    EXPECT_TRUE(allText().contains("no probe is needed"));
+}
+
+TEST_F(Probe, showsTheArmOnItsWay)
+{
+    card.setProbing(9, 31.0, 45.0);
+    EXPECT_TRUE(allText().contains("bin 0.6 m"));
+    EXPECT_FALSE(card.asks());
+}
+
+TEST_F(Probe, hostileNumbersReadAsNothing)
+{
+    for (const double bad : gui::kHostile) {
+        ProbeProposal p{
+            .id = 9, .bin = 9, .mean = bad, .q10 = bad, .q90 = bad, .sd = bad, .seconds = bad};
+        card.setProposal(p);
+        card.setTimeLeft(bad);
+        ASSERT_FALSE(gui::painted(card).isNull());
+        card.setProbing(9, bad, bad);
+        ASSERT_FALSE(gui::painted(card).isNull());
+    }
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,144 @@
+// The widgets that only show text: readout, header, strip, events.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "widgets/estimate_strip.h"
+#include "widgets/event_list.h"
+#include "widgets/look.h"
+#include "widgets/robot_readout.h"
+#include "widgets/status_header.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+TEST(Words, numbersReadAsOperatorsWriteThem)
+{
+    EXPECT_EQ(words::signedNumber(-0.254, 2), QStringLiteral("−0.25"));
+    EXPECT_EQ(words::signedNumber(0.254, 2), "+0.25");
+    EXPECT_EQ(words::degrees(0.1), QStringLiteral("+5.7°"));
+    EXPECT_EQ(words::countdown(83.2), "1:24");
+    EXPECT_EQ(words::countdown(-3.0), "0:00");
+    EXPECT_EQ(words::age(0.041), "41 ms");
+    EXPECT_EQ(words::age(2.44), "2.4 s");
+    for (const double bad : {gui::kHostile[0], gui::kHostile[1]}) {
+        EXPECT_EQ(words::signedNumber(bad, 2), "--");
+        EXPECT_EQ(words::degrees(bad), QStringLiteral("--°"));
+        EXPECT_EQ(words::countdown(bad), "--");
+        EXPECT_EQ(words::age(bad), "--");
+    }
+}
+
+TEST(Readout, showsAnglesInDegreesLeftAndRight)
+{
+    RobotReadout readout;
+    Measurement m;
+    m.pitch = -0.1;
+    m.frontLeft = 0.5;
+    m.frontRight = 0.6;
+    readout.setMeasurement(m, 0.04);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("−5.7°"));
+    EXPECT_EQ(readout.text(RobotReadout::FrontFlippers), QStringLiteral("L +28.6°   R +34.4°"));
+}
+
+TEST(Readout, staleValuesAreNotShown)
+{
+    RobotReadout readout;
+    readout.setMeasurement({}, 0.149);
+    EXPECT_NE(readout.text(RobotReadout::Pitch), "--");
+    readout.setMeasurement({}, 0.151);
+    for (int row = 0; row < RobotReadout::kRows; ++row) EXPECT_EQ(readout.text(row), "--");
+    for (const double bad : gui::kHostile) {
+        Measurement m;
+        m.pitch = m.roll = m.frontLeft = m.rearRightCurrent = bad;
+        readout.setMeasurement(m, bad);
+        EXPECT_FALSE(gui::painted(readout).isNull());
+    }
+}
+
+TEST(Header, stopActsOnThePressAndWithoutQuestion)
+{
+    StatusHeader header;
+    gui::showActive(header);
+    int stops = 0;
+    QObject::connect(&header, &StatusHeader::stopPressed, [&stops] { ++stops; });
+    QTest::mousePress(header.stopButton(), Qt::LeftButton);
+    EXPECT_EQ(stops, 1);
+    QTest::mouseRelease(header.stopButton(), Qt::LeftButton);
+    EXPECT_EQ(stops, 1);
+    header.setLatched(true);
+    EXPECT_TRUE(header.stopButton()->isEnabled());
+    EXPECT_TRUE(header.stopButton()->isVisible());
+}
+
+TEST(Header, theSourcesNameIsAlwaysThere)
+{
+    StatusHeader header;
+    header.setSource("REPLAY demo.log");
+    header.setLink("LINK LOST", Tone::Bad);
+    EXPECT_EQ(header.sourceName(), "REPLAY demo.log");
+}
+
+struct Strip : testing::Test {
+    Strip() { gui::showActive(strip); }
+    EstimateStrip strip;
+};
+
+TEST_F(Strip, saysWhereTheEstimateIsWidest)
+{
+    strip.setEstimate(stepEstimate(), 0.62);
+    EXPECT_EQ(strip.headline(), QStringLiteral("Uncertain at 0.6 m: −0.05 m ± 0.09 m"));
+    TerrainEstimate known = stepEstimate();
+    known.sd.fill(0.02);
+    strip.setEstimate(known, 0.62);
+    EXPECT_TRUE(strip.headline().startsWith(QStringLiteral("Known to ± 0.02 m")));
+}
+
+TEST_F(Strip, noWarningIsSwallowed)
+{
+    TerrainEstimate e = stepEstimate();
+    e.warnings = {"roll 8.1°", "contact above the body"};
+    strip.setEstimate(e, 0.1);
+    EXPECT_TRUE(strip.warningText().contains(QStringLiteral("roll 8.1°")));
+    EXPECT_TRUE(strip.warningText().contains("contact above the body"));
+    e.warnings.clear();
+    e.converged = false;
+    strip.setEstimate(e, 0.1);
+    EXPECT_TRUE(strip.warningText().contains("converged"));
+}
+
+TEST_F(Strip, progressBringsCancel)
+{
+    int cancelled = 0;
+    QObject::connect(&strip, &EstimateStrip::cancelled, [&cancelled] { ++cancelled; });
+    EXPECT_FALSE(strip.cancelButton()->isVisible());
+    strip.setProgress(0.4);
+    ASSERT_TRUE(strip.cancelButton()->isVisible());
+    EXPECT_EQ(strip.findChild<QProgressBar*>()->value(), 400);
+    QTest::mouseClick(strip.cancelButton(), Qt::LeftButton);
+    EXPECT_EQ(cancelled, 1);
+    for (const double bad : gui::kHostile) {
+        strip.setProgress(bad);
+        EXPECT_FALSE(gui::painted(strip).isNull());
+    }
+    strip.setProgress(std::nullopt);
+    EXPECT_FALSE(strip.cancelButton()->isVisible());
+}
+
+TEST(Events, theNewestStandsOnTopAndTheListIsBounded)
+{
+    EventList events;
+    for (int i = 0; i < 600; ++i) events.add(QString::number(i), Weight::Note, QTime(12, 0));
+    EXPECT_EQ(events.count(), 500);
+    EXPECT_TRUE(events.item(0)->text().endsWith("599"));
+    events.add("link lost", Weight::Bad, QTime(12, 1));
+    EXPECT_EQ(events.item(0)->text(), QStringLiteral("12:01:00  ✘ link lost"));
+}
+
+}  // namespace
+}  // namespace terratact

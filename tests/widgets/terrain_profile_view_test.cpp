@@ -1,0 +1,228 @@
+#include "widgets/terrain_profile_view.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "widgets/drawable.h"
+#include "widgets/palette.h"
+
+namespace terratact {
+namespace {
+
+using gui::painted;
+
+Outline square(double left, double bottom, double right, double top)
+{
+    return {{.kind = OutlinePart::Kind::Body,
+             .points = {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}};
+}
+
+/// Colour of the canvas at a point of the DEM frame.
+QColor colourAt(TerrainProfileView& view, double x, double z)
+{
+    const QImage image = painted(*view.canvas());
+    return image.pixelColor(view.pixelOf(x, z).toPoint());
+}
+
+bool alike(const QColor& a, const QColor& b)
+{
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green())
+             + std::abs(a.blue() - b.blue())
+         < 40;
+}
+
+struct TerrainView : testing::Test {
+    TerrainView()
+    {
+        view.resize(900, 480);
+        gui::showActive(view);
+    }
+    TerrainProfileView view;
+};
+
+TEST_F(TerrainView, aMetreIsAsLongUpwardsAsForwardsAtEverySize)
+{
+    view.setEstimate(stepEstimate());
+    for (const QSize size :
+         {QSize(900, 480), QSize(600, 600), QSize(1500, 400), QSize(421, 261), QSize(300, 900)}) {
+        view.resize(size);
+        QApplication::processEvents();
+        const QPointF origin = view.pixelOf(0.0, 0.0);
+        const double forwards = view.pixelOf(0.5, 0.0).x() - origin.x();
+        const double upwards = origin.y() - view.pixelOf(0.0, 0.5).y();
+        EXPECT_GT(forwards, 20.0);
+        EXPECT_NEAR(forwards, upwards, 0.01 * forwards) << size.width() << " × " << size.height();
+    }
+}
+
+TEST_F(TerrainView, pixelsAndMetresMapBothWays)
+{
+    view.setEstimate(stepEstimate());
+    for (const double x : {-0.3, 0.0, 0.65}) {
+        const QPointF back = view.pointAt(view.pixelOf(x, -0.2));
+        EXPECT_NEAR(back.x(), x, 1e-9);
+        EXPECT_NEAR(back.y(), -0.2, 1e-9);
+    }
+}
+
+TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
+{
+    TerrainEstimate high = stepEstimate();
+    high.mean[10] = 0.6;
+    high.q90[10] = 0.8;
+    high.q10[0] = -0.9;
+    view.setEstimate(high);
+    const QRectF canvas = view.canvas()->rect();
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        for (const double z : {high.mean[i], high.q10[i], high.q90[i]})
+            EXPECT_TRUE(canvas.contains(view.pixelOf(binCentre(bin), z)))
+                << "bin " << bin << " at " << z;
+    }
+}
+
+TEST_F(TerrainView, marksStandWhereTheMeansAre)
+{
+    TerrainEstimate e = probedEstimate();
+    view.setEstimate(e);
+    EXPECT_TRUE(alike(colourAt(view, 0.0, e.mean[3]), palette::kSampled));
+    EXPECT_TRUE(alike(colourAt(view, 0.5, e.mean[8]), palette::kContact));
+    EXPECT_TRUE(alike(colourAt(view, 0.6, e.mean[9]), palette::kArm));
+    EXPECT_TRUE(alike(colourAt(view, 0.7, e.mean[10]), palette::kCard))
+        << "an open mark: nothing but the prior";
+}
+
+TEST_F(TerrainView, kindsDifferInShapeAndNotOnlyInColour)
+{
+    // A square fills its corner; a circle and a triangle of that size do not fill their upper left one.
+    TerrainEstimate e = probedEstimate();
+    e.q10 = e.q90 = e.mean;  // no bars in the way
+    view.setEstimate(e);
+    const QImage image = painted(*view.canvas());
+    const auto upperLeft = [&](int bin) {
+        const QPointF centre = view.pixelOf(binCentre(bin), e.mean[static_cast<std::size_t>(bin)]);
+        return image.pixelColor((centre + QPointF(-4.5, -4.5)).toPoint());
+    };
+    EXPECT_TRUE(alike(upperLeft(8), palette::kContact));
+    EXPECT_FALSE(alike(upperLeft(3), palette::kSampled));
+    EXPECT_FALSE(alike(upperLeft(9), palette::kArm));
+}
+
+TEST_F(TerrainView, onlyPriorOnlyBinsLieInTheAmberZone)
+{
+    view.setEstimate(stepEstimate());
+    const auto amber = [&](double x) { return colourAt(view, x, -0.37).blue() < 225; };
+    EXPECT_TRUE(amber(0.57));
+    EXPECT_TRUE(amber(0.73));
+    EXPECT_FALSE(amber(0.53));
+    EXPECT_FALSE(amber(0.77));
+    view.clearEstimate("none");
+    EXPECT_FALSE(amber(0.57));
+}
+
+TEST_F(TerrainView, theRobotIsDrawnInMetresAroundTheImu)
+{
+    view.setOutline(square(-0.2, 0.05, 0.2, 0.15));
+    EXPECT_FALSE(alike(colourAt(view, 0.12, 0.13), palette::kCard));
+    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.17), palette::kCard));
+    view.setOutline({});
+    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.13), palette::kCard));
+}
+
+TEST_F(TerrainView, theProbeIsMarkedAboveItsBinOnly)
+{
+    view.setEstimate(stepEstimate());
+    const auto purple = [&](double x) {
+        const QImage image = painted(*view.canvas());
+        const int px = static_cast<int>(std::lround(view.pixelOf(x, 0.0).x()));
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (const int dx : {-1, 0, 1})
+                count += alike(image.pixelColor(px + dx, y), palette::kAccent) ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(purple(0.6), 0);
+    view.setProposedProbe(9);
+    EXPECT_GT(purple(0.6), 10);
+    EXPECT_EQ(purple(0.4), 0);
+    view.setProposedProbe(std::nullopt);
+    EXPECT_EQ(purple(0.6), 0);
+    view.setProposedProbe(99);
+    EXPECT_FALSE(painted(view).isNull());
+}
+
+TEST_F(TerrainView, theTruthIsALevelLineOverEachBin)
+{
+    Heights truth;
+    truth.fill(-0.33);
+    const auto red = [&] {
+        const QImage image = painted(*view.canvas());
+        const QPoint at = view.pixelOf(0.03, -0.33).toPoint();
+        for (int dy = -2; dy <= 2; ++dy) {
+            const QColor colour = image.pixelColor(at + QPoint(0, dy));
+            if (colour.red() - colour.green() > 60) return true;
+        }
+        return false;
+    };
+    EXPECT_FALSE(red());
+    view.setTruth(truth);
+    EXPECT_TRUE(red());
+    view.setTruth(std::nullopt);
+    EXPECT_FALSE(red());
+}
+
+TEST_F(TerrainView, saysEachBinInWords)
+{
+    view.setEstimate(stepEstimate());
+    EXPECT_EQ(view.binText(8),
+              QStringLiteral("bin 0.5 m: −0.05 m, 80 % in −0.06 … −0.04, contact"));
+    EXPECT_TRUE(view.binText(10).endsWith(QStringLiteral("prior only")));
+    EXPECT_EQ(view.accessibleDescription().count(QLatin1Char('\n')), kBins - 1);
+    view.clearEstimate("explore first");
+    EXPECT_EQ(view.accessibleDescription(), QStringLiteral("explore first"));
+    EXPECT_TRUE(view.binText(8).isEmpty());
+}
+
+TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
+{
+    for (const double bad : gui::kHostile) {
+        TerrainEstimate e = stepEstimate();
+        e.mean[5] = e.q10[6] = e.q90[7] = e.ceiling[2] = bad;
+        Heights truth = e.mean;
+        Outline outline = square(-0.2, 0.0, 0.2, 0.1);
+        outline.front().points.push_back({bad, 0.05});
+        outline.front().points.push_back({0.0, bad});
+        view.setOutline(outline);
+        view.setTruth(truth);
+        view.setEstimate(e);
+        view.setProposedProbe(5);
+        const QImage image = painted(view);
+        ASSERT_FALSE(image.isNull()) << "painting hung on " << bad;
+        EXPECT_GT(gui::colours(image), 20);
+        EXPECT_TRUE(alike(colourAt(view, 0.5, e.mean[8]), palette::kContact)) << bad;
+        (void)view.binText(5);
+    }
+}
+
+TEST_F(TerrainView, nothingButHostileNumbersLeavesAPicture)
+{
+    for (const double bad : gui::kHostile) {
+        TerrainEstimate e;
+        for (Heights* h : {&e.mean, &e.sd, &e.q10, &e.q90, &e.ceiling}) h->fill(bad);
+        view.setEstimate(e);
+        ASSERT_FALSE(painted(view).isNull());
+    }
+}
+
+TEST(Drawable, aPathBreaksWhereANumberIsMissing)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const QPainterPath path = pathThrough({{0, 0}, {1, 1}, {2, nan}, {3, 3}, {4, 4}, {5, 1e9}});
+    ASSERT_EQ(path.elementCount(), 4);
+    EXPECT_TRUE(path.elementAt(2).isMoveTo());
+    EXPECT_EQ(path.boundingRect(), QRectF(0, 0, 4, 4));
+}
+
+}  // namespace
+}  // namespace terratact
