@@ -42,10 +42,13 @@ void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
         ->check(named(settings.ceiling, ceilingRuleFromName, "truncate|clamp|none"));
     app.add_option("--contacts", scratch, "Which force elements fix a bin (default isolated)")
         ->check(named(settings.contacts, contactRuleFromName, "isolated|any"));
-    addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")->check(CLI::Range(0.0, 1000.0));
-    addNumber(app, "--sweeps", settings.draws, "Kept sweeps K, all chains together")->check(CLI::Range(1, 10'000'000));
+    addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")
+        ->check(CLI::Range(0.0, 1000.0));
+    addNumber(app, "--sweeps", settings.draws, "Kept sweeps K, all chains together")
+        ->check(CLI::Range(1, 10'000'000));
     addNumber(app, "--chains", settings.chains, "Independent chains")->check(CLI::Range(1, 4096));
-    addNumber(app, "--burn-in", settings.burnIn, "Sweeps thrown away per chain")->check(CLI::Range(0, 1'000'000));
+    addNumber(app, "--burn-in", settings.burnIn, "Sweeps thrown away per chain")
+        ->check(CLI::Range(0, 1'000'000));
     addNumber(app, "--seed", settings.seed, "Seed of the random numbers");
 }
 
@@ -83,18 +86,22 @@ struct Arguments {
 
 void addSimulate(CLI::App& app, Arguments& a)
 {
-    auto* c = app.add_subcommand("simulate", "Drive a simulated robot over terrain and record scenes");
+    auto* c =
+        app.add_subcommand("simulate", "Drive a simulated robot over terrain and record scenes");
     addRobot(*c, a.simulate.robot);
     c->add_option("--terrain", a.simulate.terrain,
-                  "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, or a CSV file of profiles: two columns x,z in "
+                  "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, or a CSV file of "
+                  "profiles: two columns x,z in "
                   "m, or rows of heights in m")
         ->required();
     c->add_option("--out", a.simulate.out, "Scenes CSV to write")->required();
     addNumber(*c, "--seed", a.simulate.seed, "Seed of terrain and noise");
     c->add_option("--count", a.simulate.count, "Scenes (default: 1400, or every stop over a file)")
         ->check(CLI::Range(1, 1'000'000));
-    addNumber(*c, "--step", a.simulate.step, "Distance of a file's heights [m]")->check(CLI::Range(0.001, 1.0));
-    c->add_flag("--blocks", a.simulate.blocks, "A file's heights are flat-topped blocks with vertical faces");
+    addNumber(*c, "--step", a.simulate.step, "Distance of a file's heights [m]")
+        ->check(CLI::Range(0.001, 1.0));
+    c->add_flag("--blocks", a.simulate.blocks,
+                "A file's heights are flat-topped blocks with vertical faces");
     c->add_flag("--exact-truth", a.simulate.exactTruth, "No scanner noise on the true heights");
 }
 
@@ -123,7 +130,9 @@ void addEvaluate(CLI::App& app, Arguments& a)
     addRobot(*c, a.evaluate.robot);
     c->add_option("--model", a.evaluate.model, "Model (*.ttm)")->default_str("the shipped one");
     c->add_option("--data", a.evaluate.data, "Scenes CSV with heights")->required();
-    c->add_option("--out", a.evaluate.out, "Directory for errors.csv, fig8.csv, fig9.csv and the figures")->required();
+    c->add_option("--out", a.evaluate.out,
+                  "Directory for errors.csv, fig8.csv, fig9.csv and the figures")
+        ->required();
     c->add_option("--methods", a.methods, "Methods to compare (default: all four)")
         ->delimiter(',')
         ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac"}));
@@ -132,8 +141,9 @@ void addEvaluate(CLI::App& app, Arguments& a)
 
 void addDemo(CLI::App& app, Arguments& a)
 {
-    auto* c = app.add_subcommand("demo", "The main job on the built-in simulated robot: drive up to an unseen step, ATEM, "
-                                         "estimate, one probe, second estimate");
+    auto* c = app.add_subcommand(
+        "demo", "The main job on the built-in simulated robot: drive up to an unseen step, ATEM, "
+                "estimate, one probe, second estimate");
     addRobot(*c, a.demo.robot);
     c->add_option("--model", a.demo.model, "Model (*.ttm)")->default_str("the shipped one");
     c->add_option("--out", a.demo.out, "Directory for CSV and PNG")->capture_default_str();
@@ -148,8 +158,9 @@ void addModel(CLI::App& app, Arguments& a)
     auto* show = c->add_subcommand("show", "Every hyper-parameter, and how the model was made");
     show->add_option("model", a.modelPath, "Model (*.ttm)")->required();
     show->add_flag("--csv", a.modelCsv, "Everything a prediction needs, as CSV");
-    auto* predict = c->add_subcommand("predict", "Mean and sd of each bin given the scene's other bins, as CSV: to check "
-                                                 "the model against another program");
+    auto* predict = c->add_subcommand(
+        "predict", "Mean and sd of each bin given the scene's other bins, as CSV: to check "
+                   "the model against another program");
     predict->add_option("model", a.modelPath, "Model (*.ttm)")->required();
     predict->add_option("--data", a.modelData, "Scenes CSV with heights")->required();
 }
@@ -160,18 +171,21 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("train")) return train(a.train);
     if (app.got_subcommand("reconstruct")) return reconstructScenes(a.reconstruct);
     if (app.got_subcommand("evaluate")) {
-        for (const std::string& method : a.methods) a.evaluate.methods.push_back(*methodFromName(method));
+        for (const std::string& method : a.methods)
+            a.evaluate.methods.push_back(*methodFromName(method));
         if (a.evaluate.methods.empty()) a.evaluate.methods.assign(kMethods.begin(), kMethods.end());
         return evaluate(a.evaluate);
     }
     if (app.got_subcommand("demo")) return demo(a.demo);
-    if (app.get_subcommand("model")->got_subcommand("predict")) return predictConditionals(a.modelPath, a.modelData);
+    if (app.get_subcommand("model")->got_subcommand("predict"))
+        return predictConditionals(a.modelPath, a.modelData);
     return showModel(a.modelPath, a.modelCsv);
 }
 
 void useShippedFiles(Arguments& a)
 {
-    for (std::string* robot : {&a.simulate.robot, &a.reconstruct.robot, &a.evaluate.robot, &a.demo.robot})
+    for (std::string* robot :
+         {&a.simulate.robot, &a.reconstruct.robot, &a.evaluate.robot, &a.demo.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
     for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model})
         if (model->empty()) *model = resourcePath("models/default.ttm");

@@ -19,10 +19,10 @@ namespace terratact {
 
 namespace {
 
-constexpr double kTick = 0.05;            // [s] telemetry period
-constexpr double kStopBefore = 0.47;      // [m] base to step when the operator stops
-constexpr double kPressTorque = 18.0;     // [N m]
-constexpr int kLongest = 20 * 120;        // [ticks] nothing here takes two minutes
+constexpr double kTick = 0.05;         // [s] telemetry period
+constexpr double kStopBefore = 0.47;   // [m] base to step when the operator stops
+constexpr double kPressTorque = 18.0;  // [N m]
+constexpr int kLongest = 20 * 120;     // [ticks] nothing here takes two minutes
 
 /// Lets time pass until the robot does `wanted`; false if it refuses or takes too long.
 template <class Condition>
@@ -39,13 +39,17 @@ bool waitFor(SimulatedRobot& robot, Condition wanted)
 
 Error refused(SimulatedRobot& robot, std::string_view what)
 {
-    return Error{fmt::format("the simulated robot did not {}: {}", what, describe(robot.measure().refusal)), 0};
+    return Error{
+        fmt::format("the simulated robot did not {}: {}", what, describe(robot.measure().refusal)),
+        0};
 }
 
 Status driveToStep(SimulatedRobot& robot)
 {
     robot.command(DriveCommand{0.3});
-    if (!waitFor(robot, [&](const Measurement&) { return robot.rest().pose.base.x >= kDemoStep - kStopBefore; }))
+    if (!waitFor(robot, [&](const Measurement&) {
+            return robot.rest().pose.base.x >= kDemoStep - kStopBefore;
+        }))
         return refused(robot, "reach the step");
     robot.command(HaltCommand{});
     return Done{};
@@ -62,13 +66,14 @@ Status pressFlippers(SimulatedRobot& robot)
 Status probe(SimulatedRobot& robot, int bin)
 {
     robot.command(ProbeCommand{bin});
-    if (!waitFor(robot, [](const Measurement& m) { return m.arm.has_value(); })) return refused(robot, "probe");
+    if (!waitFor(robot, [](const Measurement& m) { return m.arm.has_value(); }))
+        return refused(robot, "probe");
     return Done{};
 }
 
 /// Prints an estimate and writes it as CSV and PNG under `stem`.
-Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotModel& robot, std::optional<int> bin,
-               const std::string& title, const std::filesystem::path& stem)
+Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotModel& robot,
+               std::optional<int> bin, const std::string& title, const std::filesystem::path& stem)
 {
     Heights truth{};
     for (std::size_t i = 0; i < kBins; ++i) truth[i] = *scene.truth[i];
@@ -87,7 +92,8 @@ Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotM
 
 Scene sceneOf(const Measurement& measurement, const Heights& truth)
 {
-    Scene scene{.run = "demo", .time = measurement.time, .s = proprioception(measurement), .truth = {}};
+    Scene scene{
+        .run = "demo", .time = measurement.time, .s = proprioception(measurement), .truth = {}};
     for (std::size_t i = 0; i < kBins; ++i) scene.truth[i] = truth[i];
     return scene;
 }
@@ -101,16 +107,21 @@ Status demo(const DemoOptions& options)
     const BinModels& models = (*toolbox)->modelsFor(options.settings.method);
     std::error_code failed;
     std::filesystem::create_directories(options.out, failed);
-    if (failed) return Error{fmt::format("{}: cannot be made: {}", options.out, failed.message()), failed.value()};
+    if (failed)
+        return Error{fmt::format("{}: cannot be made: {}", options.out, failed.message()),
+                     failed.value()};
     const std::filesystem::path out(options.out);
 
     SimulatedRobot::Options start;
     start.startX = 1.2;
     start.seed = options.settings.seed;
     SimulatedRobot robot((*toolbox)->robot, demoTerrain(), start);
-    fmt::print("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method), options.settings.seed);
+    fmt::print("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
+               options.settings.seed);
     if (Status s = driveToStep(robot); !s) return s;
-    fmt::print("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the flippers\n", robot.measure().time);
+    fmt::print("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the "
+               "flippers\n",
+               robot.measure().time);
     if (Status s = pressFlippers(robot); !s) return s;
     const Measurement measurement = robot.measure();
     const Scene scene = sceneOf(measurement, robot.truth());
@@ -121,20 +132,28 @@ Status demo(const DemoOptions& options)
     };
     const TerrainEstimate first = estimateWith({});
     const std::optional<int> bin = proposeProbe(first, (*toolbox)->robot);
-    if (Status s = present(first, scene, (*toolbox)->robot, bin, "First estimate, by flippers alone", out / "first"); !s) return s;
+    if (Status s = present(first, scene, (*toolbox)->robot, bin,
+                           "First estimate, by flippers alone", out / "first");
+        !s)
+        return s;
     if (!bin) {
-        fmt::print("\nno bin is uncertain enough to probe\n\nwritten: {}\n", (out / "first.{csv,png}").string());
+        fmt::print("\nno bin is uncertain enough to probe\n\nwritten: {}\n",
+                   (out / "first.{csv,png}").string());
         return Done{};
     }
-    fmt::print("\n{:6.1f} s  probe proposed at {:+.1f} m (sd {:.0f} mm), approved\n", robot.measure().time, binCentre(*bin),
+    fmt::print("\n{:6.1f} s  probe proposed at {:+.1f} m (sd {:.0f} mm), approved\n",
+               robot.measure().time, binCentre(*bin),
                1000.0 * first.sd[static_cast<std::size_t>(*bin)]);
     if (Status s = probe(robot, *bin); !s) return s;
     const ArmReading reading = *robot.measure().arm;
     fmt::print("{:6.1f} s  arm measured {:+.3f} m\n", robot.measure().time, reading.height);
     const TerrainEstimate second = estimateWith({&reading, 1});
-    if (Status s = present(second, scene, (*toolbox)->robot, std::nullopt, "Second estimate, with the probe", out / "second"); !s)
+    if (Status s = present(second, scene, (*toolbox)->robot, std::nullopt,
+                           "Second estimate, with the probe", out / "second");
+        !s)
         return s;
-    fmt::print("\nwritten: {} and {}\n", (out / "first.{csv,png}").string(), (out / "second.{csv,png}").string());
+    fmt::print("\nwritten: {} and {}\n", (out / "first.{csv,png}").string(),
+               (out / "second.{csv,png}").string());
     return Done{};
 }
 

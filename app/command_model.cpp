@@ -39,12 +39,14 @@ void printCsv(const ModelData& model, const BinModelData& data)
     if (data.set == FeatureSet::Pa) return;
     for (Eigen::Index u = 0; u < model.heights.rows(); ++u)
         for (Eigen::Index d = 0; d < data.mean.size(); ++d)
-            fmt::print("row,{},{},{}\n", u + 1, columnName(d), d < kBins ? model.heights(u, d) : model.features(u, d - kBins));
+            fmt::print("row,{},{},{}\n", u + 1, columnName(d),
+                       d < kBins ? model.heights(u, d) : model.features(u, d - kBins));
 }
 
 void printTable(const BinModelData& data)
 {
-    fmt::print("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}", name(data.set), "");
+    fmt::print("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}",
+               name(data.set), "");
     for (int i = 0; i < kBins; ++i) fmt::print(" {:>+8.1f}", binCentre(i));
     fmt::print("\n");
     const auto inputs = featureNames(data.set);
@@ -78,8 +80,8 @@ void printConditionals(const Scene& scene, const BinModels& models)
     const Eigen::VectorXd s = features(models.set(), scene.s);
     for (int i = 0; i < kBins; ++i) {
         const Normal p = models.bin(i).predict(models.input(i, h, s));
-        fmt::print("{},{},{},{:+.1f},{},{}\n", scene.run, scene.time, name(models.set()), binCentre(i), p.mean,
-                   std::sqrt(p.variance));
+        fmt::print("{},{},{},{:+.1f},{},{}\n", scene.run, scene.time, name(models.set()),
+                   binCentre(i), p.mean, std::sqrt(p.variance));
     }
 }
 
@@ -103,7 +105,8 @@ Status predictConditionals(const std::string& modelPath, const std::string& data
         printConditionals(scene, pa);
         printConditionals(scene, paf);
     }
-    if (leftOut > 0) fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
+    if (leftOut > 0)
+        fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
     return Done{};
 }
 
@@ -118,8 +121,9 @@ Status showModel(const std::string& path, bool csv)
         printCsv(model, model.paf);
         return Done{};
     }
-    fmt::print("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}\ndata     {}\n", path, stored->contentHash,
-               model.command, model.seed, model.heights.rows(), model.dataHash);
+    fmt::print("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}\ndata     {}\n", path,
+               stored->contentHash, model.command, model.seed, model.heights.rows(),
+               model.dataHash);
     printTable(model.pa);
     printTable(model.paf);
     return Done{};

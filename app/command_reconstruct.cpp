@@ -21,8 +21,10 @@ Status reconstructScenes(const ReconstructOptions& options)
     const auto estimates = estimateScenes(file->scenes, **toolbox, options.settings);
     const std::string csv = estimateCsv(file->scenes, estimates);
     if (Status written = writeFileAtomically(options.out, csv); !written) return written;
-    const auto noted = std::count_if(estimates.begin(), estimates.end(), [](const auto& e) { return !e.note.empty(); });
-    fmt::print("{} scenes written to {}; {} of them with a note\n", estimates.size(), options.out, noted);
+    const auto noted = std::count_if(estimates.begin(), estimates.end(),
+                                     [](const auto& e) { return !e.note.empty(); });
+    fmt::print("{} scenes written to {}; {} of them with a note\n", estimates.size(), options.out,
+               noted);
     return Done{};
 }
 

@@ -45,10 +45,11 @@ Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, i
         std::vector<double> chosen;
         const double offset = std::uniform_real_distribution<double>(0.0, 1.0)(rng);
         for (int k = 0; k < stops; ++k)
-            chosen.push_back(all[static_cast<std::size_t>((k + offset) / stops * static_cast<double>(all.size()))]);
+            chosen.push_back(all[static_cast<std::size_t>((k + offset) / stops
+                                                          * static_cast<double>(all.size()))]);
         if (chosen.empty()) continue;
-        auto scenes = driveOver(robot, terrain, chosen, std::to_string(run + 1), style(rng), noiseFor(options), rng,
-                                recording.skipped);
+        auto scenes = driveOver(robot, terrain, chosen, std::to_string(run + 1), style(rng),
+                                noiseFor(options), rng, recording.skipped);
         std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
     }
     return recording;
@@ -77,11 +78,12 @@ Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
     auto next = order.begin();
     for (std::size_t p = 0; p < profiles.size(); ++p) {
         std::vector<double> chosen;
-        for (; next != order.end() && owner[*next] == p; ++next) chosen.push_back(stops[p][*next - firstOfProfile]);
+        for (; next != order.end() && owner[*next] == p; ++next)
+            chosen.push_back(stops[p][*next - firstOfProfile]);
         firstOfProfile += stops[p].size();
         if (chosen.empty()) continue;
-        auto scenes = driveOver(robot, profiles[p], chosen, std::to_string(p + 1), randomDriveStyle(rng),
-                                noiseFor(options), rng, recording.skipped);
+        auto scenes = driveOver(robot, profiles[p], chosen, std::to_string(p + 1),
+                                randomDriveStyle(rng), noiseFor(options), rng, recording.skipped);
         std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
     }
     return recording;
@@ -92,7 +94,8 @@ Result<Recording> drive(const RobotModel& robot, const SimulateOptions& options)
     const int count = options.count > 0 ? options.count : kPresetScenes;
     if (options.terrain == "boxes") {
         const auto style = [](std::mt19937_64& rng) {
-            return DriveStyle{std::uniform_real_distribution<double>(0.05, 0.45)(rng), DriveStyle{}.pressTorque};
+            return DriveStyle{std::uniform_real_distribution<double>(0.05, 0.45)(rng),
+                              DriveStyle{}.pressTorque};
         };
         return drivePreset(robot, options, kBoxRuns, count, randomBoxDrive, style);
     }
@@ -115,10 +118,13 @@ Status simulate(const SimulateOptions& options)
     const auto recording = drive(*robot, options);
     if (!recording) return recording.error();
     if (recording->scenes.empty())
-        return Error{fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
+        return Error{
+            fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
     if (Status written = writeScenes(options.out, recording->scenes); !written) return written;
-    fmt::print("{} scenes over {} written to {}", recording->scenes.size(), options.terrain, options.out);
-    if (recording->skipped > 0) fmt::print(" ({} stops left out: no rest pose)", recording->skipped);
+    fmt::print("{} scenes over {} written to {}", recording->scenes.size(), options.terrain,
+               options.out);
+    if (recording->skipped > 0)
+        fmt::print(" ({} stops left out: no rest pose)", recording->skipped);
     fmt::print("\n");
     return Done{};
 }

@@ -22,8 +22,9 @@ void printBins(const ModelData& model)
 {
     fmt::print("{:>6}  {:>22}  {:>22}\n", "bin_m", "noise sd [mm] pa, paf", "log p(y|X) pa, paf");
     for (std::size_t i = 0; i < kBins; ++i)
-        fmt::print("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n", binCentre(static_cast<int>(i)),
-                   1000.0 * model.pa.bins[i].noiseSd, 1000.0 * model.paf.bins[i].noiseSd, model.pa.logLikelihood[i],
+        fmt::print("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n",
+                   binCentre(static_cast<int>(i)), 1000.0 * model.pa.bins[i].noiseSd,
+                   1000.0 * model.paf.bins[i].noiseSd, model.pa.logLikelihood[i],
                    model.paf.logLikelihood[i]);
 }
 
@@ -33,7 +34,8 @@ void trainAll(ModelData& model, std::uint64_t seed)
     options.seed = seed;
     Progress progress("training Gaussian process", 2 * kBins);
     parallelFor(2 * kBins, [&](int job) {
-        const FeatureSet set = job < kBins ? FeatureSet::Paf : FeatureSet::Pa;  // the larger ones first
+        const FeatureSet set =
+            job < kBins ? FeatureSet::Paf : FeatureSet::Pa;  // the larger ones first
         const int bin = job % kBins;
         const TrainedBin trained = trainBin(model, set, bin, options);
         BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
@@ -58,7 +60,8 @@ Status train(const TrainOptions& options)
     } catch (const std::invalid_argument& error) {
         return fileError(options.data, error.what());
     }
-    if (set.leftOut > 0) fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", set.leftOut);
+    if (set.leftOut > 0)
+        fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", set.leftOut);
     set.model.seed = options.seed;
     set.model.command = options.commandLine;
     set.model.dataHash = sha256Hex(*bytes);

@@ -16,8 +16,8 @@ struct SimulateOptions {
     std::string terrain = "boxes";  ///< "boxes", "varied", or a file of profiles
     std::string out;
     std::uint64_t seed = 1;
-    int count = 0;       ///< scenes; 0: 1400 for the presets, every stop of a file
-    double step = 0.1;   ///< [m] of a file of heights
+    int count = 0;        ///< scenes; 0: 1400 for the presets, every stop of a file
+    double step = 0.1;    ///< [m] of a file of heights
     bool blocks = false;  ///< heights of a file are flat-topped blocks
     bool exactTruth = false;
 };

@@ -12,6 +12,7 @@ namespace terratact {
 ///   run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note
 /// Empty: no estimate (the note says why), no ceiling, unknown truth.  The note is the result's warnings.
 /// scenes and estimates: of the same size, else std::invalid_argument.
-std::string estimateCsv(const std::vector<Scene>& scenes, const std::vector<SceneEstimate>& estimates);
+std::string estimateCsv(const std::vector<Scene>& scenes,
+                        const std::vector<SceneEstimate>& estimates);
 
 }  // namespace terratact

@@ -143,6 +143,7 @@ void MainWindow::build()
 void MainWindow::connectAll()
 {
     Exploration* exploration = exploration_.get();
+    connect(header_, &StatusHeader::helpRequested, this, &MainWindow::showHelp);
     connect(header_, &StatusHeader::stopPressed, exploration, &Exploration::stop);
     connect(atem_, &AtemPanel::requested, exploration, &Exploration::request);
     connect(atem_, &AtemPanel::aborted, exploration, &Exploration::abort);
@@ -292,11 +293,46 @@ void MainWindow::showProbe()
     }
 }
 
+void MainWindow::showHelp()
+{
+    if (!help_) {
+        help_ = new QLabel(this, Qt::Tool);
+        help_->setWindowTitle(tr("Keys"));
+        help_->setTextFormat(Qt::RichText);
+        help_->setMargin(18);
+        const std::pair<QString, QString> keys[]{
+            {tr("F12"), tr("STOP, in every window")},
+            {tr("R, held"), tr("release STOP")},
+            {tr("W or Up, held"), tr("drive forward")},
+            {tr("S or Down, held"), tr("drive back")},
+            {tr("A"), tr("explore the terrain")},
+            {tr("Space, held"), tr("approve the proposed probe")},
+            {tr("N"), tr("refuse it")},
+            {tr("Esc"), tr("abort the exploration, or clear its result")},
+            {tr("Tab, Space"), tr("go to a button, press it")},
+        };
+        QString text = QStringLiteral("<table cellpadding=4>");
+        for (const auto& [key, meaning] : keys)
+            text += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(key, meaning);
+        text += QStringLiteral("</table><p>")
+                + tr("Terratact %1. Based in part on the work of the Qwt project "
+                     "(http://qwt.sf.net).")
+                      .arg(QApplication::applicationVersion())
+                + QStringLiteral("</p>");
+        help_->setText(text);
+    }
+    help_->show();
+    help_->raise();
+}
+
 bool MainWindow::keyPressed(int key)
 {
     switch (key) {
     case Qt::Key_A:
         if (atem_->requestButton()->isEnabled()) exploration_->request();
+        return true;
+    case Qt::Key_F1:
+        showHelp();
         return true;
     case Qt::Key_Escape:
         if (atem_->abortButton()->isEnabled()) exploration_->abort();

@@ -64,6 +64,7 @@ private:
     void showLink(double now, const std::optional<Received>& latest);
     void showTerrain(const std::optional<Received>& latest);
     void showProbe();
+    void showHelp();
     bool keyPressed(int key);
     bool keyReleased(int key);
 
@@ -77,6 +78,7 @@ private:
     // Qt's parents own the widgets.
     StatusHeader* header_ = nullptr;
     QLabel* banner_ = nullptr;
+    QLabel* help_ = nullptr;
     EstimateStrip* strip_ = nullptr;
     TerrainProfileView* terrain_ = nullptr;
     AtemPanel* atem_ = nullptr;

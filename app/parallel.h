@@ -28,7 +28,8 @@ void parallelFor(int count, Work work)
             }
         }
     };
-    const int threads = std::min(count, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    const int threads =
+        std::min(count, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     {
         std::vector<std::jthread> pool;
         for (int t = 1; t < threads; ++t) pool.emplace_back(run);

@@ -10,8 +10,8 @@ namespace terratact {
 using std::chrono::steady_clock;
 
 Progress::Progress(std::string what, int total)
-    : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) == 1), start_(steady_clock::now()),
-      shown_(start_)
+    : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) == 1),
+      start_(steady_clock::now()), shown_(start_)
 {
 }
 
@@ -26,7 +26,8 @@ void Progress::tick()
     if (!terminal_) return;
     const std::scoped_lock lock(mutex_);
     const auto now = steady_clock::now();
-    if (now - start_ < std::chrono::seconds(1) || now - shown_ < std::chrono::milliseconds(200)) return;
+    if (now - start_ < std::chrono::seconds(1) || now - shown_ < std::chrono::milliseconds(200))
+        return;
     shown_ = now;
     printed_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();

@@ -18,39 +18,43 @@ std::string joined(const std::vector<std::string>& warnings)
     return fmt::format("{}", fmt::join(warnings, "; "));
 }
 
-SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings& settings, TerrainEstimate first)
+SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
+                      TerrainEstimate first)
 {
     const std::optional<int> bin = proposeProbe(first, toolbox.robot);
     if (!bin) return {first, joined(first.warnings)};
     const auto truth = scene.truth[static_cast<std::size_t>(*bin)];
     if (!truth) {
-        first.warnings.push_back(fmt::format("arm not simulated: the truth of bin {:+.1f} m is unknown", binCentre(*bin)));
+        first.warnings.push_back(fmt::format(
+            "arm not simulated: the truth of bin {:+.1f} m is unknown", binCentre(*bin)));
         return {first, joined(first.warnings)};
     }
     const ArmReading reading{*bin, *truth, settings.armSd};
-    const TerrainEstimate second =
-        reconstruct(scene.s, {&reading, 1}, toolbox.robot, toolbox.modelsFor(settings.method), settings);
+    const TerrainEstimate second = reconstruct(scene.s, {&reading, 1}, toolbox.robot,
+                                               toolbox.modelsFor(settings.method), settings);
     return {second, joined(second.warnings)};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath, const std::string& modelPath)
+Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
+                                             const std::string& modelPath)
 {
     auto robot = readRobotModel(robotPath);
     if (!robot) return robot.error();
     auto model = readModel(modelPath);
     if (!model) return model.error();
     const ModelData& data = model->data;
-    return std::unique_ptr<Toolbox>(
-        new Toolbox{*robot, *model, BinModels(data, FeatureSet::Pa), BinModels(data, FeatureSet::Paf)});
+    return std::unique_ptr<Toolbox>(new Toolbox{*robot, *model, BinModels(data, FeatureSet::Pa),
+                                                BinModels(data, FeatureSet::Paf)});
 }
 
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings)
 {
     const BinModels& models = toolbox.modelsFor(settings.method);
     if (const std::string_view missing = missingFeature(models.set(), scene.s); !missing.empty())
-        return {std::nullopt, fmt::format("{} is unknown, and method {} needs it", missing, name(settings.method))};
+        return {std::nullopt, fmt::format("{} is unknown, and method {} needs it", missing,
+                                          name(settings.method))};
     TerrainEstimate first = reconstruct(scene.s, {}, toolbox.robot, models, settings);
     if (!usesArm(settings.method)) return {first, joined(first.warnings)};
     return withArm(scene, toolbox, settings, std::move(first));
@@ -60,11 +64,13 @@ std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, cons
                                           const Settings& settings)
 {
     std::vector<SceneEstimate> estimates(scenes.size());
-    Progress progress(fmt::format("{}: scene", name(settings.method)), static_cast<int>(scenes.size()));
+    Progress progress(fmt::format("{}: scene", name(settings.method)),
+                      static_cast<int>(scenes.size()));
     parallelFor(static_cast<int>(scenes.size()), [&](int k) {
         Settings own = settings;
         own.seed += static_cast<std::uint64_t>(k);
-        estimates[static_cast<std::size_t>(k)] = estimateScene(scenes[static_cast<std::size_t>(k)], toolbox, own);
+        estimates[static_cast<std::size_t>(k)] =
+            estimateScene(scenes[static_cast<std::size_t>(k)], toolbox, own);
         progress.tick();
     });
     return estimates;

@@ -21,7 +21,8 @@ struct Toolbox {
 
     const BinModels& modelsFor(Method method) const { return usesForces(method) ? paf : pa; }
 };
-Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath, const std::string& modelPath);
+Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
+                                             const std::string& modelPath);
 
 /// An estimate of a scene, or why there is none.
 struct SceneEstimate {

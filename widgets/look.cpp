@@ -45,6 +45,7 @@ QPushButton[role="stop"]:focus { border: 3px solid @source; }
 QPushButton[latched="true"] { background: #7d0b0b; border: 2px dashed #ffffff; }
 
 QFrame#statusHeader { background: @header; }
+QFrame#statusHeader QPushButton[role="quiet"] { background: #33444f; color: @headertext; border-color: #4d606d; }
 QFrame#statusHeader QLabel { color: @headertext; }
 QFrame#statusHeader QLabel#sourceName { color: @source; font-size: 19px; font-weight: bold; }
 QFrame#statusHeader QLabel[chip="true"] { border-radius: 5px; padding: 5px 12px; background: #33444f; }

@@ -25,6 +25,10 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     link_ = chip(tr("Link"));
     robot_ = chip(tr("What the robot does"));
     model_ = chip(tr("Model"));
+    help_ = new QPushButton(tr("Keys (F1)"), this);
+    help_->setProperty("role", "quiet");
+    help_->setFocusPolicy(Qt::TabFocus);
+    help_->setToolTip(tr("Every key, and what this program is"));
     stop_ = new QPushButton(tr("STOP (F12)"), this);
     stop_->setProperty("role", "stop");
     stop_->setProperty("latched", false);
@@ -41,7 +45,10 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     row->addSpacing(12);
     for (QLabel* label : {link_, robot_, model_}) row->addWidget(label, 0, Qt::AlignVCenter);
     row->addStretch(1);
+    row->addWidget(help_, 0, Qt::AlignVCenter);
+    row->addSpacing(24);  // nothing harmless close to STOP
     row->addWidget(stop_);
+    connect(help_, &QPushButton::clicked, this, &StatusHeader::helpRequested);
     connect(stop_, &QPushButton::pressed, this, &StatusHeader::stopPressed);
 }
 

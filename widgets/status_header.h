@@ -25,15 +25,18 @@ public:
     QString sourceName() const;
     QString linkText() const;
     QPushButton* stopButton() const { return stop_; }
+    QPushButton* helpButton() const { return help_; }
 
 signals:
     void stopPressed();
+    void helpRequested();
 
 private:
     QLabel* source_ = nullptr;
     QLabel* link_ = nullptr;
     QLabel* robot_ = nullptr;
     QLabel* model_ = nullptr;
+    QPushButton* help_ = nullptr;
     QPushButton* stop_ = nullptr;
 };
 

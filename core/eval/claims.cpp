@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/infer/quantile.h"
+
 namespace terratact {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "core/infer/quantile.h"
 #include "core/robot/kinematics.h"
 
 namespace terratact {
@@ -53,17 +54,6 @@ std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene,
                           .origin = estimate.origin[i]});
     }
     return errors;
-}
-
-double quantile(std::vector<double> values, double p)
-{
-    if (values.empty() || !(p >= 0.0 && p <= 1.0))
-        throw std::invalid_argument("quantile of nothing, or p outside 0 … 1");
-    std::sort(values.begin(), values.end());
-    const double place = p * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
 ErrorStatistics statistics(std::span<const BinError> errors)

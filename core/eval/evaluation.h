@@ -27,10 +27,6 @@ struct BinError {
 std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene,
                                 const TerrainEstimate& estimate);
 
-/// Quantile p ∈ [0, 1] with linear interpolation between order statistics (R's type 7).
-/// Throws std::invalid_argument for no values.
-double quantile(std::vector<double> values, double p);
-
 /// What is said about a set of errors [m].  Zero everywhere when n is 0.
 struct ErrorStatistics {
     std::size_t n = 0;

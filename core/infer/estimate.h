@@ -27,7 +27,8 @@ struct TerrainEstimate {
     Heights ceiling{};
     std::array<Origin, kBins> origin{};
     Heights rhat{};  ///< rank-normalised split R-hat; 1 for a bin that was not sampled
-    Heights ess{};   ///< bulk effective sample size; the number of draws for a bin that was not sampled
+    Heights
+        ess{};  ///< bulk effective sample size; the number of draws for a bin that was not sampled
     bool converged = true;              ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
     std::vector<std::string> warnings;  ///< what makes the result doubtful, in words
     Settings settings;

@@ -35,7 +35,8 @@ public:
         : models_(models), problem_(problem), bins_(unknownBins(problem.known))
     {
         for (int c = 0; c < problem.chains; ++c) {
-            std::seed_seq seed{problem.seed & 0xffffffffU, problem.seed >> 32U, static_cast<std::uint64_t>(c)};
+            std::seed_seq seed{problem.seed & 0xffffffffU, problem.seed >> 32U,
+                               static_cast<std::uint64_t>(c)};
             rng_.emplace_back(seed);
         }
         startRandomly();
@@ -53,8 +54,8 @@ public:
             const auto bin = static_cast<std::size_t>(bins_[k]);
             for (std::size_t c = 0; c < state_.size(); ++c) {
                 const auto column = static_cast<Eigen::Index>(c);
-                state_[c][bin] = draw(mean_[column], std::sqrt(variance_[column]), problem_.ceiling[bin],
-                                      problem_.rule, rng_[c]);
+                state_[c][bin] = draw(mean_[column], std::sqrt(variance_[column]),
+                                      problem_.ceiling[bin], problem_.rule, rng_[c]);
             }
         }
     }
@@ -67,8 +68,8 @@ private:
             for (std::size_t i = 0; i < kBins; ++i) state_[c][i] = problem_.known[i].value_or(0.0);
             for (const int i : bins_)
                 state_[c][static_cast<std::size_t>(i)] =
-                    draw(models_.heightMean(i), models_.heightSd(i), problem_.ceiling[static_cast<std::size_t>(i)],
-                         problem_.rule, rng_[c]);
+                    draw(models_.heightMean(i), models_.heightSd(i),
+                         problem_.ceiling[static_cast<std::size_t>(i)], problem_.rule, rng_[c]);
         }
     }
 
@@ -88,14 +89,16 @@ private:
 
     void gatherInputs(std::size_t k)
     {
-        inputs_.resize(static_cast<Eigen::Index>(bins_.size()) - 1, static_cast<Eigen::Index>(state_.size()));
+        inputs_.resize(static_cast<Eigen::Index>(bins_.size()) - 1,
+                       static_cast<Eigen::Index>(state_.size()));
         Eigen::Index row = 0;
         for (std::size_t other = 0; other < bins_.size(); ++other) {
             if (other == k) continue;
             const int j = bins_[other];
             for (std::size_t c = 0; c < state_.size(); ++c)
                 inputs_(row, static_cast<Eigen::Index>(c)) =
-                    (state_[c][static_cast<std::size_t>(j)] - models_.heightMean(j)) / models_.heightSd(j);
+                    (state_[c][static_cast<std::size_t>(j)] - models_.heightMean(j))
+                    / models_.heightSd(j);
             ++row;
         }
     }
@@ -121,7 +124,8 @@ void report(const Watch& watch, int done, int total)
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)
 {
     if (problem.chains < 1 || problem.burnIn < 0 || problem.keptPerChain < 1)
-        throw std::invalid_argument("the sampler needs at least one chain, one kept sweep and no negative burn-in");
+        throw std::invalid_argument(
+            "the sampler needs at least one chain, one kept sweep and no negative burn-in");
     GibbsDraws result{unknownBins(problem.known), {}};
     if (result.bins.empty()) return result;
 

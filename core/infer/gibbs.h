@@ -19,13 +19,13 @@ struct GibbsProblem {
     Heights ceiling{};      ///< [m] +infinity where there is none
     CeilingRule rule = CeilingRule::Truncate;
     int chains = 16;
-    int burnIn = 50;          ///< sweeps per chain that are thrown away
-    int keptPerChain = 63;    ///< sweeps per chain that are kept
+    int burnIn = 50;        ///< sweeps per chain that are thrown away
+    int keptPerChain = 63;  ///< sweeps per chain that are kept
     std::uint64_t seed = 1;
 };
 
 struct GibbsDraws {
-    std::vector<int> bins;                ///< I, rear to front
+    std::vector<int> bins;               ///< I, rear to front
     std::vector<Eigen::MatrixXd> draws;  ///< per bin of I: kept sweeps × chains [m]
 };
 
@@ -35,6 +35,7 @@ struct GibbsDraws {
 /// The conditionals are trained one by one and need not belong to one joint distribution: the result may
 /// depend on the order of the scan (domain: "dependency network").
 /// Throws std::invalid_argument unless chains ≥ 1, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
-GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch = {});
+GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem,
+                         const Watch& watch = {});
 
 }  // namespace terratact

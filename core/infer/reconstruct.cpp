@@ -9,6 +9,7 @@
 
 #include "core/infer/convergence.h"
 #include "core/infer/gibbs.h"
+#include "core/infer/quantile.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/kinematic_reconstruction.h"
 
@@ -17,18 +18,22 @@ namespace terratact {
 namespace {
 
 constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
-constexpr double kCeilingContradiction = 3.0;      // [sd] a reading this far above the ceiling cannot be
+constexpr double kCeilingContradiction =
+    3.0;  // [sd] a reading this far above the ceiling cannot be
 
 void check(const Settings& settings, const BinModels& models)
 {
     const FeatureSet wanted = usesForces(settings.method) ? FeatureSet::Paf : FeatureSet::Pa;
     if (models.set() != wanted)
-        throw std::invalid_argument(fmt::format("method {} needs the {} models, not the {} ones", name(settings.method),
-                                                name(wanted), name(models.set())));
+        throw std::invalid_argument(fmt::format("method {} needs the {} models, not the {} ones",
+                                                name(settings.method), name(wanted),
+                                                name(models.set())));
     if (settings.draws < 1 || settings.chains < 1 || settings.burnIn < 0)
-        throw std::invalid_argument("an estimate needs at least one draw, one chain and no negative burn-in");
+        throw std::invalid_argument(
+            "an estimate needs at least one draw, one chain and no negative burn-in");
     if (!(settings.contactSd > 0.0) || !(settings.armSd > 0.0) || !(settings.forceThreshold >= 0.0))
-        throw std::invalid_argument("contact and arm sd must be positive and the force threshold 0 or more");
+        throw std::invalid_argument(
+            "contact and arm sd must be positive and the force threshold 0 or more");
 }
 
 void fix(TerrainEstimate& estimate, std::size_t bin, double height, double sd, Origin origin)
@@ -42,14 +47,16 @@ void fix(TerrainEstimate& estimate, std::size_t bin, double height, double sd, O
     estimate.ess[bin] = estimate.settings.draws;
 }
 
-OptionalHeights fixContacts(TerrainEstimate& estimate, const RobotModel& robot, const Proprioception& s)
+OptionalHeights fixContacts(TerrainEstimate& estimate, const RobotModel& robot,
+                            const Proprioception& s)
 {
     const Settings& settings = estimate.settings;
     if (!usesForces(settings.method)) return {};
-    KinematicReconstruction contacts =
-        reconstructContacts(robot, s, settings.forceThreshold, settings.contacts == ContactRule::Isolated);
+    KinematicReconstruction contacts = reconstructContacts(
+        robot, s, settings.forceThreshold, settings.contacts == ContactRule::Isolated);
     for (std::size_t i = 0; i < kBins; ++i)
-        if (contacts.height[i]) fix(estimate, i, *contacts.height[i], settings.contactSd, Origin::Contact);
+        if (contacts.height[i])
+            fix(estimate, i, *contacts.height[i], settings.contactSd, Origin::Contact);
     estimate.warnings = std::move(contacts.warnings);
     return contacts.height;
 }
@@ -57,25 +64,18 @@ OptionalHeights fixContacts(TerrainEstimate& estimate, const RobotModel& robot, 
 void fixArm(TerrainEstimate& estimate, std::span<const ArmReading> arm, OptionalHeights& known)
 {
     for (const ArmReading& reading : arm) {
-        if (reading.bin < 0 || reading.bin >= kBins || !std::isfinite(reading.height) || !(reading.sd > 0.0))
-            throw std::invalid_argument("an arm reading needs a bin 0 to 10, a finite height and a positive sd");
+        if (reading.bin < 0 || reading.bin >= kBins || !std::isfinite(reading.height)
+            || !(reading.sd > 0.0))
+            throw std::invalid_argument(
+                "an arm reading needs a bin 0 to 10, a finite height and a positive sd");
         const auto bin = static_cast<std::size_t>(reading.bin);
         known[bin] = reading.height;
         fix(estimate, bin, reading.height, reading.sd, Origin::Arm);
         if (reading.height > estimate.ceiling[bin] + kCeilingContradiction * reading.sd)
-            estimate.warnings.push_back(fmt::format("the arm found bin {:+.1f} m {:.0f} mm above the robot's own lower edge",
-                                                    binCentre(reading.bin),
-                                                    1000.0 * (reading.height - estimate.ceiling[bin])));
+            estimate.warnings.push_back(fmt::format(
+                "the arm found bin {:+.1f} m {:.0f} mm above the robot's own lower edge",
+                binCentre(reading.bin), 1000.0 * (reading.height - estimate.ceiling[bin])));
     }
-}
-
-/// Linear interpolation between order statistics (type 7 of Hyndman & Fan 1996).
-double quantile(const std::vector<double>& sorted, double p)
-{
-    const double position = p * static_cast<double>(sorted.size() - 1);
-    const auto low = static_cast<std::size_t>(position);
-    const std::size_t high = std::min(low + 1, sorted.size() - 1);
-    return sorted[low] + (position - static_cast<double>(low)) * (sorted[high] - sorted[low]);
 }
 
 void summarise(TerrainEstimate& estimate, std::size_t bin, const Eigen::MatrixXd& draws)
@@ -83,10 +83,9 @@ void summarise(TerrainEstimate& estimate, std::size_t bin, const Eigen::MatrixXd
     const double mean = draws.mean();
     estimate.mean[bin] = mean;
     estimate.sd[bin] = std::sqrt((draws.array() - mean).square().mean());
-    std::vector<double> sorted(draws.data(), draws.data() + draws.size());
-    std::sort(sorted.begin(), sorted.end());
-    estimate.q10[bin] = quantile(sorted, 0.1);
-    estimate.q90[bin] = quantile(sorted, 0.9);
+    const std::vector<double> all(draws.data(), draws.data() + draws.size());
+    estimate.q10[bin] = quantile(all, 0.1);
+    estimate.q90[bin] = quantile(all, 0.9);
     estimate.origin[bin] = Origin::Sampled;
     estimate.rhat[bin] = rankNormalisedRhat(draws);
     estimate.ess[bin] = bulkEss(draws);
@@ -103,14 +102,16 @@ void judgeConvergence(TerrainEstimate& estimate)
     }
     estimate.converged = worstRhat <= kRhatLimit && worstEss >= kEssLimit;
     if (!estimate.converged)
-        estimate.warnings.push_back(fmt::format("chains not converged: R-hat {:.3f} (limit {}), effective draws {:.0f} (limit {:.0f})",
-                                                worstRhat, kRhatLimit, worstEss, kEssLimit));
+        estimate.warnings.push_back(fmt::format(
+            "chains not converged: R-hat {:.3f} (limit {}), effective draws {:.0f} (limit {:.0f})",
+            worstRhat, kRhatLimit, worstEss, kEssLimit));
 }
 
 }  // namespace
 
-TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm, const RobotModel& robot,
-                            const BinModels& models, const Settings& settings, const Watch& watch)
+TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const BinModels& models,
+                            const Settings& settings, const Watch& watch)
 {
     check(settings, models);
     TerrainEstimate estimate;
@@ -139,12 +140,14 @@ void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& m)
 {
     const Settings& settings = estimate.settings;
     if (std::abs(m.roll) > settings.rollLimit)
-        estimate.warnings.push_back(fmt::format("roll {:.1f}°: the ground is not the same left and right", m.roll * 57.29577951));
+        estimate.warnings.push_back(fmt::format(
+            "roll {:.1f}°: the ground is not the same left and right", m.roll * 57.29577951));
     const double front = std::abs(m.frontLeft - m.frontRight);
     const double rear = std::abs(m.rearLeft - m.rearRight);
     if (std::max(front, rear) > settings.asymmetryLimit)
-        estimate.warnings.push_back(fmt::format("left and right flippers differ by {:.1f}°: the ground is not the same left and right",
-                                                std::max(front, rear) * 57.29577951));
+        estimate.warnings.push_back(fmt::format(
+            "left and right flippers differ by {:.1f}°: the ground is not the same left and right",
+            std::max(front, rear) * 57.29577951));
 }
 
 }  // namespace terratact

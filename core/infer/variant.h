@@ -27,9 +27,18 @@ enum class CeilingRule : std::uint8_t { Truncate, Clamp, None };
 ///   Any       every element above the threshold (section 5)
 enum class ContactRule : std::uint8_t { Isolated, Any };
 
-constexpr bool usesForces(Method m) { return m == Method::Pafc || m == Method::Pafac; }
-constexpr bool usesCeiling(Method m) { return m != Method::Pa; }
-constexpr bool usesArm(Method m) { return m == Method::Pafac; }
+constexpr bool usesForces(Method m)
+{
+    return m == Method::Pafc || m == Method::Pafac;
+}
+constexpr bool usesCeiling(Method m)
+{
+    return m != Method::Pa;
+}
+constexpr bool usesArm(Method m)
+{
+    return m == Method::Pafac;
+}
 
 /// The names used on the command line and in files: "pa", "truncate", "isolated", …
 std::string_view name(Method method);

@@ -4,7 +4,8 @@
 
 namespace terratact {
 
-Eigen::MatrixXd standardised(const Eigen::MatrixXd& raw, const Eigen::VectorXd& mean, const Eigen::VectorXd& sd)
+Eigen::MatrixXd standardised(const Eigen::MatrixXd& raw, const Eigen::VectorXd& mean,
+                             const Eigen::VectorXd& sd)
 {
     return (raw.rowwise() - mean.transpose()).array().rowwise() / sd.transpose().array();
 }
@@ -20,7 +21,8 @@ Eigen::MatrixXd rawInputs(const ModelData& model, FeatureSet set)
 Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin)
 {
     Eigen::MatrixXd X(standardisedInputs.rows(), standardisedInputs.cols() - 1);
-    X << standardisedInputs.leftCols(bin), standardisedInputs.rightCols(standardisedInputs.cols() - bin - 1);
+    X << standardisedInputs.leftCols(bin),
+        standardisedInputs.rightCols(standardisedInputs.cols() - bin - 1);
     return X;
 }
 
@@ -42,7 +44,8 @@ const GaussianProcess& BinModels::bin(int i) const
     Lazy& lazy = lazy_[static_cast<std::size_t>(i)];
     std::call_once(lazy.once, [&] {
         const double mean = data_.mean[i];
-        lazy.gp = std::make_unique<GaussianProcess>(withoutBin(standardised_, i), heights_.col(i).array() - mean,
+        lazy.gp = std::make_unique<GaussianProcess>(withoutBin(standardised_, i),
+                                                    heights_.col(i).array() - mean,
                                                     data_.bins[static_cast<std::size_t>(i)], mean);
     });
     return *lazy.gp;
@@ -52,7 +55,8 @@ Eigen::VectorXd BinModels::input(int i, const Heights& h, const Eigen::VectorXd&
 {
     Eigen::VectorXd raw(kBins + s.size());
     raw << Eigen::Map<const Eigen::VectorXd>(h.data(), kBins), s;
-    if (raw.size() != data_.mean.size()) throw std::invalid_argument("s does not fit the model's feature set");
+    if (raw.size() != data_.mean.size())
+        throw std::invalid_argument("s does not fit the model's feature set");
     const Eigen::VectorXd x = (raw - data_.mean).cwiseQuotient(data_.sd);
     Eigen::VectorXd without(x.size() - 1);
     without << x.head(i), x.tail(x.size() - i - 1);

@@ -13,7 +13,8 @@ namespace terratact {
 Eigen::MatrixXd rawInputs(const ModelData& model, FeatureSet set);
 
 /// (raw − mean) / sd, column by column.
-Eigen::MatrixXd standardised(const Eigen::MatrixXd& raw, const Eigen::VectorXd& mean, const Eigen::VectorXd& sd);
+Eigen::MatrixXd standardised(const Eigen::MatrixXd& raw, const Eigen::VectorXd& mean,
+                             const Eigen::VectorXd& sd);
 
 /// The input of bin i's model: all columns but the i-th.
 Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin);

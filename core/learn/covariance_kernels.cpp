@@ -27,11 +27,15 @@ struct Available {
 #ifdef TERRATACT_X86_KERNELS
         if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
             add(kernels_avx512::kKernels);
-        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) add(kernels_avx2::kKernels);
+        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+            add(kernels_avx2::kKernels);
 #endif
         add(kernels_baseline::kKernels);
     }
-    void add(const CovarianceKernels& k) { kernels[static_cast<std::size_t>(count++)] = &k; }
+    void add(const CovarianceKernels& k)
+    {
+        kernels[static_cast<std::size_t>(count++)] = &k;
+    }
 };
 
 const Available& available()

@@ -9,8 +9,8 @@ struct CovarianceKernels {
 
     /// K[u·C + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·C + c])²)
     /// for u < U, c < C.  C must be a multiple of 8.  X and Z are in length scales.
-    void (*covariances)(const double* X, const double* logWeight, const double* Z, int U, int m, int C,
-                        double signal2, double* K);
+    void (*covariances)(const double* X, const double* logWeight, const double* Z, int U, int m,
+                        int C, double signal2, double* K);
 
     /// out[c] = Σ_i (Σ_{j ≤ i} T[i][j] K[j·C + c])² for a lower triangle T packed in panels of
     /// kPanelRows rows (see packTriangle).  U and C must be multiples of 8.

@@ -29,17 +29,20 @@ std::size_t area(int a, int b)
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
 }
 
-void checkArguments(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Hyperparameters& hyper)
+void checkArguments(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                    const Hyperparameters& hyper)
 {
     if (X.rows() < 1 || X.rows() != y.size() || X.cols() != hyper.lengthScale.size())
-        throw std::invalid_argument(fmt::format("Gaussian process: {} × {} inputs do not fit {} outputs and {} length scales",
-                                                X.rows(), X.cols(), y.size(), hyper.lengthScale.size()));
+        throw std::invalid_argument(fmt::format(
+            "Gaussian process: {} × {} inputs do not fit {} outputs and {} length scales", X.rows(),
+            X.cols(), y.size(), hyper.lengthScale.size()));
     if (!X.allFinite() || !y.allFinite())
         throw std::invalid_argument("Gaussian process: every input and output must be finite");
-    if (!hyper.lengthScale.allFinite() || !(hyper.lengthScale.array() > 0.0).all() ||
-        !(hyper.signalSd > 0.0) || !std::isfinite(hyper.signalSd) || !(hyper.noiseSd >= 0.0) || !std::isfinite(hyper.noiseSd))
-        throw std::invalid_argument(
-            "Gaussian process: length scales and signal sd must be positive and the noise sd 0 or more");
+    if (!hyper.lengthScale.allFinite() || !(hyper.lengthScale.array() > 0.0).all()
+        || !(hyper.signalSd > 0.0) || !std::isfinite(hyper.signalSd) || !(hyper.noiseSd >= 0.0)
+        || !std::isfinite(hyper.noiseSd))
+        throw std::invalid_argument("Gaussian process: length scales and signal sd must be "
+                                    "positive and the noise sd 0 or more");
 }
 
 /// X in length scales, row-major U × d.
@@ -84,9 +87,10 @@ void factorise(Eigen::MatrixXd& K, double noiseSd)
     const auto n = static_cast<lapack_int>(K.rows());
     const lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', n, K.data(), n);
     if (info != 0 || !K.diagonal().allFinite())
-        throw std::invalid_argument(fmt::format(
-            "Gaussian process: the covariance of {} rows is not positive definite (doubled rows, noise sd {:.3g} m)",
-            K.rows(), noiseSd));
+        throw std::invalid_argument(
+            fmt::format("Gaussian process: the covariance of {} rows is not positive definite "
+                        "(doubled rows, noise sd {:.3g} m)",
+                        K.rows(), noiseSd));
 }
 
 /// α = K⁻¹ y from the factor.
@@ -102,13 +106,15 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& R, const Eigen::VectorXd& y)
 AlignedDoubles packTriangle(const Eigen::MatrixXd& inverseR, int paddedRows)
 {
     std::size_t size = 0;
-    for (int first = 0; first < paddedRows; first += kPanelRows) size += area(kPanelRows, first + kPanelRows);
+    for (int first = 0; first < paddedRows; first += kPanelRows)
+        size += area(kPanelRows, first + kPanelRows);
     AlignedDoubles panels(size);
     double* out = panels.data();
     const auto U = static_cast<int>(inverseR.rows());
     for (int first = 0; first < paddedRows; first += kPanelRows)
         for (int j = 0; j < first + kPanelRows; ++j)
-            for (int i = first; i < first + kPanelRows; ++i) *out++ = (i < U && j <= i) ? inverseR(j, i) : 0.0;
+            for (int i = first; i < first + kPanelRows; ++i)
+                *out++ = (i < U && j <= i) ? inverseR(j, i) : 0.0;
     return panels;
 }
 
@@ -125,11 +131,14 @@ const double* AlignedDoubles::data() const
     return values.data() + ((64 - address % 64) % 64) / sizeof(double);
 }
 
-GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper, double outputMean)
-    : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean), paddedRows_(padded(X_.rows()))
+GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
+                                 double outputMean)
+    : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean),
+      paddedRows_(padded(X_.rows()))
 {
     checkArguments(X_, y, hyper_);
-    if (!std::isfinite(outputMean)) throw std::invalid_argument("Gaussian process: the output mean must be finite");
+    if (!std::isfinite(outputMean))
+        throw std::invalid_argument("Gaussian process: the output mean must be finite");
     Eigen::MatrixXd K = signalCovariance(X_, hyper_);
     factorise(K, hyper_.noiseSd);
     alpha_ = solve(K, y);
@@ -148,8 +157,10 @@ Normal GaussianProcess::predict(const Eigen::VectorXd& x) const
     return {mean[0], variance[0]};
 }
 
-SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving)
-    : gp_(gp), moving_(std::move(moving)), scaledX_(area(gp.paddedRows_, static_cast<int>(moving_.size()))),
+SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x,
+                                   std::vector<int> moving)
+    : gp_(gp), moving_(std::move(moving)),
+      scaledX_(area(gp.paddedRows_, static_cast<int>(moving_.size()))),
       logWeight_(static_cast<std::size_t>(gp.paddedRows_))
 {
     const Eigen::VectorXd& scale = gp.hyper_.lengthScale;
@@ -167,7 +178,8 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
     }
 }
 
-void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean, Eigen::VectorXd& variance)
+void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean,
+                               Eigen::VectorXd& variance)
 {
     const int U = gp_.paddedRows_;
     const int rows = static_cast<int>(gp_.rows());
@@ -185,18 +197,21 @@ void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& m
     }
     const double signal2 = gp_.hyper_.signalSd * gp_.hyper_.signalSd;
     const CovarianceKernels& kernels = covarianceKernels();
-    kernels.covariances(scaledX_.data(), logWeight_.data(), scaledZ_.data(), rows, m, C, signal2, covariance_.data());
+    kernels.covariances(scaledX_.data(), logWeight_.data(), scaledZ_.data(), rows, m, C, signal2,
+                        covariance_.data());
     kernels.sumsOfSquares(gp_.panels_.data(), covariance_.data(), U, C, squares_.data());
 
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::Map<const Rows> k(covariance_.data(), rows, C);
     mean = (k.leftCols(n).transpose() * gp_.alpha_).array() + gp_.outputMean_;
     const double prior = signal2 + gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;
-    const double floor = gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;  // rounding must not go below the noise
+    const double floor =
+        gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;  // rounding must not go below the noise
     variance = (prior - Eigen::Map<const Eigen::ArrayXd>(squares_.data(), n)).max(floor).matrix();
 }
 
-Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Hyperparameters& hyper)
+Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                                 const Hyperparameters& hyper)
 {
     checkArguments(X, y, hyper);
     const Eigen::Index U = X.rows();
@@ -207,8 +222,8 @@ Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd
     factorise(W, hyper.noiseSd);
     const Eigen::VectorXd alpha = solve(W, y);
     Likelihood result;
-    result.negativeLog = 0.5 * y.dot(alpha) + W.diagonal().array().log().sum() +
-                         0.5 * static_cast<double>(U) * std::log(2.0 * std::numbers::pi);
+    result.negativeLog = 0.5 * y.dot(alpha) + W.diagonal().array().log().sum()
+                       + 0.5 * static_cast<double>(U) * std::log(2.0 * std::numbers::pi);
 
     LAPACKE_dpotri(LAPACK_COL_MAJOR, 'U', n, W.data(), n);
     W.triangularView<Eigen::Upper>() -= alpha * alpha.transpose();  // K⁻¹ − α αᵀ
@@ -220,8 +235,8 @@ Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd
     Eigen::MatrixXd ZandOne(U, d + 1);
     ZandOne << Z, Eigen::VectorXd::Ones(U);
     Eigen::MatrixXd MZ(U, d + 1);
-    cblas_dsymm(CblasColMajor, CblasLeft, CblasUpper, n, static_cast<int>(d + 1), 1.0, W.data(), n, ZandOne.data(), n,
-                0.0, MZ.data(), n);
+    cblas_dsymm(CblasColMajor, CblasLeft, CblasUpper, n, static_cast<int>(d + 1), 1.0, W.data(), n,
+                ZandOne.data(), n, 0.0, MZ.data(), n);
     const Eigen::VectorXd rowSums = MZ.col(d);
     result.gradient.resize(d + 2);
     for (Eigen::Index k = 0; k < d; ++k)

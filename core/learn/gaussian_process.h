@@ -15,7 +15,10 @@ struct Normal {
 
 /// Doubles aligned for vector loads.
 struct AlignedDoubles {
-    explicit AlignedDoubles(std::size_t size = 0) : values(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size) + 8)) {}
+    explicit AlignedDoubles(std::size_t size = 0)
+        : values(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size) + 8))
+    {
+    }
     double* data();
     const double* data() const;
     Eigen::VectorXd values;
@@ -30,7 +33,8 @@ public:
     /// X: U × d standardised inputs; y: U outputs, centred; outputMean: ȳ, added to every prediction.
     /// Throws std::invalid_argument if sizes disagree, a number is not finite, a length scale is not
     /// positive, or K is not positive definite (doubled rows without noise).
-    GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper, double outputMean);
+    GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
+                    double outputMean);
 
     Eigen::Index rows() const { return X_.rows(); }
     Eigen::Index inputs() const { return X_.cols(); }
@@ -78,6 +82,7 @@ struct Likelihood {
 /// −log p(y | X) = ½ yᵀ α + Σ log L_ii + ½ U log 2π (eq. 2.30) and its gradient
 /// ½ tr((K⁻¹ − α αᵀ) ∂K/∂θ) (eq. 5.9).  Memory: 2 U² doubles.
 /// Throws as the constructor of GaussianProcess.
-Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Hyperparameters& hyper);
+Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                                 const Hyperparameters& hyper);
 
 }  // namespace terratact

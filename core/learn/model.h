@@ -22,8 +22,9 @@ struct BinModelData {
 
 /// A trained model: both feature sets over the same training rows.
 struct ModelData {
-    Eigen::MatrixXd heights;   ///< U × 11 [m]
-    Eigen::MatrixXd features;  ///< U × 11, order of featureNames(Paf); Pa uses the first three columns
+    Eigen::MatrixXd heights;  ///< U × 11 [m]
+    Eigen::MatrixXd
+        features;  ///< U × 11, order of featureNames(Paf); Pa uses the first three columns
     BinModelData pa, paf;
     std::string command;  ///< how it was made
     std::uint64_t seed = 0;

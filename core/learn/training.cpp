@@ -25,12 +25,16 @@ void setStandardisation(const ModelData& model, BinModelData& data, FeatureSet s
     const Eigen::MatrixXd raw = rawInputs(model, set);
     const auto rows = static_cast<double>(raw.rows());
     data.mean = raw.colwise().mean();
-    data.sd = ((raw.rowwise() - data.mean.transpose()).array().square().colwise().sum() / rows).sqrt().matrix();
+    data.sd = ((raw.rowwise() - data.mean.transpose()).array().square().colwise().sum() / rows)
+                  .sqrt()
+                  .matrix();
     for (Eigen::Index d = 0; d < data.sd.size(); ++d)
         if (!(data.sd[d] > 1e-12))
             throw std::invalid_argument(
-                d < kBins ? fmt::format("the height of bin {:+.1f} m never varies", binCentre(static_cast<int>(d)))
-                          : fmt::format("{} never varies", featureNames(set)[static_cast<std::size_t>(d - kBins)]));
+                d < kBins ? fmt::format("the height of bin {:+.1f} m never varies",
+                                        binCentre(static_cast<int>(d)))
+                          : fmt::format("{} never varies",
+                                        featureNames(set)[static_cast<std::size_t>(d - kBins)]));
 }
 
 Hyperparameters fromLog(const Eigen::VectorXd& theta)
@@ -68,12 +72,13 @@ double objective(unsigned n, const double* x, double* gradient, void* context)
 }
 
 /// Best theta found in at most `evaluations` evaluations from `start`.
-Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::VectorXd& start,
-                         int evaluations, const std::function<bool()>& cancelled, double& best)
+Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                         const Eigen::VectorXd& start, int evaluations,
+                         const std::function<bool()>& cancelled, double& best)
 {
     const auto n = static_cast<unsigned>(start.size());
-    const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(nlopt_create(NLOPT_LD_LBFGS, n),
-                                                                          &nlopt_destroy);
+    const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
+        nlopt_create(NLOPT_LD_LBFGS, n), &nlopt_destroy);
     Search search{X, y, cancelled, optimiser.get(), std::numeric_limits<double>::infinity(), start};
     Eigen::VectorXd low = Eigen::VectorXd::Constant(start.size(), std::log(0.05));
     Eigen::VectorXd high = Eigen::VectorXd::Constant(start.size(), std::log(1000.0));
@@ -106,8 +111,9 @@ std::vector<int> drawRows(int total, int wanted, std::uint64_t seed)
 
 bool isComplete(const Scene& scene)
 {
-    return missingFeature(FeatureSet::Paf, scene.s).empty() &&
-           std::all_of(scene.truth.begin(), scene.truth.end(), [](const auto& h) { return h.has_value(); });
+    return missingFeature(FeatureSet::Paf, scene.s).empty()
+        && std::all_of(scene.truth.begin(), scene.truth.end(),
+                       [](const auto& h) { return h.has_value(); });
 }
 
 TrainingSet prepareTraining(const std::vector<Scene>& scenes)
@@ -119,15 +125,18 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes)
     set.used = static_cast<int>(rows.size());
     set.leftOut = static_cast<int>(scenes.size() - rows.size());
     if (set.used < kFewestScenes)
-        throw std::invalid_argument(fmt::format("training needs at least {} scenes with all heights, currents and "
-                                                "forces known, found {}",
-                                                kFewestScenes, set.used));
+        throw std::invalid_argument(
+            fmt::format("training needs at least {} scenes with all heights, currents and "
+                        "forces known, found {}",
+                        kFewestScenes, set.used));
     ModelData& model = set.model;
     model.heights.resize(set.used, kBins);
-    model.features.resize(set.used, static_cast<Eigen::Index>(featureNames(FeatureSet::Paf).size()));
+    model.features.resize(set.used,
+                          static_cast<Eigen::Index>(featureNames(FeatureSet::Paf).size()));
     for (Eigen::Index u = 0; u < set.used; ++u) {
         const Scene& scene = *rows[static_cast<std::size_t>(u)];
-        for (Eigen::Index i = 0; i < kBins; ++i) model.heights(u, i) = *scene.truth[static_cast<std::size_t>(i)];
+        for (Eigen::Index i = 0; i < kBins; ++i)
+            model.heights(u, i) = *scene.truth[static_cast<std::size_t>(i)];
         model.features.row(u) = features(FeatureSet::Paf, scene.s).transpose();
     }
     setStandardisation(model, model.pa, FeatureSet::Pa);
@@ -139,16 +148,19 @@ TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const Train
                     const std::function<bool()>& cancelled)
 {
     const BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
-    const Eigen::MatrixXd X = withoutBin(standardised(rawInputs(model, set), data.mean, data.sd), bin);
+    const Eigen::MatrixXd X =
+        withoutBin(standardised(rawInputs(model, set), data.mean, data.sd), bin);
     const Eigen::VectorXd y = model.heights.col(bin).array() - data.mean[bin];
 
-    Eigen::VectorXd theta = Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
+    Eigen::VectorXd theta =
+        Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
     theta.tail(2) << std::log(data.sd[bin]), std::log(0.2 * data.sd[bin]);
     double best = 0.0;
     const std::vector<int> rows = drawRows(static_cast<int>(X.rows()), options.subset,
                                            options.seed + static_cast<std::uint64_t>(bin));
     if (static_cast<Eigen::Index>(rows.size()) < X.rows())
-        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, cancelled, best);
+        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, cancelled,
+                         best);
     theta = minimise(X, y, theta, options.fullEvaluations, cancelled, best);
     return {fromLog(theta), -best};
 }

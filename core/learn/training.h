@@ -25,10 +25,10 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes);
 
 /// Effort of one optimisation.
 struct TrainingOptions {
-    int subset = 400;              ///< rows of the first, cheap search
-    int subsetEvaluations = 80;    ///< likelihood evaluations on the subset
-    int fullEvaluations = 30;      ///< and on all rows, from where that ended
-    std::uint64_t seed = 1;        ///< draws the subset
+    int subset = 400;            ///< rows of the first, cheap search
+    int subsetEvaluations = 80;  ///< likelihood evaluations on the subset
+    int fullEvaluations = 30;    ///< and on all rows, from where that ended
+    std::uint64_t seed = 1;      ///< draws the subset
 };
 
 struct TrainedBin {

@@ -74,7 +74,8 @@ Vec2 flipperAxis(const FlipperGeometry& flipper, double angle)
 RobotShape shapeAt(const RobotModel& robot, const Pose& pose)
 {
     const double half = 0.5 * robot.trackAxle;
-    const TaperedHull track{{-half, robot.trackZ}, {half, robot.trackZ}, robot.trackRadius, robot.trackRadius};
+    const TaperedHull track{
+        {-half, robot.trackZ}, {half, robot.trackZ}, robot.trackRadius, robot.trackRadius};
     RobotShape shape{.track = moved(track, pose),
                      .front = moved(flipperHull(robot.front, pose.front), pose),
                      .rear = moved(flipperHull(robot.rear, pose.rear), pose),

@@ -12,9 +12,9 @@ inline constexpr int kForceElements = 6;
 /// The proprioceptive vector s of the paper, left and right flippers averaged.
 /// An empty optional is "not measured"; every present value is finite.
 struct Proprioception {
-    double pitch = 0.0;                 ///< [rad] nose up positive
-    double front = 0.0;                 ///< [rad] front flippers, 0 = lower edge flat, tip up positive
-    double rear = 0.0;                  ///< [rad] rear flippers, tip up positive
+    double pitch = 0.0;  ///< [rad] nose up positive
+    double front = 0.0;  ///< [rad] front flippers, 0 = lower edge flat, tip up positive
+    double rear = 0.0;   ///< [rad] rear flippers, tip up positive
     std::optional<double> frontCurrent;  ///< [A] per motor, positive = pressing down
     std::optional<double> rearCurrent;   ///< [A] per motor, positive = pressing down
     std::array<std::optional<double>, kForceElements> force{};  ///< [N] element 1 (pivot) … 6 (tip)
@@ -43,13 +43,14 @@ struct Measurement {
     double time = 0.0;   ///< [s] on the source's own clock
     double pitch = 0.0;  ///< [rad] nose up positive
     double roll = 0.0;   ///< [rad] left side up positive
-    double frontLeft = 0.0, frontRight = 0.0, rearLeft = 0.0, rearRight = 0.0;  ///< [rad] tip up positive
+    double frontLeft = 0.0, frontRight = 0.0, rearLeft = 0.0,
+           rearRight = 0.0;                                  ///< [rad] tip up positive
     double frontLeftCurrent = 0.0, frontRightCurrent = 0.0;  ///< [A] positive = pressing down
     double rearLeftCurrent = 0.0, rearRightCurrent = 0.0;    ///< [A] positive = pressing down
-    std::array<double, kForceElements> force{};              ///< [N] calibrated, element 6 at the tip
+    std::array<double, kForceElements> force{};  ///< [N] calibrated, element 6 at the tip
     RobotActivity activity = RobotActivity::Halted;
-    Refusal refusal = Refusal::None;     ///< of the last command
-    std::optional<ArmReading> arm;       ///< last completed probe at this pose
+    Refusal refusal = Refusal::None;  ///< of the last command
+    std::optional<ArmReading> arm;    ///< last completed probe at this pose
     bool operator==(const Measurement&) const = default;
 };
 

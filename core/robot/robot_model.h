@@ -18,15 +18,15 @@ struct Vec2 {
 
 /// Convex hull of two circles; equal centres and radii make a disc.
 struct TaperedHull {
-    Vec2 a, b;              ///< circle centres [m]
+    Vec2 a, b;                  ///< circle centres [m]
     double ra = 0.0, rb = 0.0;  ///< radii [m]
 };
 
 /// A flipper at joint angle 0: pivot circle, tip circle, lower edge flat with the tracks' lower edge.
 struct FlipperGeometry {
-    Vec2 pivot;              ///< base frame [m]
-    double pivotRadius = 0.0;  ///< [m]
-    double tipRadius = 0.0;    ///< [m]
+    Vec2 pivot;                 ///< base frame [m]
+    double pivotRadius = 0.0;   ///< [m]
+    double tipRadius = 0.0;     ///< [m]
     double axleDistance = 0.0;  ///< [m] pivot to tip circle's centre
     double mass = 0.0;          ///< [kg] both flippers of the axle
     double comDistance = 0.0;   ///< [m] pivot to centre of mass, along the flipper
@@ -41,11 +41,11 @@ struct FlipperGeometry {
 /// x forward, z up, origin midway between the tracks, `baseHeight` above flat ground.
 struct RobotModel {
     std::string name;
-    double baseHeight = 0.0;  ///< [m]
-    Vec2 imu;                 ///< origin of the DEM frame, base frame [m]
-    double trackAxle = 0.0;   ///< [m] distance of the track wheels' axles
-    double trackRadius = 0.0;  ///< [m]
-    double trackZ = 0.0;       ///< [m] wheel centre, base frame
+    double baseHeight = 0.0;              ///< [m]
+    Vec2 imu;                             ///< origin of the DEM frame, base frame [m]
+    double trackAxle = 0.0;               ///< [m] distance of the track wheels' axles
+    double trackRadius = 0.0;             ///< [m]
+    double trackZ = 0.0;                  ///< [m] wheel centre, base frame
     std::vector<std::vector<Vec2>> body;  ///< convex polygons, base frame
     FlipperGeometry front, rear;
     double bodyMass = 0.0;  ///< [kg] everything but the flippers
@@ -53,10 +53,10 @@ struct RobotModel {
     /// Where the elements sit on the front flippers' lower edge, as a share of its length from the
     /// pivot end (0) to the tip end (1); element 6 is last.
     std::array<double, kForceElements> elementShare{};
-    double forceSaturation = 0.0;     ///< [N] an element reads at most this
-    double torquePerAmpere = 0.0;     ///< [N m / A] of one flipper motor
-    double maxFlipperTorque = 0.0;    ///< [N m] one motor, at the output
-    double flipperSpeed = 0.0;        ///< [rad/s]
+    double forceSaturation = 0.0;                   ///< [N] an element reads at most this
+    double torquePerAmpere = 0.0;                   ///< [N m / A] of one flipper motor
+    double maxFlipperTorque = 0.0;                  ///< [N m] one motor, at the output
+    double flipperSpeed = 0.0;                      ///< [rad/s]
     double armReachBegin = 0.0, armReachEnd = 0.0;  ///< [m] x in the DEM frame the arm can probe
 
     double totalMass() const { return bodyMass + front.mass + rear.mass; }

@@ -6,9 +6,9 @@ namespace terratact {
 
 namespace {
 
-constexpr double kBehind = 0.65;   // [m] the robot reaches this far behind its base
-constexpr double kAhead = 0.80;    // [m] the last bin ends this far ahead at most
-constexpr double kSpeed = 0.3;     // [m/s]
+constexpr double kBehind = 0.65;  // [m] the robot reaches this far behind its base
+constexpr double kAhead = 0.80;   // [m] the last bin ends this far ahead at most
+constexpr double kSpeed = 0.3;    // [m/s]
 
 OptionalHeights known(const Heights& heights)
 {
@@ -38,21 +38,22 @@ std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing)
 
 std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terrain,
                              const std::vector<double>& stops, const std::string& run,
-                             const DriveStyle& style, const SensorNoise& noise, std::mt19937_64& rng,
-                             int& skipped)
+                             const DriveStyle& style, const SensorNoise& noise,
+                             std::mt19937_64& rng, int& skipped)
 {
     std::vector<Scene> scenes;
     double pitch = 0.0;
     for (const double x : stops) {
-        const auto rest =
-            restPose(robot, terrain, x, PressTorque{style.pressTorque}, HoldAngle{style.rearAngle}, pitch);
+        const auto rest = restPose(robot, terrain, x, PressTorque{style.pressTorque},
+                                   HoldAngle{style.rearAngle}, pitch);
         if (!rest) {
             ++skipped;
             continue;
         }
         pitch = rest->pose.pitch;
         const Heights truth = binHeights(terrain, imuPosition(robot, rest->pose));
-        const Proprioception readings = noisy(exactReadings(robot, *rest), noise, robot.forceSaturation, rng);
+        const Proprioception readings =
+            noisy(exactReadings(robot, *rest), noise, robot.forceSaturation, rng);
         scenes.push_back({.run = run,
                           .time = (x - stops.front()) / kSpeed,
                           .s = readings,

@@ -13,7 +13,7 @@ namespace terratact {
 
 /// Flippers during one drive.
 struct DriveStyle {
-    double rearAngle = 0.2;    ///< [rad] held
+    double rearAngle = 0.2;     ///< [rad] held
     double pressTorque = 18.0;  ///< [N m] both front flippers
 };
 
@@ -30,7 +30,7 @@ std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing);
 /// unless noise.height is 0.  Stops without a rest pose are left out and counted in `skipped`.
 std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terrain,
                              const std::vector<double>& stops, const std::string& run,
-                             const DriveStyle& style, const SensorNoise& noise, std::mt19937_64& rng,
-                             int& skipped);
+                             const DriveStyle& style, const SensorNoise& noise,
+                             std::mt19937_64& rng, int& skipped);
 
 }  // namespace terratact

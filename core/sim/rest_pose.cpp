@@ -12,13 +12,13 @@ namespace terratact {
 
 namespace {
 
-constexpr double kGravity = 9.81;       // [m/s²]
-constexpr double kReach = 0.75;         // [m] no part of the robot is further from its base in x
-constexpr double kMaxPitch = 1.2;       // [rad]
-constexpr double kMaxFlipper = 2.5;     // [rad] further up a flipper lies on the robot
+constexpr double kGravity = 9.81;    // [m/s²]
+constexpr double kReach = 0.75;      // [m] no part of the robot is further from its base in x
+constexpr double kMaxPitch = 1.2;    // [rad]
+constexpr double kMaxFlipper = 2.5;  // [rad] further up a flipper lies on the robot
 constexpr int kSoftIterations = 60;
 constexpr int kFinalIterations = 300;
-constexpr double kSettled = 1e-11;      // [J] a Newton step that gains less is not worth taking
+constexpr double kSettled = 1e-11;  // [J] a Newton step that gains less is not worth taking
 
 /// Order of the degrees of freedom in gradients: base height, pitch, front, rear.
 enum Freedom { kZ, kPitch, kFront, kRear, kFreedoms };
@@ -51,9 +51,10 @@ double turnSign(const FlipperGeometry& flipper)
 /// Potential energy of one robot on one stretch of ground, with its gradient and contacts.
 class Potential {
 public:
-    Potential(const RobotModel& robot, const TerrainProfile& terrain, double x, const FlipperDrive& front,
-              const FlipperDrive& rear, const GroundOptions& ground)
-        : robot_(robot), ground_(ground), frontTorque_(torqueOf(front)), rearTorque_(torqueOf(rear)),
+    Potential(const RobotModel& robot, const TerrainProfile& terrain, double x,
+              const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground)
+        : robot_(robot), ground_(ground), frontTorque_(torqueOf(front)),
+          rearTorque_(torqueOf(rear)),
           line_(terrain.sampled(x - kReach, x + kReach, ground.spacing))
     {
     }
@@ -96,7 +97,8 @@ private:
         add(robot_.bodyMass, toWorld(pose, robot_.bodyCom));
         const auto addFlipper = [&](const FlipperGeometry& f, double angle, Freedom freedom) {
             const Vec2 axis = flipperAxis(f, angle);
-            const Vec2 com = toWorld(pose, {f.pivot.x + f.comDistance * axis.x, f.pivot.z + f.comDistance * axis.z});
+            const Vec2 com = toWorld(
+                pose, {f.pivot.x + f.comDistance * axis.x, f.pivot.z + f.comDistance * axis.z});
             add(f.mass, com);
             g[freedom] += f.mass * kGravity * turnSign(f) * spin(com, toWorld(pose, f.pivot)).z;
         };
@@ -105,7 +107,8 @@ private:
         return energy;
     }
 
-    double skin(const Pose& pose, double stiffness, Gradient& g, std::vector<GroundContact>* contacts) const
+    double skin(const Pose& pose, double stiffness, Gradient& g,
+                std::vector<GroundContact>* contacts) const
     {
         const RobotShape shape = shapeAt(robot_, pose);
         const Vec2 frontPivot = toWorld(pose, robot_.front.pivot);
@@ -118,11 +121,13 @@ private:
             g[kZ] += force * hit.normal.z;
             g[kPitch] += force * dot(hit.normal, spin(point, pose.base));
             if (kind == GroundContact::Part::Front)
-                g[kFront] += force * turnSign(robot_.front) * dot(hit.normal, spin(point, frontPivot));
+                g[kFront] +=
+                    force * turnSign(robot_.front) * dot(hit.normal, spin(point, frontPivot));
             if (kind == GroundContact::Part::Rear)
                 g[kRear] += force * turnSign(robot_.rear) * dot(hit.normal, spin(point, rearPivot));
             if (contacts)
-                contacts->push_back({kind, point, {-force * hit.normal.x, -force * hit.normal.z}, hit.depth});
+                contacts->push_back(
+                    {kind, point, {-force * hit.normal.x, -force * hit.normal.z}, hit.depth});
         };
         const auto touch = [&](GroundContact::Part kind, const auto& part) {
             const auto before = [](Vec2 p, double x) { return p.x < x; };
@@ -191,13 +196,16 @@ private:
         const Hessian symmetric = 0.5 * (h + h.transpose());
         const Eigen::SelfAdjointEigenSolver<Hessian> eigen(symmetric);
         const Gradient curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(1.0);
-        Gradient step = -(eigen.eigenvectors() * (eigen.eigenvectors().transpose() * g).cwiseQuotient(curvature));
+        Gradient step = -(eigen.eigenvectors()
+                          * (eigen.eigenvectors().transpose() * g).cwiseQuotient(curvature));
         step = step.cwiseProduct(free_);
-        const double longest = std::max(std::abs(step[kZ]) / 0.02, step.tail<3>().cwiseAbs().maxCoeff() / 0.1);
+        const double longest =
+            std::max(std::abs(step[kZ]) / 0.02, step.tail<3>().cwiseAbs().maxCoeff() / 0.1);
         return longest > 1.0 ? Gradient(step / longest) : step;
     }
 
-    bool lineSearch(Pose& pose, double& energy, Gradient& g, const Gradient& step, double stiffness) const
+    bool lineSearch(Pose& pose, double& energy, Gradient& g, const Gradient& step,
+                    double stiffness) const
     {
         for (double share = 1.0; share > 1e-4; share *= 0.5) {
             const Pose candidate = moved(pose, share * step);
@@ -232,8 +240,9 @@ bool isPressed(const FlipperDrive& drive)
 enum class Start { Above, Here };
 
 /// Lowers the robot from above `pose` onto the ground, contacts growing stiffer, or goes on from there.
-RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pose, const FlipperDrive& front,
-                const FlipperDrive& rear, const GroundOptions& ground, Start start)
+RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pose,
+                const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground,
+                Start start)
 {
     const Potential potential(robot, terrain, pose.base.x, front, rear, ground);
     Descent descent(potential, isPressed(front), isPressed(rear));
@@ -262,7 +271,8 @@ RestPose heldAtLowest(const RobotModel& robot, const TerrainProfile& terrain, co
 {
     Pose pose = rest.pose;
     pose.front = kLowestFlipper;
-    RestPose held = settle(robot, terrain, pose, HoldAngle{kLowestFlipper}, rest.rear, ground, Start::Above);
+    RestPose held =
+        settle(robot, terrain, pose, HoldAngle{kLowestFlipper}, rest.rear, ground, Start::Above);
     held.iterations += rest.iterations;
     return held;
 }
@@ -274,11 +284,14 @@ RestPose yielded(const RobotModel& robot, const TerrainProfile& terrain, const R
     const double limit = 2.0 * robot.maxFlipperTorque;
     const auto sustained = [limit](const FlipperDrive& drive, double torque) {
         const bool overloaded = !isPressed(drive) && std::abs(torque) > limit;
-        return overloaded ? FlipperDrive{PressTorque{std::copysign(limit, torque), startAngle(drive)}} : drive;
+        return overloaded
+                 ? FlipperDrive{PressTorque{std::copysign(limit, torque), startAngle(drive)}}
+                 : drive;
     };
     const FlipperDrive front = sustained(rest.front, rest.frontTorque);
     const FlipperDrive rear = sustained(rest.rear, rest.rearTorque);
-    if (isPressed(front) == isPressed(rest.front) && isPressed(rear) == isPressed(rest.rear)) return rest;
+    if (isPressed(front) == isPressed(rest.front) && isPressed(rear) == isPressed(rest.rear))
+        return rest;
     RestPose after = settle(robot, terrain, rest.pose, front, rear, ground, Start::Here);
     after.iterations += rest.iterations;
     return after;
@@ -287,7 +300,8 @@ RestPose yielded(const RobotModel& robot, const TerrainProfile& terrain, const R
 }  // namespace
 
 double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, const Pose& pose,
-                       const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground)
+                       const FlipperDrive& front, const FlipperDrive& rear,
+                       const GroundOptions& ground)
 {
     const Potential potential(robot, terrain, pose.base.x, front, rear, ground);
     return potential(pose, ground.stiffness, nullptr, nullptr);
@@ -301,8 +315,10 @@ Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain
         throw std::invalid_argument("a rest pose needs a finite position and start pitch");
     const Pose high{{x, 0.0}, startPitch, startAngle(front), startAngle(rear)};
     RestPose rest = settle(robot, terrain, high, front, rear, ground, Start::Above);
-    if (isPressed(front) && rest.pose.front < kLowestFlipper) rest = heldAtLowest(robot, terrain, rest, ground);
-    for (int axle = 0; axle < 2; ++axle) rest = yielded(robot, terrain, rest, ground);  // one may overload the other
+    if (isPressed(front) && rest.pose.front < kLowestFlipper)
+        rest = heldAtLowest(robot, terrain, rest, ground);
+    for (int axle = 0; axle < 2; ++axle)
+        rest = yielded(robot, terrain, rest, ground);  // one may overload the other
     if (std::abs(rest.pose.pitch) > kMaxPitch) return Error{"no rest pose: the robot tips over", 0};
     if (std::max(std::abs(rest.pose.front), std::abs(rest.pose.rear)) > kMaxFlipper)
         return Error{"no rest pose: the flippers' motors cannot hold the robot", 0};
@@ -328,7 +344,8 @@ std::array<double, kForceElements> elementForces(const RobotModel& robot, const 
         } else if (e == kForceElements) {
             force.back() += normal;
         } else {
-            const double t = (share - robot.elementShare[e - 1]) / (robot.elementShare[e] - robot.elementShare[e - 1]);
+            const double t = (share - robot.elementShare[e - 1])
+                           / (robot.elementShare[e] - robot.elementShare[e - 1]);
             force[e - 1] += (1.0 - t) * normal;
             force[e] += t * normal;
         }
@@ -345,7 +362,8 @@ Proprioception exactReadings(const RobotModel& robot, const RestPose& rest)
     s.frontCurrent = 0.5 * rest.frontTorque / robot.torquePerAmpere;
     s.rearCurrent = 0.5 * rest.rearTorque / robot.torquePerAmpere;
     const auto force = elementForces(robot, rest);
-    for (std::size_t e = 0; e < force.size(); ++e) s.force[e] = std::min(force[e], robot.forceSaturation);
+    for (std::size_t e = 0; e < force.size(); ++e)
+        s.force[e] = std::min(force[e], robot.forceSaturation);
     return s;
 }
 

@@ -19,8 +19,8 @@ struct HoldAngle {
 };
 /// An axle's flippers pressed by a torque until something holds them, or until kLowestFlipper.
 struct PressTorque {
-    double torque = 0.0;       ///< [N m] both flippers together, pressing down positive
-    double startAngle = 1.0;   ///< [rad] where the descent begins
+    double torque = 0.0;      ///< [N m] both flippers together, pressing down positive
+    double startAngle = 1.0;  ///< [rad] where the descent begins
 };
 using FlipperDrive = std::variant<HoldAngle, PressTorque>;
 
@@ -42,8 +42,9 @@ struct RestPose {
     double energy = 0.0;       ///< [J] at the minimum
     double frontTorque = 0.0;  ///< [N m] motors of both front flippers, pressing down positive
     double rearTorque = 0.0;   ///< [N m]
-    FlipperDrive front, rear;  ///< in effect: a held axle that gave way is pressed by its motors' limit, a
-                               ///< pressed one that found no ground is held at kLowestFlipper
+    FlipperDrive front,
+        rear;  ///< in effect: a held axle that gave way is pressed by its motors' limit, a
+               ///< pressed one that found no ground is held at kLowestFlipper
     int iterations = 0;
 };
 
@@ -71,8 +72,8 @@ double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, c
 /// A held axle that would need more than its motors' torque gives way (see RestPose::rear).
 /// Error when there is no rest pose: it tips over (|pitch| > 1.2 rad).
 Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain, double x,
-                          const FlipperDrive& front, const FlipperDrive& rear, double startPitch = 0.0,
-                          const GroundOptions& ground = {});
+                          const FlipperDrive& front, const FlipperDrive& rear,
+                          double startPitch = 0.0, const GroundOptions& ground = {});
 
 /// Forces the six elements of one front flipper feel [N]: the normal forces on its lower edge shared
 /// between the two nearest elements as a beam on supports shares a load; half of the axle's load each.

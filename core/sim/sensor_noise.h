@@ -9,7 +9,7 @@ namespace terratact {
 
 /// Standard deviations of the simulated sensors.
 struct SensorNoise {
-    double pitch = 0.0087;        ///< [rad] 0.5°, an MTi's static accuracy
+    double pitch = 0.0087;         ///< [rad] 0.5°, an MTi's static accuracy
     double flipperAngle = 0.0017;  ///< [rad] 0.1°
     double current = 0.05;         ///< [A] assumed
     double forceShare = 0.10;      ///< share of the force

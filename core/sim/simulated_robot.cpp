@@ -8,18 +8,14 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMaxSpeed = 0.6;      // [m/s]
-constexpr double kMargin = 0.7;        // [m] the robot stays this far from the terrain's ends
+constexpr double kMaxSpeed = 0.6;  // [m/s]
+constexpr double kMargin = 0.7;    // [m] the robot stays this far from the terrain's ends
 
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options)
-    : robot_(std::move(robot)),
-      terrain_(std::move(terrain)),
-      options_(options),
-      rng_(options.seed),
-      x_(options.startX),
-      frontTarget_(options.drivingAngle)
+    : robot_(std::move(robot)), terrain_(std::move(terrain)), options_(options), rng_(options.seed),
+      x_(options.startX), frontTarget_(options.drivingAngle)
 {
     settle();
 }
@@ -69,7 +65,8 @@ void SimulatedRobot::refuse(Refusal refusal)
 
 void SimulatedRobot::step(double dt)
 {
-    if (!(dt > 0.0) || dt > 1.0) throw std::invalid_argument("a simulation step lasts between 0 and 1 s");
+    if (!(dt > 0.0) || dt > 1.0)
+        throw std::invalid_argument("a simulation step lasts between 0 and 1 s");
     time_ += dt;
     const double turn = robot_.flipperSpeed * dt;
     switch (activity_) {
@@ -87,7 +84,8 @@ void SimulatedRobot::step(double dt)
         arm_.reset();
         frontTarget_ -= turn;
         settle();
-        if (activity_ == RobotActivity::Pressing && (rest_.frontTorque >= torque_ || frontTarget_ < kLowestFlipper)) {
+        if (activity_ == RobotActivity::Pressing
+            && (rest_.frontTorque >= torque_ || frontTarget_ < kLowestFlipper)) {
             accept(RobotActivity::Pressed);
             settle();
         }
@@ -96,7 +94,8 @@ void SimulatedRobot::step(double dt)
         probeLeft_ -= dt;
         if (probeLeft_ <= 0.0) {
             const double height = truth()[static_cast<std::size_t>(probeBin_)];
-            arm_ = ArmReading{probeBin_, height + options_.armSd * std::normal_distribution<double>()(rng_),
+            arm_ = ArmReading{probeBin_,
+                              height + options_.armSd * std::normal_distribution<double>()(rng_),
                               options_.armSd};
             accept(RobotActivity::Pressed);
         }
@@ -111,9 +110,10 @@ void SimulatedRobot::step(double dt)
 void SimulatedRobot::settle()
 {
     const FlipperDrive front = activity_ == RobotActivity::Pressed
-                                   ? FlipperDrive{PressTorque{torque_, rest_.pose.front + 0.1}}
-                                   : FlipperDrive{HoldAngle{frontTarget_}};
-    const auto rest = restPose(robot_, terrain_, x_, front, HoldAngle{options_.rearAngle}, rest_.pose.pitch);
+                                 ? FlipperDrive{PressTorque{torque_, rest_.pose.front + 0.1}}
+                                 : FlipperDrive{HoldAngle{frontTarget_}};
+    const auto rest =
+        restPose(robot_, terrain_, x_, front, HoldAngle{options_.rearAngle}, rest_.pose.pitch);
     if (rest) {
         rest_ = *rest;
     } else {
@@ -124,7 +124,8 @@ void SimulatedRobot::settle()
 
 Measurement SimulatedRobot::measure()
 {
-    const Proprioception s = noisy(exactReadings(robot_, rest_), options_.noise, robot_.forceSaturation, rng_);
+    const Proprioception s =
+        noisy(exactReadings(robot_, rest_), options_.noise, robot_.forceSaturation, rng_);
     Measurement m;
     m.time = time_;
     m.pitch = s.pitch;

@@ -31,10 +31,8 @@ std::optional<Penetration> inCircle(Vec2 centre, double radius, Vec2 q)
 }  // namespace
 
 SkinHull::SkinHull(const TaperedHull& hull, double skin)
-    : hull_{hull.a, hull.b, hull.ra + skin, hull.rb + skin},
-      axis_(minus(hull.b, hull.a)),
-      length_(std::hypot(axis_.x, axis_.z)),
-      sine_((hull.ra - hull.rb) / length_),
+    : hull_{hull.a, hull.b, hull.ra + skin, hull.rb + skin}, axis_(minus(hull.b, hull.a)),
+      length_(std::hypot(axis_.x, axis_.z)), sine_((hull.ra - hull.rb) / length_),
       cosine_(std::sqrt(1.0 - sine_ * sine_)),
       xBegin_(std::min(hull.a.x - hull_.ra, hull.b.x - hull_.rb)),
       xEnd_(std::max(hull.a.x + hull_.ra, hull.b.x + hull_.rb)),
@@ -56,13 +54,13 @@ std::optional<Penetration> SkinHull::penetration(Vec2 p) const
     const double depth = hull_.ra - sine_ * along - cosine_ * std::abs(across);
     if (depth <= 0.0) return std::nullopt;
     const double side = across < 0.0 ? -1.0 : 1.0;
-    return Penetration{{sine_ * axis_.x - side * cosine_ * axis_.z, sine_ * axis_.z + side * cosine_ * axis_.x}, depth};
+    return Penetration{
+        {sine_ * axis_.x - side * cosine_ * axis_.z, sine_ * axis_.z + side * cosine_ * axis_.x},
+        depth};
 }
 
 SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
-    : skin_(skin),
-      xBegin_(std::numeric_limits<double>::infinity()),
-      xEnd_(-xBegin_),
+    : skin_(skin), xBegin_(std::numeric_limits<double>::infinity()), xEnd_(-xBegin_),
       zBegin_(xBegin_)
 {
     Vec2 centre{};

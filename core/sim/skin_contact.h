@@ -23,10 +23,11 @@ public:
     std::optional<Penetration> penetration(Vec2 p) const;
 
 private:
-    TaperedHull hull_;      // radii grown by the skin
-    Vec2 axis_;             // unit, a to b
-    double length_;         // |b − a|
-    double sine_, cosine_;  // of the taper: normal of a straight side = (sine, ±cosine) in the axis frame
+    TaperedHull hull_;  // radii grown by the skin
+    Vec2 axis_;         // unit, a to b
+    double length_;     // |b − a|
+    double sine_,
+        cosine_;  // of the taper: normal of a straight side = (sine, ±cosine) in the axis frame
     double xBegin_, xEnd_, zBegin_;
 };
 

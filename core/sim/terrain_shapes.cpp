@@ -67,7 +67,8 @@ void addSlope(Path& path, std::mt19937_64& rng)
 }
 
 /// A raised or sunken piece with vertical faces: block, kerb, ledge or hole.
-void addBlock(Path& path, std::mt19937_64& rng, double least, double most, double widthLow, double widthHigh)
+void addBlock(Path& path, std::mt19937_64& rng, double least, double most, double widthLow,
+              double widthHigh)
 {
     const double height = uniform(rng, least, most);
     path.face(height);
@@ -81,8 +82,8 @@ void addFeature(Path& path, std::mt19937_64& rng)
     switch (std::uniform_int_distribution<int>(0, 6)(rng)) {
     case 0: return addSlope(path, rng);
     case 1: return addStairs(path, rng);
-    case 2: return addBlock(path, rng, 0.05, 0.30, 0.3, 1.5);    // block, ledge
-    case 3: return addBlock(path, rng, 0.04, 0.15, 0.08, 0.25);  // kerb
+    case 2: return addBlock(path, rng, 0.05, 0.30, 0.3, 1.5);     // block, ledge
+    case 3: return addBlock(path, rng, 0.04, 0.15, 0.08, 0.25);   // kerb
     case 4: return addBlock(path, rng, -0.20, -0.04, 0.15, 0.6);  // hole
     default: return addStep(path, rng);
     }

@@ -6,7 +6,7 @@
 namespace terratact {
 
 inline constexpr int kBins = 11;
-inline constexpr double kBinWidth = 0.1;        ///< [m]
+inline constexpr double kBinWidth = 0.1;  ///< [m]
 
 /// One height per bin, rear to front [m], DEM frame: origin at the IMU, axes along gravity, z up.
 /// A bin's height is the mean of the terrain over its 0.1 m.

@@ -23,7 +23,8 @@ std::vector<std::array<double, 2>> outlineOf(const TaperedHull& hull)
     const auto arc = [&](Vec2 centre, double radius, double from, double to) {
         for (int k = 0; k <= kArcPoints; ++k) {
             const double angle = direction + from + (to - from) * k / kArcPoints;
-            points.push_back({centre.x + radius * std::cos(angle), centre.z + radius * std::sin(angle)});
+            points.push_back(
+                {centre.x + radius * std::cos(angle), centre.z + radius * std::sin(angle)});
         }
     };
     arc(hull.b, hull.rb, -phi, phi);

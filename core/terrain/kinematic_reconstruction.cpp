@@ -39,7 +39,8 @@ std::vector<Group> groupsAbove(const Proprioception& s, double threshold)
 }
 
 /// Force-weighted centre of a group on the flipper's edge; empty outside the bins.
-std::optional<Contact> contactOf(const RobotModel& robot, const Pose& pose, const Proprioception& s, Group group)
+std::optional<Contact> contactOf(const RobotModel& robot, const Pose& pose, const Proprioception& s,
+                                 Group group)
 {
     double force = 0.0;
     double moment = 0.0;
@@ -84,14 +85,15 @@ KinematicReconstruction reconstructContacts(const RobotModel& robot, const Propr
     const RobotShape shape = shapeAt(robot, pose);
     KinematicReconstruction result;
     for (const Group group : groups) {
-        for (int e = group.first; e <= group.last; ++e) result.touching[static_cast<std::size_t>(e)] = true;
+        for (int e = group.first; e <= group.last; ++e)
+            result.touching[static_cast<std::size_t>(e)] = true;
         const std::optional<Contact> contact = contactOf(robot, pose, s, group);
         if (!contact) continue;
         const double body = lowerEnvelope(shape, contact->x);
         if (contact->height > body + kContradiction)
             result.warnings.push_back(fmt::format(
-                "contact at x {:+.2f} m lies {:.0f} mm above the robot's own lower edge", contact->x,
-                1000.0 * (contact->height - body)));
+                "contact at x {:+.2f} m lies {:.0f} mm above the robot's own lower edge",
+                contact->x, 1000.0 * (contact->height - body)));
         result.contacts.push_back(*contact);
     }
     fixBins(result);

@@ -22,7 +22,7 @@ struct KinematicReconstruction {
     OptionalHeights height{};       ///< known bins; two contacts in a bin are averaged by force
     std::vector<Contact> contacts;  ///< inside the bins
     std::array<bool, kForceElements> touching{};  ///< elements that made a contact
-    std::vector<std::string> warnings;  ///< contacts that contradict the body
+    std::vector<std::string> warnings;            ///< contacts that contradict the body
 };
 
 /// Section 4.2 of the paper: contact heights from pitch, flipper angle and element positions.

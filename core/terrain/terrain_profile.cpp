@@ -26,7 +26,8 @@ TerrainProfile::TerrainProfile(std::vector<Vec2> points) : points_(std::move(poi
     }
 }
 
-TerrainProfile TerrainProfile::fromSamples(const std::vector<double>& heights, double step, bool blocks)
+TerrainProfile TerrainProfile::fromSamples(const std::vector<double>& heights, double step,
+                                           bool blocks)
 {
     if (!(step > 0.0)) throw std::invalid_argument("a terrain's step must be positive");
     std::vector<Vec2> points;
@@ -81,7 +82,8 @@ std::vector<Vec2> TerrainProfile::sampled(double a, double b, double spacing) co
         throw std::invalid_argument("sampling needs an interval and a spacing of positive length");
     const auto less = [](Vec2 p, double value) { return p.x < value; };
     std::vector<Vec2> corners{{a, heightAt(a)}};
-    for (auto p = std::lower_bound(points_.begin(), points_.end(), a, less); p != points_.end() && p->x <= b; ++p)
+    for (auto p = std::lower_bound(points_.begin(), points_.end(), a, less);
+         p != points_.end() && p->x <= b; ++p)
         corners.push_back(*p);
     corners.push_back({b, heightAt(b)});
 
@@ -104,7 +106,8 @@ Heights binHeights(const TerrainProfile& terrain, Vec2 imu)
 {
     Heights h{};
     for (int i = 0; i < kBins; ++i)
-        h[static_cast<std::size_t>(i)] = terrain.meanOver(imu.x + binBegin(i), imu.x + binEnd(i)) - imu.z;
+        h[static_cast<std::size_t>(i)] =
+            terrain.meanOver(imu.x + binBegin(i), imu.x + binEnd(i)) - imu.z;
     return h;
 }
 

@@ -41,8 +41,9 @@ FigureInput flatGround()
 /// The picture above its key.
 Picture plotOf(Picture picture)
 {
-    picture.height = 600;
-    picture.pixels.resize(static_cast<std::size_t>(picture.width * picture.height));
+    constexpr std::size_t kRows = 600;
+    picture.height = kRows;
+    picture.pixels.resize(kRows * static_cast<std::size_t>(picture.width));
     return picture;
 }
 

@@ -27,7 +27,8 @@ void restPoseOnVariedGround(benchmark::State& state)
     const auto stops = stopsOver(terrain, 0.05);
     std::size_t k = 0;
     for (auto _ : state)
-        benchmark::DoNotOptimize(restPose(robot, terrain, stops[k++ % stops.size()], PressTorque{18.0}, HoldAngle{0.2}));
+        benchmark::DoNotOptimize(
+            restPose(robot, terrain, stops[k++ % stops.size()], PressTorque{18.0}, HoldAngle{0.2}));
 }
 BENCHMARK(restPoseOnVariedGround)->Unit(benchmark::kMillisecond);
 
@@ -43,8 +44,8 @@ BENCHMARK(factoriseOneBin)->Unit(benchmark::kMillisecond);
 void likelihoodAndGradient(benchmark::State& state)
 {
     const ModelData& model = shippedModel();
-    const Eigen::MatrixXd X =
-        withoutBin(standardised(rawInputs(model, FeatureSet::Paf), model.paf.mean, model.paf.sd), 5);
+    const Eigen::MatrixXd X = withoutBin(
+        standardised(rawInputs(model, FeatureSet::Paf), model.paf.mean, model.paf.sd), 5);
     const Eigen::VectorXd y = model.heights.col(5).array() - model.paf.mean[5];
     for (auto _ : state) benchmark::DoNotOptimize(negativeLogLikelihood(X, y, model.paf.bins[5]));
 }
@@ -61,7 +62,8 @@ void oneScene(benchmark::State& state)
     settings.forceThreshold = 1000.0;  // no contact: the two bins below are all that is known
     settings.chains = static_cast<int>(state.range(0));
     const std::vector<ArmReading> known{{7, *scene.truth[7], 0.03}, {8, *scene.truth[8], 0.03}};
-    for (auto _ : state) benchmark::DoNotOptimize(reconstruct(scene.s, known, robot, models, settings));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(reconstruct(scene.s, known, robot, models, settings));
 }
 BENCHMARK(oneScene)->Arg(8)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 

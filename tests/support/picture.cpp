@@ -2,6 +2,7 @@
 
 #include <cairo.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -19,11 +20,11 @@ Picture readPng(const std::string& path)
                     cairo_image_surface_get_height(surface.get()),
                     {}};
     const unsigned char* const data = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
+    const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface.get());
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             std::uint32_t pixel = 0;
-            std::memcpy(&pixel, data + y * stride + 4 * x, sizeof pixel);
+            std::memcpy(&pixel, data + stride * y + std::ptrdiff_t{4} * x, sizeof pixel);
             picture.pixels.push_back(pixel & 0xffffffU);
         }
     return picture;

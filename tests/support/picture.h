@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,11 @@ struct Picture {
     int width = 0, height = 0;
     std::vector<unsigned> pixels;  ///< 0xRRGGBB, row by row
 
-    unsigned at(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
+    unsigned at(int x, int y) const
+    {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
+                      + static_cast<std::size_t>(x)];
+    }
 
     /// How many pixels have exactly this colour.
     long count(unsigned rgb) const { return std::count(pixels.begin(), pixels.end(), rgb); }

@@ -19,8 +19,8 @@ inline std::vector<Scene> someScenes(int runs, std::uint64_t seed, SensorNoise n
     int skipped = 0;
     for (int run = 0; run < runs; ++run) {
         const TerrainProfile terrain = randomVariedDrive(rng);
-        auto more = driveOver(robot, terrain, stopsOver(terrain, 0.3), std::to_string(run + 1), randomDriveStyle(rng),
-                              noise, rng, skipped);
+        auto more = driveOver(robot, terrain, stopsOver(terrain, 0.3), std::to_string(run + 1),
+                              randomDriveStyle(rng), noise, rng, skipped);
         scenes.insert(scenes.end(), more.begin(), more.end());
     }
     return scenes;

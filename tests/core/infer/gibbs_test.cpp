@@ -54,7 +54,9 @@ TEST(Gibbs, withOneUnknownBinDrawsFromItsConditional)
     const GibbsDraws draws = sampleHeights(models(), problem);
     ASSERT_EQ(draws.bins, std::vector<int>{4});
     const Normal p = models().bin(4).predict(models().input(4, heightsOf(problem), problem.s));
-    EXPECT_LT(kolmogorov(all(draws.draws[0]), truncatedCdf(kInfinity, p.mean, std::sqrt(p.variance))), 2.23);
+    EXPECT_LT(
+        kolmogorov(all(draws.draws[0]), truncatedCdf(kInfinity, p.mean, std::sqrt(p.variance))),
+        2.23);
 }
 
 TEST(Gibbs, truncatesAtTheCeiling)
@@ -99,7 +101,8 @@ TEST(Gibbs, withTwoUnknownBinsReachesTheFixedPointOfTheirConditionals)
             sum += p.mean;
             variance = p.variance;
         }
-        const double sd = std::sqrt((draws.draws[k].array() - draws.draws[k].mean()).square().mean());
+        const double sd =
+            std::sqrt((draws.draws[k].array() - draws.draws[k].mean()).square().mean());
         EXPECT_NEAR(draws.draws[k].mean(), sum / n, 0.1 * sd + 1e-4) << "bin " << bin;
         EXPECT_GE(sd, 0.95 * std::sqrt(variance)) << "bin " << bin;
     }

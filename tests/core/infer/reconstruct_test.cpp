@@ -45,7 +45,8 @@ TEST(Reconstruct, givesFiniteNumbersInOrderForEveryMethod)
     for (const Method method : kMethods) {
         const TerrainEstimate e = estimate(method);
         for (std::size_t i = 0; i < kBins; ++i) {
-            EXPECT_TRUE(std::isfinite(e.mean[i]) && std::isfinite(e.rhat[i]) && std::isfinite(e.ess[i]));
+            EXPECT_TRUE(std::isfinite(e.mean[i]) && std::isfinite(e.rhat[i])
+                        && std::isfinite(e.ess[i]));
             EXPECT_LE(e.q10[i], e.q90[i]);
             EXPECT_GT(e.sd[i], 0.0);
         }
@@ -119,10 +120,12 @@ TEST(Reconstruct, saysWhenTheChainsHaveNotConverged)
 TEST(Reconstruct, refusesTheWrongModelsAndMissingFeatures)
 {
     const Bench& b = bench();
-    EXPECT_THROW((void)reconstruct(b.scene.s, {}, b.robot, b.pa, quick(Method::Pafc)), std::invalid_argument);
+    EXPECT_THROW((void)reconstruct(b.scene.s, {}, b.robot, b.pa, quick(Method::Pafc)),
+                 std::invalid_argument);
     Proprioception s = b.scene.s;
     s.force[2].reset();
-    EXPECT_THROW((void)reconstruct(s, {}, b.robot, b.paf, quick(Method::Pafc)), std::invalid_argument);
+    EXPECT_THROW((void)reconstruct(s, {}, b.robot, b.paf, quick(Method::Pafc)),
+                 std::invalid_argument);
     EXPECT_NO_THROW((void)reconstruct(s, {}, b.robot, b.pa, quick(Method::Pa)));
     Settings none = quick(Method::Pa);
     none.chains = 0;

@@ -30,7 +30,8 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheFormulasCovariances)
     const AlignedDoubles X = random(U * m, rng);
     AlignedDoubles weight = random(U, rng);
     const AlignedDoubles Z = random(static_cast<std::size_t>(m * C), rng);
-    for (int u = 0; u < U; ++u) weight.data()[u] = -std::abs(weight.data()[u]) * (u == 3 ? 1e4 : 1.0);
+    for (int u = 0; u < U; ++u)
+        weight.data()[u] = -std::abs(weight.data()[u]) * (u == 3 ? 1e4 : 1.0);
     int count = 0;
     const auto* kernels = availableCovarianceKernels(count);
     ASSERT_GE(count, 1);
@@ -40,7 +41,8 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheFormulasCovariances)
         for (int u = 0; u < U; ++u)
             for (int c = 0; c < C; ++c) {
                 double exponent = weight.data()[u];
-                for (int j = 0; j < m; ++j) exponent -= 0.5 * std::pow(X.data()[u * m + j] - Z.data()[j * C + c], 2);
+                for (int j = 0; j < m; ++j)
+                    exponent -= 0.5 * std::pow(X.data()[u * m + j] - Z.data()[j * C + c], 2);
                 const double expected = 2.5 * std::exp(exponent);
                 EXPECT_NEAR(K.data()[u * C + c], expected, 4e-14 * expected + 1e-290)
                     << kernels[v]->name << " row " << u << " column " << c;
@@ -54,7 +56,8 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheSameSumsOfSquares)
     constexpr int U = 64;
     std::mt19937_64 rng(2);
     std::size_t size = 0;
-    for (int first = 0; first < U; first += kPanelRows) size += static_cast<std::size_t>(kPanelRows * (first + kPanelRows));
+    for (int first = 0; first < U; first += kPanelRows)
+        size += static_cast<std::size_t>(kPanelRows * (first + kPanelRows));
     const AlignedDoubles panels = random(size, rng);
     const AlignedDoubles K = random(static_cast<std::size_t>(U * C), rng);
     int count = 0;
@@ -74,7 +77,8 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheSameSumsOfSquares)
                 }
                 panel += kPanelRows * (first + kPanelRows);
             }
-            EXPECT_NEAR(sums.data()[c], expected, 1e-12 * expected) << kernels[v]->name << " column " << c;
+            EXPECT_NEAR(sums.data()[c], expected, 1e-12 * expected)
+                << kernels[v]->name << " column " << c;
         }
     }
 }

@@ -32,7 +32,8 @@ Data someData(int U, int d, unsigned seed = 1)
 
 double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Hyperparameters& h)
 {
-    return h.signalSd * h.signalSd * std::exp(-0.5 * (a - b).cwiseQuotient(h.lengthScale).squaredNorm());
+    return h.signalSd * h.signalSd
+         * std::exp(-0.5 * (a - b).cwiseQuotient(h.lengthScale).squaredNorm());
 }
 
 Eigen::MatrixXd covariance(const Data& data)
@@ -41,8 +42,8 @@ Eigen::MatrixXd covariance(const Data& data)
     Eigen::MatrixXd K(U, U);
     for (Eigen::Index i = 0; i < U; ++i)
         for (Eigen::Index j = 0; j < U; ++j)
-            K(i, j) = kernel(data.X.row(i), data.X.row(j), data.hyper) +
-                      (i == j ? data.hyper.noiseSd * data.hyper.noiseSd : 0.0);
+            K(i, j) = kernel(data.X.row(i), data.X.row(j), data.hyper)
+                    + (i == j ? data.hyper.noiseSd * data.hyper.noiseSd : 0.0);
     return K;
 }
 
@@ -74,7 +75,8 @@ TEST(GaussianProcess, predictsAsTheTextbookFormula)
 TEST(GaussianProcess, farFromAllDataReturnsThePrior)
 {
     const Data data = someData(20, 2);
-    const Normal far = GaussianProcess(data.X, data.y, data.hyper, -0.3).predict(Eigen::Vector2d(1e6, -1e6));
+    const Normal far =
+        GaussianProcess(data.X, data.y, data.hyper, -0.3).predict(Eigen::Vector2d(1e6, -1e6));
     EXPECT_DOUBLE_EQ(far.mean, -0.3);
     EXPECT_DOUBLE_EQ(far.variance, 0.9 * 0.9 + 0.15 * 0.15);
 }
@@ -149,9 +151,10 @@ TEST(Likelihood, isTheLogDensityOfTheOutputs)
     const Eigen::MatrixXd K = covariance(data);
     const Eigen::LLT<Eigen::MatrixXd> llt(K);
     const Eigen::MatrixXd L = llt.matrixL();
-    const double expected = 0.5 * data.y.dot(llt.solve(data.y)) + L.diagonal().array().log().sum() +
-                            20.0 * std::log(2.0 * std::numbers::pi);
-    EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, expected, 1e-10 * std::abs(expected));
+    const double expected = 0.5 * data.y.dot(llt.solve(data.y)) + L.diagonal().array().log().sum()
+                          + 20.0 * std::log(2.0 * std::numbers::pi);
+    EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, expected,
+                1e-10 * std::abs(expected));
 }
 
 TEST(Likelihood, gradientIsTheSlopeOfTheValue)

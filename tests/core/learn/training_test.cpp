@@ -17,7 +17,8 @@ TEST(PrepareTraining, standardisesHeightsAndFeatures)
     EXPECT_EQ(set.model.heights.rows(), set.used);
     EXPECT_EQ(set.model.pa.mean.size(), 11 + 3);
     EXPECT_EQ(set.model.paf.mean.size(), 11 + 11);
-    const Eigen::MatrixXd z = standardised(rawInputs(set.model, FeatureSet::Paf), set.model.paf.mean, set.model.paf.sd);
+    const Eigen::MatrixXd z =
+        standardised(rawInputs(set.model, FeatureSet::Paf), set.model.paf.mean, set.model.paf.sd);
     for (Eigen::Index d = 0; d < z.cols(); ++d) {
         EXPECT_NEAR(z.col(d).mean(), 0.0, 1e-10);
         EXPECT_NEAR(z.col(d).squaredNorm() / static_cast<double>(z.rows()), 1.0, 1e-10);
@@ -37,7 +38,8 @@ TEST(PrepareTraining, leavesOutScenesWithUnknownValues)
 TEST(PrepareTraining, refusesTooFewScenesAndInputsThatNeverVary)
 {
     auto scenes = someScenes(6, 3);
-    EXPECT_THROW((void)prepareTraining({scenes.begin(), scenes.begin() + 20}), std::invalid_argument);
+    EXPECT_THROW((void)prepareTraining({scenes.begin(), scenes.begin() + 20}),
+                 std::invalid_argument);
     for (Scene& scene : scenes) scene.s.rear = 0.1;
     EXPECT_THROW((void)prepareTraining(scenes), std::invalid_argument);
 }
@@ -52,8 +54,10 @@ TEST(TrainBin, findsAHigherLikelihoodThanItsStart)
     const Eigen::MatrixXd X =
         withoutBin(standardised(rawInputs(model, FeatureSet::Pa), model.pa.mean, model.pa.sd), 5);
     const Eigen::VectorXd y = model.heights.col(5).array() - model.pa.mean[5];
-    const Hyperparameters guess{Eigen::VectorXd::Constant(13, 3.6), model.pa.sd[5], 0.2 * model.pa.sd[5]};
-    EXPECT_NEAR(trained.logLikelihood, -negativeLogLikelihood(X, y, trained.hyper).negativeLog, 1e-6);
+    const Hyperparameters guess{Eigen::VectorXd::Constant(13, 3.6), model.pa.sd[5],
+                                0.2 * model.pa.sd[5]};
+    EXPECT_NEAR(trained.logLikelihood, -negativeLogLikelihood(X, y, trained.hyper).negativeLog,
+                1e-6);
     EXPECT_GT(trained.logLikelihood, -negativeLogLikelihood(X, y, guess).negativeLog + 10.0);
     EXPECT_GT(trained.hyper.noiseSd, 0.004);  // the scanner's 12 mm are in the truth
     EXPECT_LT(trained.hyper.noiseSd, 0.06);

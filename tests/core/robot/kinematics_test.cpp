@@ -22,7 +22,8 @@ double sweptBottom(const TaperedHull& hull, double x)
         const double dx = x - (hull.a.x + t * (hull.b.x - hull.a.x));
         const double r = hull.ra + t * (hull.rb - hull.ra);
         if (std::abs(dx) > r) continue;
-        lowest = std::min(lowest, hull.a.z + t * (hull.b.z - hull.a.z) - std::sqrt(r * r - dx * dx));
+        lowest =
+            std::min(lowest, hull.a.z + t * (hull.b.z - hull.a.z) - std::sqrt(r * r - dx * dx));
     }
     return lowest;
 }
@@ -30,7 +31,8 @@ double sweptBottom(const TaperedHull& hull, double x)
 TEST(LowerBoundary, isTheBottomOfAllDiscsBetweenTheTwoCircles)
 {
     for (const double angle : {-2.5, -1.0, -0.2, 0.0, 0.7, 1.5707, 3.0}) {
-        const TaperedHull hull{{0.1, 0.2}, {0.1 + 0.3 * std::cos(angle), 0.2 + 0.3 * std::sin(angle)}, 0.09, 0.03};
+        const TaperedHull hull{
+            {0.1, 0.2}, {0.1 + 0.3 * std::cos(angle), 0.2 + 0.3 * std::sin(angle)}, 0.09, 0.03};
         for (double x = -0.4; x < 0.6; x += 0.037) {
             const double expected = sweptBottom(hull, x);
             const double got = lowerBoundary(hull, x);
@@ -53,9 +55,12 @@ TEST(Flipper, atJointZeroLiesFlatWithTheTracksLowerEdge)
 {
     const RobotModel robot = absolem();
     const RobotShape shape = shapeAt(robot, {});
-    for (double x = 0.26; x < 0.56; x += 0.02) EXPECT_NEAR(lowerBoundary(shape.front, x), -robot.baseHeight, 2e-4);
-    for (double x = -0.26; x > -0.56; x -= 0.02) EXPECT_NEAR(lowerBoundary(shape.rear, x), -robot.baseHeight, 2e-4);
-    EXPECT_NEAR(shape.front.b.x + shape.front.rb, 0.59, 0.005);  // the paper's tip: just inside bin 0.6
+    for (double x = 0.26; x < 0.56; x += 0.02)
+        EXPECT_NEAR(lowerBoundary(shape.front, x), -robot.baseHeight, 2e-4);
+    for (double x = -0.26; x > -0.56; x -= 0.02)
+        EXPECT_NEAR(lowerBoundary(shape.rear, x), -robot.baseHeight, 2e-4);
+    EXPECT_NEAR(shape.front.b.x + shape.front.rb, 0.59,
+                0.005);  // the paper's tip: just inside bin 0.6
 }
 
 TEST(Flipper, frontAndRearTipsRiseWithAPositiveAngle)
@@ -94,7 +99,8 @@ TEST(ForceElements, lieOnTheFlippersLowerEdge)
         const RobotShape shape = shapeAt(robot, pose);
         for (const double share : robot.elementShare) {
             const Vec2 p = elementPosition(robot, pose, share);
-            EXPECT_NEAR(lowerBoundary(shape.front, p.x), p.z, 1e-9) << "angle " << angle << " share " << share;
+            EXPECT_NEAR(lowerBoundary(shape.front, p.x), p.z, 1e-9)
+                << "angle " << angle << " share " << share;
         }
     }
 }

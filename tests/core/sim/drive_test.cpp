@@ -41,7 +41,8 @@ TEST(StopsOver, keepTheRobotAndItsBinsOnTheTerrain)
     const auto stops = stopsOver(terrain, 0.1);
     EXPECT_GE(stops.front() - 0.59, terrain.begin());
     EXPECT_LE(stops.back() + 0.75, terrain.end());
-    EXPECT_EQ(stopsOver(flatTerrain(1.0), 0.1), std::vector<double>{0.3});  // bin −0.3 on the first point
+    EXPECT_EQ(stopsOver(flatTerrain(1.0), 0.1),
+              std::vector<double>{0.3});  // bin −0.3 on the first point
 }
 
 }  // namespace

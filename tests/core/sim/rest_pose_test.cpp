@@ -29,7 +29,8 @@ double groundMoment(const RestPose& rest)
 {
     double moment = 0.0;
     for (const GroundContact& c : rest.contacts)
-        moment += (c.point.x - rest.pose.base.x) * c.force.z - (c.point.z - rest.pose.base.z) * c.force.x;
+        moment +=
+            (c.point.x - rest.pose.base.x) * c.force.z - (c.point.z - rest.pose.base.z) * c.force.x;
     return moment;
 }
 
@@ -38,18 +39,19 @@ double weightMoment(const RobotModel& robot, const Pose& pose)
 {
     const auto flipper = [&](const FlipperGeometry& f, double angle) {
         const Vec2 axis = flipperAxis(f, angle);
-        const Vec2 com = toWorld(pose, {f.pivot.x + f.comDistance * axis.x, f.pivot.z + f.comDistance * axis.z});
+        const Vec2 com =
+            toWorld(pose, {f.pivot.x + f.comDistance * axis.x, f.pivot.z + f.comDistance * axis.z});
         return -f.mass * kGravity * (com.x - pose.base.x);
     };
-    return -robot.bodyMass * kGravity * (toWorld(pose, robot.bodyCom).x - pose.base.x) +
-           flipper(robot.front, pose.front) + flipper(robot.rear, pose.rear);
+    return -robot.bodyMass * kGravity * (toWorld(pose, robot.bodyCom).x - pose.base.x)
+         + flipper(robot.front, pose.front) + flipper(robot.rear, pose.rear);
 }
 
 /// On the front flippers beyond the pivot's circle, which stands on the ground beside the tracks.
 bool onSensor(const RobotModel& robot, const RestPose& rest, const GroundContact& c)
 {
-    return c.part == GroundContact::Part::Front &&
-           c.point.x > toWorld(rest.pose, robot.front.pivot).x + robot.front.pivotRadius;
+    return c.part == GroundContact::Part::Front
+        && c.point.x > toWorld(rest.pose, robot.front.pivot).x + robot.front.pivotRadius;
 }
 
 TEST(RestPose, onFlatGroundStandsLevelAtTheBasesHeight)
@@ -81,15 +83,18 @@ TEST(RestPose, balancesForcesAndMoments)
         for (const double x : stopsOver(terrain, 0.41)) {
             const auto rest = restPose(robot, terrain, x, kPress, kRear);
             if (!rest) continue;
-            EXPECT_NEAR(upward(*rest), robot.totalMass() * kGravity, 0.5) << "run " << run << " x " << x;
-            EXPECT_NEAR(groundMoment(*rest) + weightMoment(robot, rest->pose), 0.0, 0.5) << "run " << run << " x " << x;
+            EXPECT_NEAR(upward(*rest), robot.totalMass() * kGravity, 0.5)
+                << "run " << run << " x " << x;
+            EXPECT_NEAR(groundMoment(*rest) + weightMoment(robot, rest->pose), 0.0, 0.5)
+                << "run " << run << " x " << x;
         }
     }
 }
 
 TEST(RestPose, pressesTheFlippersWithTheCommandedTorque)
 {
-    const auto rest = restPose(absolem(), stepTerrain(0.2, 3.0, 6.0), 2.5, PressTorque{14.0}, kRear);
+    const auto rest =
+        restPose(absolem(), stepTerrain(0.2, 3.0, 6.0), 2.5, PressTorque{14.0}, kRear);
     ASSERT_TRUE(rest);
     EXPECT_NEAR(rest->frontTorque, 14.0, 1e-3);
 }
@@ -123,8 +128,10 @@ TEST(RestPose, isALocalMinimumOfTheEnergy)
             Pose pose = rest->pose;
             pose.base.z += 0.01 * size * normal(rng);
             pose.pitch += 0.03 * size * normal(rng);
-            if (std::holds_alternative<PressTorque>(rest->front)) pose.front += 0.1 * size * normal(rng);
-            EXPECT_GE(potentialEnergy(robot, terrain, pose, rest->front, rest->rear), rest->energy - 1e-8)
+            if (std::holds_alternative<PressTorque>(rest->front))
+                pose.front += 0.1 * size * normal(rng);
+            EXPECT_GE(potentialEnergy(robot, terrain, pose, rest->front, rest->rear),
+                      rest->energy - 1e-8)
                 << "run " << run << " x " << x << " perturbation " << k;
         }
     }
@@ -139,7 +146,8 @@ TEST(RestPose, hasNoTerrainAboveTheRobot)
         for (const double x : stopsOver(terrain, 0.53)) {
             const auto rest = restPose(robot, terrain, x, kPress, kRear);
             if (!rest) continue;
-            for (const GroundContact& c : rest->contacts)  // springs stay inside the skin: the body itself is free
+            for (const GroundContact& c :
+                 rest->contacts)  // springs stay inside the skin: the body itself is free
                 EXPECT_LT(c.depth, GroundOptions{}.skin) << "run " << run << " x " << x;
         }
     }
@@ -149,7 +157,8 @@ TEST(RestPose, onSymmetricTerrainIsSymmetric)
 {
     RobotModel robot = absolem();
     robot.bodyCom.x = 0.0;
-    const TerrainProfile bowl({{0.0, 0.4}, {2.6, 0.1}, {2.9, 0.0}, {3.1, 0.0}, {3.4, 0.1}, {6.0, 0.4}});
+    const TerrainProfile bowl(
+        {{0.0, 0.4}, {2.6, 0.1}, {2.9, 0.0}, {3.1, 0.0}, {3.4, 0.1}, {6.0, 0.4}});
     const auto rest = restPose(robot, bowl, 3.0, kPress, PressTorque{18.0});
     ASSERT_TRUE(rest);
     EXPECT_NEAR(rest->pose.pitch, 0.0, 1e-4);
@@ -173,7 +182,8 @@ TEST(RestPose, neverAsksMoreOfTheMotorsThanTheyHave)
         for (const double x : stopsOver(terrain, 0.61)) {
             const auto rest = restPose(robot, terrain, x, kPress, kRear);
             if (!rest) continue;
-            EXPECT_LE(std::abs(rest->rearTorque), 2.0 * robot.maxFlipperTorque + 0.5) << "run " << run << " x " << x;
+            EXPECT_LE(std::abs(rest->rearTorque), 2.0 * robot.maxFlipperTorque + 0.5)
+                << "run " << run << " x " << x;
         }
     }
 }
@@ -185,7 +195,8 @@ TEST(RestPose, isFoundInAboutAMillisecond)
     std::mt19937_64 rng(31);
     const TerrainProfile terrain = randomVariedDrive(rng);
     const auto start = std::chrono::steady_clock::now();
-    for (const double x : stopsOver(terrain, 0.05)) (void)restPose(robot, terrain, x, kPress, kRear);
+    for (const double x : stopsOver(terrain, 0.05))
+        (void)restPose(robot, terrain, x, kPress, kRear);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 

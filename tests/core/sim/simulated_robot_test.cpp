@@ -38,7 +38,8 @@ TEST(SimulatedRobot, drivesWhenToldAndHaltsWhenTold)
     SimulatedRobot robot = robotBefore(1.5);
     const double start = robot.rest().pose.base.x;
     robot.command(DriveCommand{0.3});
-    EXPECT_FALSE(within(robot, 1.0, [](const Measurement& m) { return m.activity != RobotActivity::Driving; }));
+    EXPECT_FALSE(within(robot, 1.0,
+                        [](const Measurement& m) { return m.activity != RobotActivity::Driving; }));
     const double driven = robot.rest().pose.base.x - start;
     EXPECT_NEAR(driven, 0.3, 0.05);
     robot.command(HaltCommand{});

@@ -43,7 +43,10 @@ TEST(SkinHull, depthIsTheDistanceToTheNearestPointOutside)
         EXPECT_NEAR(std::hypot(hit->normal.x, hit->normal.z), 1.0, 1e-12);
         const auto depthAfter = [&](double way) {
             const Vec2 d{-hit->normal.x * way, -hit->normal.z * way};
-            const TaperedHull moved{{shape.a.x + d.x, shape.a.z + d.z}, {shape.b.x + d.x, shape.b.z + d.z}, shape.ra, shape.rb};
+            const TaperedHull moved{{shape.a.x + d.x, shape.a.z + d.z},
+                                    {shape.b.x + d.x, shape.b.z + d.z},
+                                    shape.ra,
+                                    shape.rb};
             const auto again = SkinHull(moved, 0.0).penetration(p);
             return again ? again->depth : 0.0;
         };

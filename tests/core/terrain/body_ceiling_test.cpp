@@ -39,13 +39,16 @@ TEST(BodyCeiling, isAboveTheTerrainOfEveryRestPose)
         const TerrainProfile terrain = randomVariedDrive(rng);
         const DriveStyle style = randomDriveStyle(rng);
         for (const double x : stopsOver(terrain, 0.37)) {
-            const auto rest = restPose(robot, terrain, x, PressTorque{style.pressTorque}, HoldAngle{style.rearAngle});
+            const auto rest = restPose(robot, terrain, x, PressTorque{style.pressTorque},
+                                       HoldAngle{style.rearAngle});
             if (!rest) continue;
             ++poses;
             const Heights truth = binHeights(terrain, imuPosition(robot, rest->pose));
-            const Heights ceiling = bodyCeiling(robot, rest->pose.pitch, rest->pose.front, rest->pose.rear);
+            const Heights ceiling =
+                bodyCeiling(robot, rest->pose.pitch, rest->pose.front, rest->pose.rear);
             for (std::size_t i = 0; i < kBins; ++i)
-                EXPECT_LE(truth[i], ceiling[i] + 1e-4) << "run " << run << " x " << x << " bin " << i;
+                EXPECT_LE(truth[i], ceiling[i] + 1e-4)
+                    << "run " << run << " x " << x << " bin " << i;
         }
     }
     EXPECT_GT(poses, 250);

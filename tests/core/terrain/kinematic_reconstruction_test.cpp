@@ -44,7 +44,8 @@ TEST(IsolatedContact, ofNeighboursIsTheirForceWeightedCentre)
     const auto r = reconstructContacts(robot, feeling({0, 0, 0, 3, 9, 0}), 2.0, true);
     ASSERT_EQ(r.contacts.size(), 1U);
     const double share = (3 * robot.elementShare[3] + 9 * robot.elementShare[4]) / 12;
-    EXPECT_NEAR(r.contacts[0].x, elementPosition(robot, poseInDem(robot, 0.0, 0.3, 0.0), share).x, 1e-12);
+    EXPECT_NEAR(r.contacts[0].x, elementPosition(robot, poseInDem(robot, 0.0, 0.3, 0.0), share).x,
+                1e-12);
     EXPECT_TRUE(r.touching[3] && r.touching[4] && !r.touching[5]);
 }
 
@@ -76,7 +77,8 @@ TEST(Contact, aboveTheRobotsOwnBodyIsNamed)
     // Flippers folded back over the tracks: what they feel cannot be ground.
     const auto r = reconstructContacts(absolem(), feeling({0, 0, 0, 0, 0, 8}, 2.6), 2.0, true);
     ASSERT_EQ(r.warnings.size(), 1U);
-    EXPECT_NE(r.warnings[0].find("above the robot's own lower edge"), std::string::npos) << r.warnings[0];
+    EXPECT_NE(r.warnings[0].find("above the robot's own lower edge"), std::string::npos)
+        << r.warnings[0];
 }
 
 TEST(Contact, onAStepsEdgeIsWhereTheSimulatorTouchesIt)

@@ -75,8 +75,8 @@ TEST(TerrainProfile, refusesWhatIsNoGround)
 TEST(BinHeights, areMeansRelativeToTheImu)
 {
     const Heights h = binHeights(stepTerrain(0.2, 3.0, 6.0), {2.6, 0.24});
-    EXPECT_NEAR(h[3], -0.24, 1e-12);   // under the IMU
-    EXPECT_NEAR(h[7], -0.14, 1e-12);   // bin 0.4: the step lies in its middle
+    EXPECT_NEAR(h[3], -0.24, 1e-12);  // under the IMU
+    EXPECT_NEAR(h[7], -0.14, 1e-12);  // bin 0.4: the step lies in its middle
     EXPECT_NEAR(h[8], -0.04, 1e-12);
 }
 

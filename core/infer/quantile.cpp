@@ -1,0 +1,20 @@
+#include "core/infer/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace terratact {
+
+double quantile(std::vector<double> values, double p)
+{
+    if (values.empty() || !(p >= 0.0 && p <= 1.0))
+        throw std::invalid_argument("quantile of nothing, or p outside 0 … 1");
+    std::sort(values.begin(), values.end());
+    const double place = p * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return std::lerp(values[below], values[above], place - static_cast<double>(below));
+}
+
+}  // namespace terratact

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <vector>
+
+namespace terratact {
+
+/// Quantile p ∈ [0, 1] with linear interpolation between order statistics (type 7 of Hyndman & Fan 1996,
+/// R's default).  Throws std::invalid_argument for no values or another p.
+double quantile(std::vector<double> values, double p);
+
+}  // namespace terratact
