@@ -39,8 +39,9 @@ QSize sizeFrom(const std::string& text)
 
 void addArguments(CLI::App& app, Arguments& arguments)
 {
-    app.set_version_flag("--version", std::string("terratact-console ") + TERRATACT_VERSION
-                             + "\nBased in part on the work of the Qwt project (http://qwt.sf.net).");
+    app.set_version_flag(
+        "--version", std::string("terratact-console ") + TERRATACT_VERSION
+                         + "\nBased in part on the work of the Qwt project (http://qwt.sf.net).");
     app.add_option("--model", arguments.model, "Model file (default: the shipped one)");
     app.add_option("--robot", arguments.robot, "Robot file (default: the shipped Absolem)");
     app.add_option("--terrain", arguments.terrain,

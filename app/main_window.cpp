@@ -315,10 +315,10 @@ void MainWindow::showHelp()
         for (const auto& [key, meaning] : keys)
             text += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(key, meaning);
         text += QStringLiteral("</table><p>")
-                + tr("Terratact %1. Based in part on the work of the Qwt project "
-                     "(http://qwt.sf.net).")
-                      .arg(QApplication::applicationVersion())
-                + QStringLiteral("</p>");
+              + tr("Terratact %1. Based in part on the work of the Qwt project "
+                   "(http://qwt.sf.net).")
+                    .arg(QApplication::applicationVersion())
+              + QStringLiteral("</p>");
         help_->setText(text);
     }
     help_->show();
@@ -331,9 +331,7 @@ bool MainWindow::keyPressed(int key)
     case Qt::Key_A:
         if (atem_->requestButton()->isEnabled()) exploration_->request();
         return true;
-    case Qt::Key_F1:
-        showHelp();
-        return true;
+    case Qt::Key_F1: showHelp(); return true;
     case Qt::Key_Escape:
         if (atem_->abortButton()->isEnabled()) exploration_->abort();
         return true;

@@ -377,22 +377,26 @@ std::string named(std::string_view name, std::string_view unit)
     return std::string(name) + " [" + std::string(unit) + "]";
 }
 
+void requireInput(bool holds, const std::string& found, const std::string& expected)
+{
+    require(holds, "is a model of other features: " + shown(found) + " stands where " + expected
+                       + " is expected");
+}
+
 void readInputs(SqliteFile& file, BinModelData& data)
 {
-    const std::string set(name(data.set));
     const std::size_t size = inputs(data.set);
     data.mean.resize(static_cast<Eigen::Index>(size));
     data.sd.resize(static_cast<Eigen::Index>(size));
     SqliteStatement row = file.prepare(
         "SELECT position, name, unit, mean, sd FROM input WHERE feature_set = ? ORDER BY position");
-    row.bind(0, set);
+    row.bind(0, name(data.set));
     for (std::size_t i = 0; i < size; ++i) {
         nextRow(row, "input");
         const std::string expected = named(inputColumn(i).name, inputColumn(i).unit);
         const std::string found = named(row.text(1), row.text(2));
-        require(row.integer(0) == static_cast<std::int64_t>(i) && found == expected,
-                "is a model of other features: " + shown(found) + " of set " + set
-                    + " stands where " + expected + " is expected");
+        requireInput(row.integer(0) == static_cast<std::int64_t>(i) && found == expected, found,
+                     expected);
         data.mean[static_cast<Eigen::Index>(i)] = row.real(3);
         data.sd[static_cast<Eigen::Index>(i)] = row.real(4);
     }

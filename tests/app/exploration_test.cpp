@@ -319,6 +319,21 @@ TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
     EXPECT_FALSE(exploration->proposal());
 }
 
+TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    blocked = false;
+    while (worker->progress()) std::this_thread::yield();  // done, but this thread has not heard
+    std::this_thread::sleep_for(20ms);
+    exploration->abort();
+    tick();
+    QTest::qWait(20);
+    tick();
+    EXPECT_FALSE(exploration->estimate());
+}
+
 TEST_F(Bench, anEstimateThatFailsIsToldInWords)
 {
     broken = true;

@@ -243,6 +243,21 @@ TEST_F(Console, drivingEndsWhenTheWindowLosesTheFocus)
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
 
+TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
+{
+    open(fastRobot(robot, 2.1));
+    QTest::keyClick(window.get(), Qt::Key_F1);
+    const auto lists = [&] {
+        for (QWidget* other : QApplication::topLevelWidgets())
+            if (other != window.get() && other->isVisible()) return other;
+        return static_cast<QWidget*>(nullptr);
+    };
+    ASSERT_TRUE(eventually([&] { return lists() != nullptr; }));
+    QTest::keyClick(lists(), Qt::Key_F12);
+    EXPECT_TRUE(robotIs(RobotActivity::Stopped));
+    lists()->close();
+}
+
 TEST_F(Console, escapeAbortsAnExploration)
 {
     open(fastRobot(robot, 2.1));

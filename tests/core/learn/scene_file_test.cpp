@@ -151,9 +151,12 @@ TEST_F(SceneFileTest, columnsMayComeInAnyOrder)
 
 TEST_F(SceneFileTest, takesWindowsLineEnds)
 {
+    const std::string lines = kHeader + kScene + kScene;
     std::string content;
-    for (const char c : kHeader + kScene + kScene)
-        content += c == '\n' ? "\r\n" : std::string(1, c);
+    for (const char c : lines) {
+        if (c == '\n') content += '\r';
+        content += c;
+    }
     const Result<SceneFile> windows = read(content);
     ASSERT_TRUE(windows) << windows.error().text;
     EXPECT_EQ(windows->scenes, read(kHeader + kScene + kScene)->scenes);

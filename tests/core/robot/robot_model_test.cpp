@@ -144,7 +144,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
         const std::string renamed = std::string(absolem).insert(at, "my_");
         EXPECT_TRUE(refuses(renamed, {section + key, "missing"})) << section << key;
         const std::string added = std::string(absolem).insert(at, replaced("my_? = 1\n", "?", key));
-        EXPECT_TRUE(refuses(added, {"line ", section + "my_" + key, "not a known key"}))
+        EXPECT_TRUE(refuses(added, {"line ", section + "my_", key, "not a known key"}))
             << section << key;
         ++keys;
     }
