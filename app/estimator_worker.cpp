@@ -44,12 +44,12 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
 {
     thread_.setObjectName(QStringLiteral("estimator"));
     moveToThread(&thread_);
+    connect(&thread_, &QThread::started, this, &EstimatorWorker::load);
+    connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
 }
 
 void EstimatorWorker::start()
 {
-    QMetaObject::invokeMethod(
-        this, [this] { load(); }, Qt::QueuedConnection);
     thread_.start();
 }
 
@@ -60,13 +60,11 @@ EstimatorWorker::~EstimatorWorker()
     thread_.wait();
 }
 
-int EstimatorWorker::request(EstimateRequest request)
+int EstimatorWorker::request(const EstimateRequest& request)
 {
     const int job = ++newest_;
     progress_ = 0.0;
-    QMetaObject::invokeMethod(
-        this, [this, job, request = std::move(request)] { run(job, request); },
-        Qt::QueuedConnection);
+    emit requested(job, request);
     return job;
 }
 

@@ -48,12 +48,13 @@ public:
 
     void start();  ///< loads the model; call once, when everybody listens
 
-    int request(EstimateRequest request);  ///< the job's number
+    int request(const EstimateRequest& request);  ///< the job's number
     void cancel();
     /// 0 … 1 of the job in flight; empty when there is none.  To be looked at, not to be signalled.
     std::optional<double> progress() const;
 
 signals:
+    void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
     void modelLoaded(const QString& name, const QString& details);
     void modelFailed(const QString& why);
     void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds);

@@ -53,10 +53,10 @@ void addArguments(CLI::App& app, Arguments& arguments)
         ->capture_default_str()
         ->check([](const std::string& text) {
             const QSize size = sizeFrom(text);
-            const bool good = size.width() >= 1180 && size.height() >= 680 && size.width() <= 10000
+            const bool good = size.width() >= 1200 && size.height() >= 680 && size.width() <= 10000
                            && size.height() <= 10000;
             return good ? std::string()
-                        : "expected WIDTHxHEIGHT, from 1180x680 to 10000x10000, not " + text;
+                        : "expected WIDTHxHEIGHT, from 1200x680 to 10000x10000, not " + text;
         });
 }
 

@@ -70,7 +70,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::build()
 {
-    setMinimumSize(1180, 680);
+    setMinimumSize(1200, 680);
     setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
     resize(1440, 900);
 

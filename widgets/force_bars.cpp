@@ -187,7 +187,8 @@ void ForceBars::show()
     const double step = *std::find_if(kSteps.begin(), kSteps.end() - 1,
                                       [this](double s) { return fullScale_ / s <= 5.0; });
     QList<double> ticks;
-    for (double tick = 0.0; tick <= fullScale_ + 1e-9; tick += step) ticks << tick;
+    const int count = static_cast<int>(std::floor(fullScale_ / step + 1e-9));
+    for (int i = 0; i <= count; ++i) ticks << i * step;
     setAxisScaleDiv(QwtPlot::yLeft, QwtScaleDiv(0.0, fullScale_, {}, {}, ticks));
 
     QVector<QPointF> bars;

@@ -38,7 +38,7 @@ QPushButton[role="primary"]:pressed { background: #0d3f7a; }
 QPushButton[role="primary"]:focus { border: 2px solid @text; }
 QPushButton[role="primary"]:disabled { background: #f1f4f7; color: #5d6a77; border-color: #d5dde5; }
 QPushButton[role="stop"] { background: @stop; color: white; border: 2px solid #ffffff; border-radius: 6px;
-                           font-size: 20px; font-weight: bold; min-width: 200px; min-height: 36px; padding: 0 20px; }
+                           font-size: 20px; font-weight: bold; min-width: 184px; min-height: 36px; padding: 0 16px; }
 QPushButton[role="stop"]:hover { background: #d92626; }
 QPushButton[role="stop"]:pressed { background: #8e0f0f; }
 QPushButton[role="stop"]:focus { border: 3px solid @source; }
@@ -48,7 +48,7 @@ QFrame#statusHeader { background: @header; }
 QFrame#statusHeader QPushButton[role="quiet"] { background: #33444f; color: @headertext; border-color: #4d606d; }
 QFrame#statusHeader QLabel { color: @headertext; }
 QFrame#statusHeader QLabel#sourceName { color: @source; font-size: 19px; font-weight: bold; }
-QFrame#statusHeader QLabel[chip="true"] { border-radius: 5px; padding: 5px 12px; background: #33444f; }
+QFrame#statusHeader QLabel[chip="true"] { border-radius: 5px; padding: 5px 10px; background: #33444f; }
 QFrame#statusHeader QLabel[chip="true"][tone="good"] { background: #1f5a35; color: #e2f7e8; }
 QFrame#statusHeader QLabel[chip="true"][tone="doubt"] { background: #7a4a00; color: #fff1d6; }
 QFrame#statusHeader QLabel[chip="true"][tone="bad"] { background: #8e1414; color: #ffffff; }

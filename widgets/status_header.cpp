@@ -40,13 +40,13 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
 
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(18, 7, 12, 7);
-    row->setSpacing(10);
+    row->setSpacing(8);
     row->addWidget(source_);
-    row->addSpacing(12);
+    row->addSpacing(6);
     for (QLabel* label : {link_, robot_, model_}) row->addWidget(label, 0, Qt::AlignVCenter);
     row->addStretch(1);
     row->addWidget(help_, 0, Qt::AlignVCenter);
-    row->addSpacing(24);  // nothing harmless close to STOP
+    row->addSpacing(20);  // nothing harmless close to STOP
     row->addWidget(stop_);
     connect(help_, &QPushButton::clicked, this, &StatusHeader::helpRequested);
     connect(stop_, &QPushButton::pressed, this, &StatusHeader::stopPressed);

@@ -392,7 +392,7 @@ void TerrainProfileView::showEstimate()
                 prior.push_back(soft ? QPointF(binCentre(bin - 1), e.mean[i - 1])
                                      : QPointF(point.x(), kGap));
                 prior.push_back(soft ? point : QPointF(point.x(), kGap));
-                prior.push_back(QPointF(point.x(), kGap));
+                prior.emplace_back(point.x(), kGap);
             }
         }
     }
@@ -539,8 +539,9 @@ bool TerrainProfileView::setScales()
         QList<double> centres;
         const double least = axis == QwtPlot::xBottom ? 44.0 : 22.0;  // [px] between labels
         const double step = 0.1 * scale >= least ? 0.1 : 0.2 * scale >= least ? 0.2 : 0.5;
-        for (double tick = std::ceil(from / step - 1e-9) * step; tick <= to + 1e-9; tick += step)
-            centres << tick;
+        const auto last = static_cast<int>(std::floor(to / step + 1e-9));
+        for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)
+            centres << tick * step;
         setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
     };
     setScale(QwtPlot::xBottom, kLeft - spareX / 2.0, kRight + spareX / 2.0);
