@@ -18,6 +18,7 @@ constexpr double kMaxPitch = 1.2;    // [rad]
 constexpr double kMaxFlipper = 2.5;  // [rad] further up a flipper lies on the robot
 constexpr int kSoftIterations = 60;
 constexpr int kFinalIterations = 300;
+constexpr int kHalvings = 14;       // of a step that does not go down far enough
 constexpr double kSettled = 1e-11;  // [J] a Newton step that gains less is not worth taking
 
 /// Order of the degrees of freedom in gradients: base height, pitch, front, rear.
@@ -207,7 +208,8 @@ private:
     bool lineSearch(Pose& pose, double& energy, Gradient& g, const Gradient& step,
                     double stiffness) const
     {
-        for (double share = 1.0; share > 1e-4; share *= 0.5) {
+        double share = 1.0;
+        for (int halving = 0; halving < kHalvings; ++halving, share *= 0.5) {
             const Pose candidate = moved(pose, share * step);
             Gradient next;
             const double e = potential_(candidate, stiffness, &next, nullptr);
