@@ -51,6 +51,7 @@ Status writeFiles(const std::filesystem::path& out, const std::vector<BinError>&
                   const std::vector<Scene>& scenes, const RobotModel& robot)
 {
     std::vector<std::vector<int>> underFlipper;
+    underFlipper.reserve(scenes.size());
     for (const Scene& scene : scenes) underFlipper.push_back(binsUnderFrontFlipper(robot, scene.s));
     const auto fig8 = histograms(errorsInBins(errors, underFlipper), kClassWidth, kClasses);
     const auto fig9 = summarise(errors);
