@@ -43,6 +43,7 @@ Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, i
         const int stops = (count * (run + 1)) / runs - (count * run) / runs;
         const std::vector<double> all = stopsOver(terrain, 0.01);
         std::vector<double> chosen;
+        chosen.reserve(static_cast<std::size_t>(stops));
         const double offset = std::uniform_real_distribution<double>(0.0, 1.0)(rng);
         for (int k = 0; k < stops; ++k)
             chosen.push_back(all[static_cast<std::size_t>((k + offset) / stops

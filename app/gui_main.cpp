@@ -126,15 +126,15 @@ int run(int argc, char** argv, const Arguments& arguments)
 int main(int argc, char** argv)
 {
     openblas_set_num_threads(1);  // the estimator has threads of its own
-    CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
-    terratact::Arguments arguments;
-    addArguments(app, arguments);
     try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? terratact::kDone : terratact::kWrongArguments;
-    }
-    try {
+        CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
+        terratact::Arguments arguments;
+        addArguments(app, arguments);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? terratact::kDone : terratact::kWrongArguments;
+        }
         return terratact::run(argc, argv, arguments);
     } catch (const std::exception& error) {
         return terratact::failed(error.what());

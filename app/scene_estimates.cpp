@@ -44,9 +44,7 @@ Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
     if (!robot) return robot.error();
     auto model = readModel(modelPath);
     if (!model) return model.error();
-    const ModelData& data = model->data;
-    return std::unique_ptr<Toolbox>(new Toolbox{*robot, *model, BinModels(data, FeatureSet::Pa),
-                                                BinModels(data, FeatureSet::Paf)});
+    return std::make_unique<Toolbox>(std::move(*robot), std::move(*model));
 }
 
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/infer/estimate.h"
@@ -15,6 +16,12 @@ namespace terratact {
 
 /// Robot, model and the conditionals of both feature sets.
 struct Toolbox {
+    Toolbox(RobotModel robotModel, StoredModel storedModel)
+        : robot(std::move(robotModel)), model(std::move(storedModel)),
+          pa(model.data, FeatureSet::Pa), paf(model.data, FeatureSet::Paf)
+    {
+    }
+
     RobotModel robot;
     StoredModel model;
     BinModels pa, paf;
