@@ -173,7 +173,8 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("evaluate")) {
         for (const std::string& method : a.methods)
             a.evaluate.methods.push_back(*methodFromName(method));
-        if (a.evaluate.methods.empty()) a.evaluate.methods.assign(kMethods.begin(), kMethods.end());
+        if (a.evaluate.methods.empty())
+            a.evaluate.methods.assign(kPaperMethods.begin(), kPaperMethods.end());
         return evaluate(a.evaluate);
     }
     if (app.got_subcommand("demo")) return demo(a.demo);

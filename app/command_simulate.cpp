@@ -9,6 +9,7 @@
 #include "core/learn/profile_file.h"
 #include "core/learn/scene_file.h"
 #include "core/sim/drive.h"
+#include "core/sim/random_terrain.h"
 #include "core/sim/terrain_shapes.h"
 
 namespace terratact {
@@ -98,12 +99,12 @@ Result<Recording> drive(const RobotModel& robot, const SimulateOptions& options)
             return DriveStyle{std::uniform_real_distribution<double>(0.05, 0.45)(rng),
                               DriveStyle{}.pressTorque};
         };
-        return drivePreset(robot, options, kBoxRuns, count, randomBoxDrive, style);
+        return drivePreset(robot, options, kBoxRuns, count, randomBoxTerrain, style);
     }
     if (options.terrain == "varied") {
         constexpr int kScenesPerRun = 8;
         const int runs = std::max(1, count / kScenesPerRun);
-        return drivePreset(robot, options, runs, count, randomVariedDrive, randomDriveStyle);
+        return drivePreset(robot, options, runs, count, randomVariedTerrain, randomDriveStyle);
     }
     const auto file = readProfiles(options.terrain, options.step, options.blocks);
     if (!file) return file.error();

@@ -30,6 +30,9 @@ Look lookOf(Method method)
     case Method::Pac: return {{0x1558a6}, Shape::Square, 11.0, "PAC"};
     case Method::Pafc: return {{0x12804a}, Shape::Diamond, 15.0, "PAFc"};
     case Method::Pafac: return {{0x8e3fbf}, Shape::Triangle, 14.0, "PAFAc"};
+    case Method::Clearance: return {{0xb8560b}, Shape::Circle, 12.0, "clearance"};
+    case Method::Joint: return {{0x0b7f8c}, Shape::Square, 11.0, "joint"};
+    case Method::Local: return {{0xb01e4f}, Shape::Diamond, 15.0, "local"};
     }
     return {};
 }

@@ -22,6 +22,9 @@ QString methodName(Method method)
     case Method::Pac: return QStringLiteral("PAC");
     case Method::Pafc: return QStringLiteral("PAFc");
     case Method::Pafac: return QStringLiteral("PAFAc");
+    case Method::Clearance: return QStringLiteral("clearance");
+    case Method::Joint: return QStringLiteral("joint");
+    case Method::Local: return QStringLiteral("local");
     }
     return {};
 }

@@ -24,11 +24,18 @@ std::string_view name(Origin origin);
 /// nothing of the robot is above part of the bin.
 struct TerrainEstimate {
     Heights mean{}, sd{}, q10{}, q90{};
+    Heights
+        height{};  ///< the one number to show: the mean, as in the paper, for its four methods; the
+                   ///< median for the others, whose distributions are skew
     Heights ceiling{};
     std::array<Origin, kBins> origin{};
     Heights rhat{};  ///< rank-normalised split R-hat; 1 for a bin that was not sampled
     Heights
         ess{};  ///< bulk effective sample size; the number of draws for a bin that was not sampled
+    std::vector<Heights> draws;         ///< of all bins together: what a joint question is asked of
+    double novelty = 0.0;               ///< how unlike the training scenes this one is, see
+                                        ///< core/learn/clearance_model.h; above 1 for 1 % of those;
+                                        ///< 0: not judged (the paper's methods)
     bool converged = true;              ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
     std::vector<std::string> warnings;  ///< what makes the result doubtful, in words
     Settings settings;

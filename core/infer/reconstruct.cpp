@@ -23,6 +23,10 @@ constexpr double kCeilingContradiction =
 
 void check(const Settings& settings, const BinModels& models)
 {
+    if (std::find(kPaperMethods.begin(), kPaperMethods.end(), settings.method)
+        == kPaperMethods.end())
+        throw std::invalid_argument(
+            fmt::format("method {} is not one of the paper's", name(settings.method)));
     const FeatureSet wanted = usesForces(settings.method) ? FeatureSet::Paf : FeatureSet::Pa;
     if (models.set() != wanted)
         throw std::invalid_argument(fmt::format("method {} needs the {} models, not the {} ones",
@@ -39,6 +43,7 @@ void check(const Settings& settings, const BinModels& models)
 void fix(TerrainEstimate& estimate, std::size_t bin, double height, double sd, Origin origin)
 {
     estimate.mean[bin] = height;
+    estimate.height[bin] = height;
     estimate.sd[bin] = sd;
     estimate.q10[bin] = height - kNormalQ90 * sd;
     estimate.q90[bin] = height + kNormalQ90 * sd;
@@ -82,6 +87,7 @@ void summarise(TerrainEstimate& estimate, std::size_t bin, const Eigen::MatrixXd
 {
     const double mean = draws.mean();
     estimate.mean[bin] = mean;
+    estimate.height[bin] = mean;
     estimate.sd[bin] = std::sqrt((draws.array() - mean).square().mean());
     const std::vector<double> all(draws.data(), draws.data() + draws.size());
     estimate.q10[bin] = quantile(all, 0.1);
@@ -89,6 +95,20 @@ void summarise(TerrainEstimate& estimate, std::size_t bin, const Eigen::MatrixXd
     estimate.origin[bin] = Origin::Sampled;
     estimate.rhat[bin] = rankNormalisedRhat(draws);
     estimate.ess[bin] = bulkEss(draws);
+}
+
+/// The chains' draws one after the other; known bins stand still at their heights.
+std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known)
+{
+    Heights start{};
+    for (std::size_t i = 0; i < kBins; ++i) start[i] = known[i].value_or(0.0);
+    const Eigen::Index count = draws.draws.empty() ? 1 : draws.draws.front().size();
+    std::vector<Heights> all(static_cast<std::size_t>(count), start);
+    for (std::size_t k = 0; k < draws.bins.size(); ++k)
+        for (Eigen::Index d = 0; d < count; ++d)
+            all[static_cast<std::size_t>(d)][static_cast<std::size_t>(draws.bins[k])] =
+                draws.draws[k].data()[d];
+    return all;
 }
 
 void judgeConvergence(TerrainEstimate& estimate)
@@ -132,6 +152,7 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
     const GibbsDraws draws = sampleHeights(models, problem, watch);
     for (std::size_t k = 0; k < draws.bins.size(); ++k)
         summarise(estimate, static_cast<std::size_t>(draws.bins[k]), draws.draws[k]);
+    estimate.draws = jointDraws(draws, problem.known);
     judgeConvergence(estimate);
     return estimate;
 }

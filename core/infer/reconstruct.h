@@ -10,10 +10,10 @@
 
 namespace terratact {
 
-/// The probabilistic reconstruction of one scene (sections 4.2 and 4.3): contacts and arm readings are
+/// The paper's probabilistic reconstruction of one scene (sections 4.2 and 4.3): contacts and arm readings are
 /// fixed, the other bins sampled.  models: of the feature set that settings.method uses.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for settings out of range, a model of the other feature set or an s that
+/// Throws std::invalid_argument for another method than the paper's four, settings out of range, a model of the other feature set or an s that
 /// lacks a feature; Cancelled.
 TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,

@@ -23,6 +23,9 @@ std::string_view name(Method method)
     case Method::Pac: return "pac";
     case Method::Pafc: return "pafc";
     case Method::Pafac: return "pafac";
+    case Method::Clearance: return "clearance";
+    case Method::Joint: return "joint";
+    case Method::Local: return "local";
     }
     throw std::invalid_argument("name: no such Method");
 }

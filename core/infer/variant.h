@@ -7,14 +7,20 @@
 
 namespace terratact {
 
-/// The paper's four methods (domain: section 5 of the paper).
-///   Pa    pitch + flipper angles
-///   Pac   the same, samples constrained by the robot's body
-///   Pafc  + flipper forces (and currents), contact bins fixed, constrained
-///   Pafac Pafc + the arm measures the most uncertain bin
-enum class Method : std::uint8_t { Pa, Pac, Pafc, Pafac };
+/// The paper's four methods (domain: section 5 of the paper), and three over clearances: under the robot
+/// they estimate log(ceiling − height + δ), so that no estimate lies inside the robot's body.
+///   Pa        pitch + flipper angles
+///   Pac       the same, samples constrained by the robot's body
+///   Pafc      + flipper forces (and currents), contact bins fixed, constrained
+///   Pafac     Pafc + the arm measures the most uncertain bin
+///   Clearance Gibbs sampling like Pafc, the state of a bin under the robot is its clearance
+///   Joint     closed form: one Gaussian process per bin on s, and one Gaussian for the errors of all bins
+///   Local     closed form: the same, the errors are those of the training scenes most like this one
+enum class Method : std::uint8_t { Pa, Pac, Pafc, Pafac, Clearance, Joint, Local };
 
-inline constexpr std::array kMethods{Method::Pa, Method::Pac, Method::Pafc, Method::Pafac};
+inline constexpr std::array kMethods{Method::Pa,        Method::Pac,   Method::Pafc, Method::Pafac,
+                                     Method::Clearance, Method::Joint, Method::Local};
+inline constexpr std::array kPaperMethods{Method::Pa, Method::Pac, Method::Pafc, Method::Pafac};
 
 /// How a sample above the body's ceiling is treated.
 ///   Truncate  drawn from the Gaussian cut off above the ceiling (section 4.3)
@@ -29,18 +35,25 @@ enum class ContactRule : std::uint8_t { Isolated, Any };
 
 constexpr bool usesForces(Method m)
 {
-    return m == Method::Pafc || m == Method::Pafac;
+    return m != Method::Pa && m != Method::Pac;
 }
+/// Samples heights and cuts them off at the ceiling.
 constexpr bool usesCeiling(Method m)
 {
-    return m != Method::Pa;
+    return m == Method::Pac || m == Method::Pafc || m == Method::Pafac;
 }
+/// Needs no chain: see core/infer/closed_form.h.
+constexpr bool isClosedForm(Method m)
+{
+    return m == Method::Joint || m == Method::Local;
+}
+/// A probe is part of the method.
 constexpr bool usesArm(Method m)
 {
     return m == Method::Pafac;
 }
 
-/// The names used on the command line and in files: "pa", "truncate", "isolated", …
+/// The names used on the command line and in files: "pa", "local", "truncate", "isolated", …
 std::string_view name(Method method);
 std::string_view name(CeilingRule rule);
 std::string_view name(ContactRule rule);

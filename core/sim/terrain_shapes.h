@@ -29,14 +29,6 @@ TerrainProfile roughTerrain(double sd, double correlation, double length, std::m
 /// The sum of two profiles' heights at every point of either; vertical faces are kept.
 TerrainProfile sum(const TerrainProfile& a, const TerrainProfile& b);
 
-/// One drive of the paper's training set: flat ground, a box of 0.20 m or 0.28 m, flat ground.  6 m.
-TerrainProfile randomBoxDrive(std::mt19937_64& rng);
-
-/// One drive over varied ground: slopes up to 15°, single steps 0.04–0.32 m, stairs (risers
-/// 0.08–0.18 m, treads 0.24–0.34 m), ledges, blocks, kerbs and holes, one to four of them, on ground
-/// with a roughness up to 30 mm sd.  6 m.
-TerrainProfile randomVariedDrive(std::mt19937_64& rng);
-
 /// The ground of the demonstration: uneven floor, a step of 0.24 m (a height no box of the paper's
 /// training set has) at x = kDemoStep, a landing, stairs down.
 inline constexpr double kDemoStep = 2.6;  ///< [m]

@@ -23,7 +23,7 @@ void restPoseOnVariedGround(benchmark::State& state)
 {
     const RobotModel robot = absolem();
     std::mt19937_64 rng(1);
-    const TerrainProfile terrain = randomVariedDrive(rng);
+    const TerrainProfile terrain = randomVariedTerrain(rng);
     const auto stops = stopsOver(terrain, 0.05);
     std::size_t k = 0;
     for (auto _ : state)

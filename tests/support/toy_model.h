@@ -5,6 +5,7 @@
 #include "core/learn/bin_models.h"
 #include "core/learn/training.h"
 #include "core/sim/drive.h"
+#include "core/sim/random_terrain.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 
@@ -18,7 +19,7 @@ inline std::vector<Scene> someScenes(int runs, std::uint64_t seed, SensorNoise n
     std::vector<Scene> scenes;
     int skipped = 0;
     for (int run = 0; run < runs; ++run) {
-        const TerrainProfile terrain = randomVariedDrive(rng);
+        const TerrainProfile terrain = randomVariedTerrain(rng);
         auto more = driveOver(robot, terrain, stopsOver(terrain, 0.3), std::to_string(run + 1),
                               randomDriveStyle(rng), noise, rng, skipped);
         scenes.insert(scenes.end(), more.begin(), more.end());

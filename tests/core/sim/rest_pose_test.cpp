@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/sim/drive.h"
+#include "core/sim/random_terrain.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 
@@ -79,7 +80,7 @@ TEST(RestPose, balancesForcesAndMoments)
     const RobotModel robot = absolem();
     std::mt19937_64 rng(5);
     for (int run = 0; run < 12; ++run) {
-        const TerrainProfile terrain = randomVariedDrive(rng);
+        const TerrainProfile terrain = randomVariedTerrain(rng);
         for (const double x : stopsOver(terrain, 0.41)) {
             const auto rest = restPose(robot, terrain, x, kPress, kRear);
             if (!rest) continue;
@@ -118,7 +119,7 @@ TEST(RestPose, isALocalMinimumOfTheEnergy)
     std::mt19937_64 rng(17);
     std::normal_distribution<double> normal;
     for (int run = 0; run < 6; ++run) {
-        const TerrainProfile terrain = randomVariedDrive(rng);
+        const TerrainProfile terrain = randomVariedTerrain(rng);
         const auto stops = stopsOver(terrain, 0.01);
         const double x = stops[static_cast<std::size_t>(rng() % stops.size())];
         const auto rest = restPose(robot, terrain, x, kPress, kRear);
@@ -142,7 +143,7 @@ TEST(RestPose, hasNoTerrainAboveTheRobot)
     const RobotModel robot = absolem();
     std::mt19937_64 rng(23);
     for (int run = 0; run < 12; ++run) {
-        const TerrainProfile terrain = randomVariedDrive(rng);
+        const TerrainProfile terrain = randomVariedTerrain(rng);
         for (const double x : stopsOver(terrain, 0.53)) {
             const auto rest = restPose(robot, terrain, x, kPress, kRear);
             if (!rest) continue;
@@ -178,7 +179,7 @@ TEST(RestPose, neverAsksMoreOfTheMotorsThanTheyHave)
     const RobotModel robot = absolem();
     std::mt19937_64 rng(29);
     for (int run = 0; run < 20; ++run) {
-        const TerrainProfile terrain = randomVariedDrive(rng);
+        const TerrainProfile terrain = randomVariedTerrain(rng);
         for (const double x : stopsOver(terrain, 0.61)) {
             const auto rest = restPose(robot, terrain, x, kPress, kRear);
             if (!rest) continue;
@@ -193,7 +194,7 @@ TEST(RestPose, isFoundInAboutAMillisecond)
     // A hang guard: the figure itself (below 2 ms, release, one core) is printed by tests/bench.
     const RobotModel robot = absolem();
     std::mt19937_64 rng(31);
-    const TerrainProfile terrain = randomVariedDrive(rng);
+    const TerrainProfile terrain = randomVariedTerrain(rng);
     const auto start = std::chrono::steady_clock::now();
     for (const double x : stopsOver(terrain, 0.05))
         (void)restPose(robot, terrain, x, kPress, kRear);

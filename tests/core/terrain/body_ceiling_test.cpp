@@ -7,6 +7,7 @@
 
 #include "core/robot/kinematics.h"
 #include "core/sim/drive.h"
+#include "core/sim/random_terrain.h"
 #include "core/sim/rest_pose.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
@@ -36,7 +37,7 @@ TEST(BodyCeiling, isAboveTheTerrainOfEveryRestPose)
     std::mt19937_64 rng(11);
     int poses = 0;
     for (int run = 0; run < 25; ++run) {
-        const TerrainProfile terrain = randomVariedDrive(rng);
+        const TerrainProfile terrain = randomVariedTerrain(rng);
         const DriveStyle style = randomDriveStyle(rng);
         for (const double x : stopsOver(terrain, 0.37)) {
             const auto rest = restPose(robot, terrain, x, PressTorque{style.pressTorque},

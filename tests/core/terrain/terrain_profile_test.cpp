@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/sim/random_terrain.h"
 #include "core/sim/terrain_shapes.h"
 
 namespace terratact {
@@ -32,7 +33,7 @@ TEST(TerrainProfile, hasTheUpperHeightAtAStep)
 TEST(TerrainProfile, meanIsTheIntegralOfItsLine)
 {
     std::mt19937_64 rng(7);
-    const TerrainProfile t = randomVariedDrive(rng);
+    const TerrainProfile t = randomVariedTerrain(rng);
     for (double a = -0.5; a < 6.0; a += 0.173) {
         constexpr int kSteps = 20000;
         double sum = 0.0;

@@ -1,0 +1,218 @@
+#include "core/sim/random_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/sim/terrain_path.h"
+#include "core/sim/terrain_shapes.h"
+
+namespace terratact {
+
+namespace {
+
+double uniform(std::mt19937_64& rng, double low, double high)
+{
+    return std::uniform_real_distribution<double>(low, high)(rng);
+}
+
+int whole(std::mt19937_64& rng, int low, int high)
+{
+    return std::uniform_int_distribution<int>(low, high)(rng);
+}
+
+bool chance(std::mt19937_64& rng, double probability)
+{
+    return uniform(rng, 0.0, 1.0) < probability;
+}
+
+double eitherSign(std::mt19937_64& rng)
+{
+    return chance(rng, 0.5) ? 1.0 : -1.0;
+}
+
+void addStep(TerrainPath& path, std::mt19937_64& rng)
+{
+    path.face(uniform(rng, 0.03, 0.40) * eitherSign(rng));
+}
+
+void addStairs(TerrainPath& path, std::mt19937_64& rng)
+{
+    const double riser = uniform(rng, 0.08, 0.20) * eitherSign(rng);
+    const double tread = uniform(rng, 0.22, 0.40);
+    const int count = whole(rng, 2, 12);
+    for (int k = 0; k < count; ++k) {
+        path.face(riser);
+        path.level(tread);
+    }
+}
+
+void addRamp(TerrainPath& path, std::mt19937_64& rng)
+{
+    path.slope(uniform(rng, 0.2, 2.0), uniform(rng, -0.52, 0.52));
+}
+
+/// A raised or sunken piece with vertical faces.
+void addBlock(TerrainPath& path, double height, double width, std::mt19937_64& rng)
+{
+    path.face(height);
+    path.level(width);
+    path.face(-height * (chance(rng, 0.7) ? 1.0 : uniform(rng, 0.3, 1.3)));
+}
+
+/// Half a wave up or down: a log, a mound, a furrow.
+void addHump(TerrainPath& path, std::mt19937_64& rng)
+{
+    constexpr int kPosts = 16;
+    const double height = uniform(rng, 0.03, 0.25) * eitherSign(rng);
+    const double width = uniform(rng, 0.2, 1.2);
+    double before = 0.0;
+    for (int k = 1; k <= kPosts; ++k) {
+        const double now = height * std::sin(std::numbers::pi * k / kPosts);
+        path.rise(width / kPosts, now - before);
+        before = now;
+    }
+}
+
+void addFeature(TerrainPath& path, std::mt19937_64& rng)
+{
+    switch (whole(rng, 0, 9)) {
+    case 0:
+    case 1: return addStairs(path, rng);
+    case 2:
+    case 3: return addRamp(path, rng);
+    case 4: return addBlock(path, uniform(rng, 0.04, 0.35), uniform(rng, 0.2, 1.5), rng);
+    case 5: return addBlock(path, uniform(rng, 0.03, 0.18), uniform(rng, 0.06, 0.25), rng);
+    case 6: return addBlock(path, -uniform(rng, 0.03, 0.25), uniform(rng, 0.1, 0.6), rng);
+    case 7: return addHump(path, rng);
+    default: return addStep(path, rng);
+    }
+}
+
+/// Short landings are more frequent than long ones.
+double landing(std::mt19937_64& rng)
+{
+    return 0.05 + 1.5 * std::pow(uniform(rng, 0.0, 1.0), 2.0);
+}
+
+TerrainProfile builtGround(std::mt19937_64& rng)
+{
+    TerrainPath path;
+    path.level(uniform(rng, 0.0, 1.5));
+    while (path.x() < kRandomTerrainLength) {
+        addFeature(path, rng);
+        path.level(landing(rng));
+    }
+    // A line at an angle to head-on cuts the same ground stretched by 1 / cos.
+    const double stretch = 1.0 / std::cos(uniform(rng, 0.0, 1.05) * uniform(rng, 0.0, 1.0));
+    return std::move(path).stretched(stretch);
+}
+
+/// ISO 8608 class, 0 for A; between two classes for a fraction.
+double classRoughness(double roughnessClass)
+{
+    return 16e-6 * std::pow(4.0, roughnessClass);
+}
+
+TerrainProfile roughness(double fromClass, double toClass, std::mt19937_64& rng)
+{
+    return isoRoughness(classRoughness(uniform(rng, fromClass, toClass)), kRandomTerrainLength,
+                        rng);
+}
+
+TerrainProfile naturalGround(std::mt19937_64& rng)
+{
+    TerrainPath path;
+    path.level(uniform(rng, 0.2, 1.5));
+    while (path.x() < kRandomTerrainLength) {
+        if (chance(rng, 0.7))
+            addHump(path, rng);
+        else
+            path.face(uniform(rng, 0.03, 0.25) * eitherSign(rng));
+        path.level(uniform(rng, 0.2, 2.5));
+    }
+    return sum(std::move(path).finish(kRandomTerrainLength), roughness(3.0, 6.0, rng));
+}
+
+TerrainProfile stepField(std::mt19937_64& rng)
+{
+    const double tallest = uniform(rng, 0.05, 0.30);
+    const double post = uniform(rng, 0.1, 0.3);
+    TerrainPath path;
+    double before = 0.0;
+    while (path.x() < kRandomTerrainLength) {
+        const double now = uniform(rng, 0.0, tallest);
+        path.face(now - before);
+        path.level(post);
+        before = now;
+    }
+    return std::move(path).finish(kRandomTerrainLength);
+}
+
+TerrainProfile someGround(std::mt19937_64& rng)
+{
+    const double kind = uniform(rng, 0.0, 1.0);
+    if (kind < 0.50) {
+        const TerrainProfile built = builtGround(rng);
+        return sum(built, roughness(0.0, 4.0, rng));
+    }
+    if (kind < 0.75) return naturalGround(rng);
+    if (kind < 0.85) return stepField(rng);
+    const TerrainProfile built = builtGround(rng);
+    return sum(built, roughness(3.0, 6.0, rng));
+}
+
+}  // namespace
+
+TerrainProfile randomBoxTerrain(std::mt19937_64& rng)
+{
+    const double height = chance(rng, 0.5) ? 0.20 : 0.28;
+    const double at = uniform(rng, 1.8, 2.6);
+    return boxTerrain(height, at, uniform(rng, 0.8, 1.6), kRandomTerrainLength);
+}
+
+TerrainProfile randomVariedTerrain(std::mt19937_64& rng)
+{
+    TerrainProfile ground = someGround(rng);
+    if (chance(rng, 0.3))
+        ground = sum(ground, slopeTerrain(uniform(rng, -0.35, 0.35), 0.0, kRandomTerrainLength));
+    return chance(rng, 0.5) ? asElevationMap(ground, kBinWidth) : ground;
+}
+
+TerrainProfile isoRoughness(double gn0, double length, std::mt19937_64& rng)
+{
+    constexpr double kN0 = 0.1, kLowest = 0.25, kHighest = 10.0;  // [cycles/m]
+    constexpr int kWaves = 60;
+    constexpr double kStep = 0.02;  // [m]
+    const double ratio = std::pow(kHighest / kLowest, 1.0 / kWaves);
+    const auto posts = static_cast<std::size_t>(std::lround(length / kStep)) + 1;
+    std::vector<double> heights(posts, 0.0);
+    for (int wave = 0; wave < kWaves; ++wave) {
+        // The band's share of the variance, ∫ G(n) dn, in one cosine at a random place in the band.
+        const double low = kLowest * std::pow(ratio, wave);
+        const double high = low * ratio;
+        const double amplitude = std::sqrt(2.0 * gn0 * kN0 * kN0 * (1.0 / low - 1.0 / high));
+        const double n = uniform(rng, low, high);
+        const double phase = uniform(rng, 0.0, 2.0 * std::numbers::pi);
+        for (std::size_t k = 0; k < posts; ++k)
+            heights[k] +=
+                amplitude
+                * std::cos(2.0 * std::numbers::pi * n * kStep * static_cast<double>(k) + phase);
+    }
+    return TerrainProfile::fromSamples(heights, kStep, false);
+}
+
+TerrainProfile asElevationMap(const TerrainProfile& terrain, double cell)
+{
+    std::vector<Vec2> points;
+    const auto cells = static_cast<int>(std::floor((terrain.end() - terrain.begin()) / cell));
+    for (int k = 0; k < std::max(cells, 1); ++k) {
+        const double from = terrain.begin() + cell * k;
+        points.push_back({from + 0.5 * cell, terrain.meanOver(from, from + cell)});
+    }
+    return TerrainProfile(std::move(points));
+}
+
+}  // namespace terratact
