@@ -41,7 +41,7 @@ void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
     app.add_option("--ceiling", scratch, "How the robot's body bounds samples (default truncate)")
         ->check(named(settings.ceiling, ceilingRuleFromName, "truncate|clamp|none"));
     app.add_option("--contacts", scratch, "Which force elements fix a bin (default isolated)")
-        ->check(named(settings.contacts, contactRuleFromName, "isolated|any"));
+        ->check(named(settings.contacts, contactRuleFromName, "isolated|any|none"));
     addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
     addNumber(app, "--sweeps", settings.draws, "Kept sweeps K, all chains together")
@@ -55,7 +55,7 @@ void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
 void addMethod(CLI::App& app, Settings& settings, std::string& scratch)
 {
     app.add_option("--method", scratch, fmt::format("Method (default {})", name(settings.method)))
-        ->check(named(settings.method, methodFromName, "pa|pac|pafc|pafac"));
+        ->check(named(settings.method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local"));
 }
 
 void addRobot(CLI::App& app, std::string& robot)
@@ -107,10 +107,19 @@ void addSimulate(CLI::App& app, Arguments& a)
 
 void addTrain(CLI::App& app, Arguments& a)
 {
-    auto* c = app.add_subcommand("train", "Train the 22 Gaussian processes of a model on scenes");
+    auto* c =
+        app.add_subcommand("train", "Train a model on scenes: the paper's 22 conditionals, and the "
+                                    "processes over clearances");
+    addRobot(*c, a.train.robot);
     c->add_option("--data", a.train.data, "Scenes CSV with all heights")->required();
     c->add_option("--out", a.train.out, "Model to write (*.ttm)")->required();
     addNumber(*c, "--seed", a.train.seed, "Seed of the search");
+    addNumber(*c, "--scanner-sd", a.train.scannerSd,
+              "Noise added to the conditionals' heights [m]: for scenes with exact ones")
+        ->check(CLI::Range(0.0, 1.0));
+    addNumber(*c, "--conditional-rows", a.train.conditionalRows,
+              "Scenes the conditionals learn from; clearances learn from all")
+        ->check(CLI::Range(30, 20'000));
 }
 
 void addReconstruct(CLI::App& app, Arguments& a)
@@ -135,7 +144,7 @@ void addEvaluate(CLI::App& app, Arguments& a)
         ->required();
     c->add_option("--methods", a.methods, "Methods to compare (default: all four)")
         ->delimiter(',')
-        ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac"}));
+        ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac", "clearance", "joint", "local"}));
     addSettings(*c, a.evaluate.settings, a.scratch);
 }
 
@@ -185,8 +194,8 @@ Status run(const CLI::App& app, Arguments& a)
 
 void useShippedFiles(Arguments& a)
 {
-    for (std::string* robot :
-         {&a.simulate.robot, &a.reconstruct.robot, &a.evaluate.robot, &a.demo.robot})
+    for (std::string* robot : {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot,
+                               &a.evaluate.robot, &a.demo.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
     for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model})
         if (model->empty()) *model = resourcePath("models/default.ttm");

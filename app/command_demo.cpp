@@ -10,7 +10,6 @@
 #include "app/scene_estimates.h"
 #include "core/atem/arm_choice.h"
 #include "core/file_write.h"
-#include "core/infer/reconstruct.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/terrain/body_ceiling.h"
@@ -104,7 +103,6 @@ Status demo(const DemoOptions& options)
 {
     const auto toolbox = openToolbox(options.robot, options.model);
     if (!toolbox) return toolbox.error();
-    const BinModels& models = (*toolbox)->modelsFor(options.settings.method);
     std::error_code failed;
     std::filesystem::create_directories(options.out, failed);
     if (failed)
@@ -128,7 +126,8 @@ Status demo(const DemoOptions& options)
     fmt::print("{:6.1f} s  flippers pressed, scene captured\n", measurement.time);
 
     const auto estimateWith = [&](std::span<const ArmReading> arm) {
-        return reconstruct(scene.s, arm, (*toolbox)->robot, models, options.settings);
+        return estimateTerrain(scene.s, arm, (*toolbox)->robot, (*toolbox)->models,
+                               options.settings);
     };
     const TerrainEstimate first = estimateWith({});
     const std::optional<int> bin = proposeProbe(first, (*toolbox)->robot);

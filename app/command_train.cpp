@@ -7,10 +7,12 @@
 #include "app/parallel.h"
 #include "app/progress.h"
 #include "core/file_read.h"
+#include "core/learn/clearance_training.h"
 #include "core/learn/model_file.h"
 #include "core/learn/scene_file.h"
 #include "core/learn/sha256.h"
 #include "core/learn/training.h"
+#include "core/robot/robot_model.h"
 
 namespace terratact {
 
@@ -45,10 +47,31 @@ void trainAll(ModelData& model, std::uint64_t seed)
     });
 }
 
+void trainClearances(ModelData& model, const RobotModel& robot, std::uint64_t seed)
+{
+    const Eigen::MatrixXd ceilings = bodyCeilings(model.features, robot);
+    prepareClearance(model, ceilings);
+    TrainingOptions options;
+    options.subset = 800;
+    options.seed = seed;
+    std::vector<TrainedSurface> trained(std::size_t{2} * kBins);
+    Progress progress("training surface", 2 * kBins);
+    parallelFor(2 * kBins, [&](int job) {
+        trained[static_cast<std::size_t>(job)] =
+            trainSurface(model, ceilings, job % kBins, job < kBins, options);
+        progress.tick();
+    });
+    for (int job = 0; job < 2 * kBins; ++job)
+        store(model, trained[static_cast<std::size_t>(job)], job % kBins, job < kBins);
+    finishClearance(model, ceilings, robot);
+}
+
 }  // namespace
 
 Status train(const TrainOptions& options)
 {
+    const auto robot = readRobotModel(options.robot);
+    if (!robot) return robot.error();
     const auto file = readScenes(options.data);
     if (!file) return file.error();
     for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
@@ -56,7 +79,9 @@ Status train(const TrainOptions& options)
     if (!bytes) return bytes.error();
     TrainingSet set;
     try {
-        set = prepareTraining(file->scenes);
+        set = prepareTraining(file->scenes, {.conditionalRows = options.conditionalRows,
+                                             .scannerSd = options.scannerSd,
+                                             .seed = options.seed});
     } catch (const std::invalid_argument& error) {
         return fileError(options.data, error.what());
     }
@@ -66,9 +91,13 @@ Status train(const TrainOptions& options)
     set.model.command = options.commandLine;
     set.model.dataHash = sha256Hex(*bytes);
     trainAll(set.model, options.seed);
+    trainClearances(set.model, *robot, options.seed);
     if (Status written = writeModel(options.out, set.model); !written) return written;
     printBins(set.model);
-    fmt::print("{} scenes, 22 Gaussian processes written to {}\n", set.used, options.out);
+    fmt::print("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
+               1000.0 * set.model.clearance.contactBias, 1000.0 * set.model.clearance.contactSd);
+    fmt::print("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
+               set.used, set.model.scannedHeights.rows(), options.out);
     return Done{};
 }
 

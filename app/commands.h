@@ -24,7 +24,9 @@ struct SimulateOptions {
 Status simulate(const SimulateOptions& options);
 
 struct TrainOptions {
-    std::string data, out;
+    std::string robot, data, out;
+    double scannerSd = 0.0;  ///< [m] of noise added to the conditionals' heights
+    int conditionalRows = 1400;
     std::string commandLine;  ///< kept in the model
     std::uint64_t seed = 1;
 };

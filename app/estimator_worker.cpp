@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
@@ -18,9 +19,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
         auto stored = readModel(path);
         if (!stored) return stored.error();
         // Shared because an Estimator is a copyable value while the models are not.
-        const auto pa = std::make_shared<const BinModels>(stored->data, FeatureSet::Pa);
-        const auto paf = std::make_shared<const BinModels>(stored->data, FeatureSet::Paf);
-        for (int bin = 0; bin < kBins; ++bin) (void)paf->bin(bin);
+        const auto models = std::make_shared<const Models>(stored->data);
 
         LoadedModel model;
         model.name = QFileInfo(QString::fromStdString(path)).fileName();
@@ -29,10 +28,10 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
                             .arg(stored->data.heights.rows())
                             .arg(QString::fromStdString(stored->data.command),
                                  QString::fromStdString(stored->contentHash.substr(0, 16)));
-        model.estimate = [pa, paf, robot](const EstimateRequest& request, const Watch& watch) {
-            const BinModels& models = usesForces(request.settings.method) ? *paf : *pa;
-            TerrainEstimate estimate = reconstruct(proprioception(request.measurement), request.arm,
-                                                   robot, models, request.settings, watch);
+        model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
+            TerrainEstimate estimate =
+                estimateTerrain(proprioception(request.measurement), request.arm, robot, *models,
+                                request.settings, watch);
             warnIfNotPlanar(estimate, request.measurement);
             return estimate;
         };

@@ -7,7 +7,6 @@
 #include "app/parallel.h"
 #include "app/progress.h"
 #include "core/atem/arm_choice.h"
-#include "core/infer/reconstruct.h"
 
 namespace terratact {
 
@@ -30,8 +29,8 @@ SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings
         return {first, joined(first.warnings)};
     }
     const ArmReading reading{*bin, *truth, settings.armSd};
-    const TerrainEstimate second = reconstruct(scene.s, {&reading, 1}, toolbox.robot,
-                                               toolbox.modelsFor(settings.method), settings);
+    const TerrainEstimate second =
+        estimateTerrain(scene.s, {&reading, 1}, toolbox.robot, toolbox.models, settings);
     return {second, joined(second.warnings)};
 }
 
@@ -49,11 +48,11 @@ Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
 
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings)
 {
-    const BinModels& models = toolbox.modelsFor(settings.method);
-    if (const std::string_view missing = missingFeature(models.set(), scene.s); !missing.empty())
+    const FeatureSet set = toolbox.models.featuresOf(settings.method);
+    if (const std::string_view missing = missingFeature(set, scene.s); !missing.empty())
         return {std::nullopt, fmt::format("{} is unknown, and method {} needs it", missing,
                                           name(settings.method))};
-    TerrainEstimate first = reconstruct(scene.s, {}, toolbox.robot, models, settings);
+    TerrainEstimate first = estimateTerrain(scene.s, {}, toolbox.robot, toolbox.models, settings);
     if (!usesArm(settings.method)) return {first, joined(first.warnings)};
     return withArm(scene, toolbox, settings, std::move(first));
 }

@@ -6,27 +6,23 @@
 #include <utility>
 #include <vector>
 
-#include "core/infer/estimate.h"
-#include "core/learn/bin_models.h"
+#include "core/infer/estimator.h"
 #include "core/learn/model_file.h"
 #include "core/learn/scene.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
 
-/// Robot, model and the conditionals of both feature sets.
+/// Robot, model and what the methods make of it.
 struct Toolbox {
     Toolbox(RobotModel robotModel, StoredModel storedModel)
-        : robot(std::move(robotModel)), model(std::move(storedModel)),
-          pa(model.data, FeatureSet::Pa), paf(model.data, FeatureSet::Paf)
+        : robot(std::move(robotModel)), model(std::move(storedModel)), models(model.data)
     {
     }
 
     RobotModel robot;
     StoredModel model;
-    BinModels pa, paf;
-
-    const BinModels& modelsFor(Method method) const { return usesForces(method) ? paf : pa; }
+    Models models;
 };
 Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
                                              const std::string& modelPath);

@@ -49,7 +49,7 @@ std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene,
         errors.push_back({.scene = sceneIndex,
                           .method = estimate.settings.method,
                           .bin = static_cast<int>(i),
-                          .error = estimate.mean[i] - truth,
+                          .error = estimate.height[i] - truth,
                           .inBand = estimate.q10[i] <= truth && truth <= estimate.q90[i],
                           .origin = estimate.origin[i]});
     }

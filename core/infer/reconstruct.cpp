@@ -56,7 +56,7 @@ OptionalHeights fixContacts(TerrainEstimate& estimate, const RobotModel& robot,
                             const Proprioception& s)
 {
     const Settings& settings = estimate.settings;
-    if (!usesForces(settings.method)) return {};
+    if (!usesForces(settings.method) || settings.contacts == ContactRule::None) return {};
     KinematicReconstruction contacts = reconstructContacts(
         robot, s, settings.forceThreshold, settings.contacts == ContactRule::Isolated);
     for (std::size_t i = 0; i < kBins; ++i)

@@ -8,7 +8,7 @@ namespace terratact {
 
 /// Everything besides scene, robot and model that decides an estimate.
 struct Settings {
-    Method method = Method::Pafc;
+    Method method = Method::Local;
     CeilingRule ceiling = CeilingRule::Truncate;  ///< for the constrained methods
     ContactRule contacts = ContactRule::Isolated;
     double forceThreshold = 2.0;  ///< [N] an element above it touches the ground (paper: 2 units)

@@ -45,6 +45,7 @@ std::string_view name(ContactRule rule)
     switch (rule) {
     case ContactRule::Isolated: return "isolated";
     case ContactRule::Any: return "any";
+    case ContactRule::None: return "none";
     }
     throw std::invalid_argument("name: no such ContactRule");
 }
@@ -61,7 +62,7 @@ std::optional<CeilingRule> ceilingRuleFromName(std::string_view text)
 
 std::optional<ContactRule> contactRuleFromName(std::string_view text)
 {
-    return named(text, std::array{ContactRule::Isolated, ContactRule::Any});
+    return named(text, std::array{ContactRule::Isolated, ContactRule::Any, ContactRule::None});
 }
 
 }  // namespace terratact

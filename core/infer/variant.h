@@ -31,7 +31,8 @@ enum class CeilingRule : std::uint8_t { Truncate, Clamp, None };
 /// Which force elements fix a bin.
 ///   Isolated  exactly one element, or one group of neighbours, above the threshold (section 4.2)
 ///   Any       every element above the threshold (section 5)
-enum class ContactRule : std::uint8_t { Isolated, Any };
+///   None      none: forces speak through s alone
+enum class ContactRule : std::uint8_t { Isolated, Any, None };
 
 constexpr bool usesForces(Method m)
 {

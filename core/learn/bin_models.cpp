@@ -13,8 +13,9 @@ Eigen::MatrixXd standardised(const Eigen::MatrixXd& raw, const Eigen::VectorXd& 
 Eigen::MatrixXd rawInputs(const ModelData& model, FeatureSet set)
 {
     const auto f = static_cast<Eigen::Index>(featureNames(set).size());
-    Eigen::MatrixXd raw(model.heights.rows(), kBins + f);
-    raw << model.heights, model.features.leftCols(f);
+    const Eigen::Index rows = model.scannedHeights.rows();
+    Eigen::MatrixXd raw(rows, kBins + f);
+    raw << model.scannedHeights, model.features.topLeftCorner(rows, f);
     return raw;
 }
 
@@ -29,7 +30,7 @@ Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin)
 BinModels::BinModels(const ModelData& model, FeatureSet set)
     : data_(set == FeatureSet::Pa ? model.pa : model.paf),
       standardised_(standardised(rawInputs(model, set), data_.mean, data_.sd)),
-      heights_(model.heights)
+      heights_(model.scannedHeights)
 {
 }
 

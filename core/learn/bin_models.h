@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-/// Training inputs as U × (11 + f): heights, then the features of the set, as in the file.
+/// Training inputs of the conditionals as V × (11 + f): scanned heights, then the features of the set.
 Eigen::MatrixXd rawInputs(const ModelData& model, FeatureSet set);
 
 /// (raw − mean) / sd, column by column.
@@ -23,7 +23,6 @@ Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin);
 /// factorised when it is first asked for.  Safe to share between threads.
 class BinModels {
 public:
-    /// heights: U × 11, features: U × 11 as in ModelData.
     BinModels(const ModelData& model, FeatureSet set);
 
     FeatureSet set() const { return data_.set; }
@@ -45,8 +44,8 @@ private:
         std::unique_ptr<GaussianProcess> gp;
     };
     BinModelData data_;
-    Eigen::MatrixXd standardised_;  ///< U × (11 + f)
-    Eigen::MatrixXd heights_;       ///< U × 11 [m]
+    Eigen::MatrixXd standardised_;  ///< V × (11 + f)
+    Eigen::MatrixXd heights_;       ///< V × 11 [m]
     mutable std::array<Lazy, kBins> lazy_;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/learn/hyperparameters.h"
 #include "core/terrain/bins.h"
@@ -20,12 +21,36 @@ struct BinModelData {
     std::array<double, kBins> logLikelihood{};  ///< of the training set
 };
 
-/// A trained model: both feature sets over the same training rows.
+/// One bin, open or covered: its surface coordinate y (core/learn/clearance.h) as a Gaussian process on
+/// s alone, through inducing rows (core/learn/projected_process.h).
+///   mean(x) = mean + Σ_k weight_k k(x, z_k);  without weights (too few training rows): mean
+struct SurfaceProcess {
+    Hyperparameters hyper;
+    double mean = 0.0;        ///< of y
+    double residualSd = 0.0;  ///< root mean square of the leave-one-out residuals
+    Eigen::VectorXd weights;  ///< one per inducing row, see inducingRows()
+};
+
+/// What the methods over clearances are made of.
+struct ClearanceData {
+    Eigen::VectorXd featureMean, featureSd;  ///< of surfaceFeatures(), size 11
+    std::array<SurfaceProcess, kBins> open, covered;
+    std::vector<unsigned> coveredBins;  ///< per training row: bit i where bin i's ceiling is finite
+    Eigen::MatrixXd residuals;          ///< U × 11: leave-one-out, of the bin's own process [y]
+    double noveltyScale = 0.0;          ///< scene distance that 1 % of the training rows exceed
+    double contactBias = 0.0;           ///< [m] mean of true bin height − contact height
+    double contactSd = 0.0;             ///< [m] its standard deviation
+};
+
+/// A trained model over U training rows.  The conditionals `pa` and `paf` use the first V ≤ U of them, their
+/// heights as a scanner reports them; `clearance` uses all.
 struct ModelData {
     Eigen::MatrixXd heights;  ///< U × 11 [m]
     Eigen::MatrixXd
         features;  ///< U × 11, order of featureNames(Paf); Pa uses the first three columns
+    Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
     BinModelData pa, paf;
+    ClearanceData clearance;
     std::string command;  ///< how it was made
     std::uint64_t seed = 0;
     std::string dataHash;  ///< SHA-256 of the scenes it was trained on, hex

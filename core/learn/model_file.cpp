@@ -1,5 +1,6 @@
 #include "core/learn/model_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -11,6 +12,7 @@
 
 #include "core/file_read.h"
 #include "core/file_write.h"
+#include "core/learn/clearance_model.h"
 #include "core/learn/columns.h"
 #include "core/learn/sha256.h"
 #include "core/sqlite.h"
@@ -20,7 +22,7 @@ namespace terratact {
 namespace {
 
 constexpr std::int64_t kApplicationId = 0x54544D31;  // "TTM1"
-constexpr std::int64_t kUserVersion = 1;
+constexpr std::int64_t kUserVersion = 2;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} * 1024 * 1024;
 constexpr Eigen::Index kMostRows = 20'000;
 constexpr std::size_t kMostText = 100'000;
@@ -50,22 +52,26 @@ struct Table {
     std::string sql;
 };
 
-Table trainingTable()
+/// One number per input column from the first to the last but one.
+Table rowTable(const std::string& name, std::size_t columns, const std::string& more = {})
 {
-    std::string sql = "CREATE TABLE training_row(row INTEGER PRIMARY KEY";
-    for (std::size_t i = 0; i < inputs(FeatureSet::Paf); ++i)
+    std::string sql = "CREATE TABLE " + name + "(row INTEGER PRIMARY KEY" + more;
+    for (std::size_t i = 0; i < columns; ++i)
         sql += ", \"" + std::string(inputColumn(i).name) + "\" REAL NOT NULL";
-    return {"training_row", sql + ") STRICT"};
+    return {name, sql + ") STRICT"};
 }
 
 /// Sorted by name.
 std::vector<Table> schema()
 {
+    const std::string ofSurface = "bin INTEGER NOT NULL, covered INTEGER NOT NULL, ";
     return {
         {"bin",
          "CREATE TABLE bin(feature_set TEXT NOT NULL, bin INTEGER NOT NULL, name TEXT NOT NULL, "
          "signal_sd_m REAL NOT NULL, noise_sd_m REAL NOT NULL, log_likelihood REAL NOT NULL, "
          "PRIMARY KEY(feature_set, bin)) STRICT, WITHOUT ROWID"},
+        {"clearance", "CREATE TABLE clearance(key TEXT NOT NULL PRIMARY KEY, value REAL NOT NULL) "
+                      "STRICT, WITHOUT ROWID"},
         {"input", "CREATE TABLE input(feature_set TEXT NOT NULL, position INTEGER NOT NULL, "
                   "name TEXT NOT NULL, unit TEXT NOT NULL, mean REAL NOT NULL, sd REAL NOT NULL, "
                   "PRIMARY KEY(feature_set, position)) STRICT, WITHOUT ROWID"},
@@ -75,7 +81,21 @@ std::vector<Table> schema()
          "PRIMARY KEY(feature_set, bin, input)) STRICT, WITHOUT ROWID"},
         {"meta", "CREATE TABLE meta(key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL) "
                  "STRICT, WITHOUT ROWID"},
-        trainingTable(),
+        rowTable("residual_row", kBins, ", covered_bins REAL NOT NULL"),
+        rowTable("scanned_row", kBins),
+        {"surface",
+         "CREATE TABLE surface(" + ofSurface
+             + "mean REAL NOT NULL, residual_sd REAL NOT NULL, signal_sd REAL NOT NULL, "
+               "noise_sd REAL NOT NULL, PRIMARY KEY(bin, covered)) STRICT, WITHOUT ROWID"},
+        {"surface_input", "CREATE TABLE surface_input(position INTEGER PRIMARY KEY, "
+                          "mean REAL NOT NULL, sd REAL NOT NULL) STRICT"},
+        {"surface_scale", "CREATE TABLE surface_scale(" + ofSurface
+                              + "input INTEGER NOT NULL, length_scale REAL NOT NULL, "
+                                "PRIMARY KEY(bin, covered, input)) STRICT, WITHOUT ROWID"},
+        {"surface_weight", "CREATE TABLE surface_weight(" + ofSurface
+                               + "position INTEGER NOT NULL, weight REAL NOT NULL, "
+                                 "PRIMARY KEY(bin, covered, position)) STRICT, WITHOUT ROWID"},
+        rowTable("training_row", inputs(FeatureSet::Paf)),
     };
 }
 
@@ -89,6 +109,13 @@ const std::map<std::string, std::string>& explanations()
         {"kernel", "k(x, x') = signal_sd^2 exp(-1/2 sum (x - x')^2 / length_scale^2) "
                    "+ noise_sd^2 on the diagonal"},
         {"output", "height of the bin - its mean"},
+        {"rows",
+         "pa and paf use scanned_row with the features of the same training_row; surface uses "
+         "all of training_row"},
+        {"surface",
+         "a bin under the robot (covered 1): y = log(max(ceiling - height, 0) + 0.003 m), "
+         "else y = height; mean(x) = mean + sum weight k(x, z), z: at most 600 of the "
+         "bin's training rows, evenly spread; forces as log(1 + F / 3 N)"},
     };
     return texts;
 }
@@ -123,6 +150,62 @@ void requireRows(const ModelData& model)
         }
 }
 
+void requireSurface(const SurfaceProcess& p, std::size_t rows, const std::string& what)
+{
+    require(std::isfinite(p.mean) && std::abs(p.mean) <= kMostScale, "mean of " + what);
+    requireScale(p.residualSd, "residual_sd of " + what);
+    if (p.weights.size() == 0) return;
+    requireScale(p.hyper.signalSd, "signal_sd of " + what);
+    requireScale(p.hyper.noiseSd, "noise_sd of " + what);
+    require(p.hyper.lengthScale.size() == Eigen::Index{kFeatures},
+            what + " has the wrong number of length scales");
+    for (const double scale : p.hyper.lengthScale) requireScale(scale, "a length scale of " + what);
+    require(static_cast<std::size_t>(p.weights.size())
+                    == std::min(rows, static_cast<std::size_t>(kInducing))
+                && p.weights.allFinite(),
+            what + " has not one weight per inducing row");
+}
+
+void requireClearance(const ModelData& model)
+{
+    const ClearanceData& data = model.clearance;
+    const Eigen::Index rows = model.heights.rows();
+    const auto features = Eigen::Index{kFeatures};
+    require(data.featureMean.size() == features && data.featureMean.allFinite()
+                && data.featureSd.size() == features,
+            "its clearances lack the features' standardisation");
+    for (const double sd : data.featureSd) requireScale(sd, "a standard deviation of clearances");
+    require(data.residuals.rows() == rows && data.residuals.cols() == kBins
+                && data.residuals.allFinite()
+                && data.coveredBins.size() == static_cast<std::size_t>(rows),
+            "it has not one residual per training row and bin");
+    for (const unsigned mask : data.coveredBins)
+        require(mask < 1U << static_cast<unsigned>(kBins),
+                "a row covers a bin that does not exist");
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true}) {
+            const auto& of = covered ? data.covered : data.open;
+            const std::string what = "the surface of bin " + std::to_string(bin);
+            requireSurface(of[static_cast<std::size_t>(bin)],
+                           rowsOf(data.coveredBins, bin, covered).size(), what);
+        }
+    requireScale(data.noveltyScale, "novelty_scale");
+    requireScale(data.contactSd, "contact_sd");
+    require(std::abs(data.contactBias) <= 1.0, "contact_bias is out of range");
+}
+
+void requireScannedHeights(const ModelData& model)
+{
+    require(model.scannedHeights.rows() >= 1 && model.scannedHeights.rows() <= model.heights.rows()
+                && model.scannedHeights.cols() == kBins,
+            "its scanned rows do not fit its training rows");
+    for (Eigen::Index i = 0; i < kBins; ++i)
+        for (const double height : model.scannedHeights.col(i)) {
+            const Column& column = heightColumns()[static_cast<std::size_t>(i)];
+            require(column.holds(height), "scanned row: " + column.refusal(height));
+        }
+}
+
 void requireBin(const Hyperparameters& bin, double logLikelihood, Eigen::Index size,
                 const std::string& what)
 {
@@ -154,6 +237,8 @@ void requireModel(const ModelData& model)
     requireRows(model);
     requireSet(model.pa, FeatureSet::Pa);
     requireSet(model.paf, FeatureSet::Paf);
+    requireScannedHeights(model);
+    requireClearance(model);
     require(model.command.size() <= kMostText && model.dataHash.size() <= kMostText,
             "its texts are too long");
 }
@@ -197,6 +282,28 @@ public:
             add(data.logLikelihood[i]);
         }
     }
+    void add(const SurfaceProcess& process)
+    {
+        add(process.mean);
+        add(process.residualSd);
+        add(Eigen::MatrixXd(process.weights));
+        if (process.weights.size() == 0) return;
+        add(Eigen::MatrixXd(process.hyper.lengthScale));
+        add(process.hyper.signalSd);
+        add(process.hyper.noiseSd);
+    }
+    void add(const ClearanceData& data)
+    {
+        add(Eigen::MatrixXd(data.featureMean));
+        add(Eigen::MatrixXd(data.featureSd));
+        for (const auto* processes : {&data.open, &data.covered})
+            for (const SurfaceProcess& process : *processes) add(process);
+        for (const unsigned mask : data.coveredBins) add(std::uint64_t{mask});
+        add(data.residuals);
+        add(data.noveltyScale);
+        add(data.contactBias);
+        add(data.contactSd);
+    }
     const std::string& bytes() const { return bytes_; }
 
 private:
@@ -206,11 +313,13 @@ private:
 std::string hashOf(const ModelData& model)
 {
     Canonical canonical;
-    canonical.add(std::string_view("Terratact model 1"));
+    canonical.add(std::string_view("Terratact model 2"));
     canonical.add(model.pa);
     canonical.add(model.paf);
     canonical.add(model.heights);
     canonical.add(model.features);
+    canonical.add(model.scannedHeights);
+    canonical.add(model.clearance);
     canonical.add(model.command);
     canonical.add(model.seed);
     canonical.add(model.dataHash);
@@ -277,18 +386,61 @@ void writeSet(SqliteFile& file, const BinModelData& data)
     }
 }
 
-void writeRows(SqliteFile& file, const ModelData& model)
+/// One row of `table`: its number, then the values.
+void writeMatrix(SqliteFile& file, const std::string& table, const Eigen::MatrixXd& values)
 {
-    std::string sql = "INSERT INTO training_row VALUES(?";
-    for (std::size_t i = 0; i < inputs(FeatureSet::Paf); ++i) sql += ", ?";
+    std::string sql = "INSERT INTO " + table + " VALUES(?";
+    for (Eigen::Index i = 0; i < values.cols(); ++i) sql += ", ?";
     SqliteStatement statement = file.prepare(sql + ")");
-    for (Eigen::Index row = 0; row < model.heights.rows(); ++row) {
+    for (Eigen::Index row = 0; row < values.rows(); ++row) {
         int parameter = 0;
         statement.bind(parameter++, std::int64_t{row});
-        for (const double value : model.heights.row(row)) statement.bind(parameter++, value);
-        for (const double value : model.features.row(row)) statement.bind(parameter++, value);
+        for (const double value : values.row(row)) statement.bind(parameter++, value);
         statement.run();
     }
+}
+
+void writeSurface(SqliteFile& file, const SurfaceProcess& p, int bin, bool covered)
+{
+    SqliteStatement surface = file.prepare("INSERT INTO surface VALUES(?, ?, ?, ?, ?, ?)");
+    SqliteStatement scale = file.prepare("INSERT INTO surface_scale VALUES(?, ?, ?, ?)");
+    SqliteStatement weight = file.prepare("INSERT INTO surface_weight VALUES(?, ?, ?, ?)");
+    const int regime = covered ? 1 : 0;
+    const bool modelled = p.weights.size() > 0;
+    insert(surface, bin, regime, p.mean, p.residualSd, modelled ? p.hyper.signalSd : 0.0,
+           modelled ? p.hyper.noiseSd : 0.0);
+    for (int d = 0; modelled && d < static_cast<int>(kFeatures); ++d)
+        insert(scale, bin, regime, d, p.hyper.lengthScale[d]);
+    for (int k = 0; k < static_cast<int>(p.weights.size()); ++k)
+        insert(weight, bin, regime, k, p.weights[k]);
+}
+
+void writeClearance(SqliteFile& file, const ClearanceData& data)
+{
+    SqliteStatement value = file.prepare("INSERT INTO clearance VALUES(?, ?)");
+    insert(value, std::string_view("contact_bias"), data.contactBias);
+    insert(value, std::string_view("contact_sd"), data.contactSd);
+    insert(value, std::string_view("novelty_scale"), data.noveltyScale);
+    SqliteStatement input = file.prepare("INSERT INTO surface_input VALUES(?, ?, ?)");
+    for (int d = 0; d < static_cast<int>(kFeatures); ++d)
+        insert(input, d, data.featureMean[d], data.featureSd[d]);
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true})
+            writeSurface(file, (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)],
+                         bin, covered);
+    Eigen::MatrixXd rows(data.residuals.rows(), kBins + 1);
+    for (Eigen::Index u = 0; u < rows.rows(); ++u)
+        rows(u, 0) = data.coveredBins[static_cast<std::size_t>(u)];
+    rows.rightCols(kBins) = data.residuals;
+    writeMatrix(file, "residual_row", rows);
+}
+
+void writeRows(SqliteFile& file, const ModelData& model)
+{
+    Eigen::MatrixXd rows(model.heights.rows(), kBins + Eigen::Index{kFeatures});
+    rows << model.heights, model.features;
+    writeMatrix(file, "training_row", rows);
+    writeMatrix(file, "scanned_row", model.scannedHeights);
 }
 
 void fill(const std::string& path, const ModelData& model)
@@ -299,6 +451,7 @@ void fill(const std::string& path, const ModelData& model)
     writeMeta(file, model);
     for (const BinModelData* data : {&model.pa, &model.paf}) writeSet(file, *data);
     writeRows(file, model);
+    writeClearance(file, model.clearance);
     file.run("COMMIT");
     file.run("VACUUM");
     file.close();
@@ -441,23 +594,113 @@ void readLengthScales(SqliteFile& file, BinModelData& data)
     noMoreRows(row, "length_scale");
 }
 
+/// All rows of a table whose first column numbers them from 0: the `columns` behind it.
+Eigen::MatrixXd readMatrix(SqliteFile& file, const std::string& table, Eigen::Index columns)
+{
+    const std::int64_t rows = file.integer("SELECT count(*) FROM " + table);
+    require(rows >= 1 && rows <= kMostRows, "has " + std::to_string(rows) + " rows in its table "
+                                                + table + ", expected 1 to "
+                                                + std::to_string(kMostRows));
+    Eigen::MatrixXd values(rows, columns);
+    SqliteStatement found = file.prepare("SELECT * FROM " + table + " ORDER BY row");
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        nextRow(found, table);
+        require(found.integer(0) == row,
+                "the rows of its table " + table + " are not numbered from 0");
+        int column = 1;
+        for (double& value : values.row(row)) value = found.real(column++);
+    }
+    noMoreRows(found, table);
+    return values;
+}
+
 void readRows(SqliteFile& file, ModelData& model)
 {
-    const std::int64_t rows = file.integer("SELECT count(*) FROM training_row");
-    require(rows >= 1 && rows <= kMostRows, "has " + std::to_string(rows)
-                                                + " training rows, expected 1 to "
-                                                + std::to_string(kMostRows));
-    model.heights.resize(rows, kBins);
-    model.features.resize(rows, Eigen::Index{kFeatures});
-    SqliteStatement found = file.prepare("SELECT * FROM training_row ORDER BY row");
-    for (Eigen::Index row = 0; row < rows; ++row) {
-        nextRow(found, "training_row");
-        require(found.integer(0) == row, "its training rows are not numbered from 0");
-        int column = 1;
-        for (double& value : model.heights.row(row)) value = found.real(column++);
-        for (double& value : model.features.row(row)) value = found.real(column++);
+    const Eigen::MatrixXd rows = readMatrix(file, "training_row", kBins + Eigen::Index{kFeatures});
+    model.heights = rows.leftCols(kBins);
+    model.features = rows.rightCols(Eigen::Index{kFeatures});
+    model.scannedHeights = readMatrix(file, "scanned_row", kBins);
+}
+
+/// The numbers of a table's rows that belong to one bin and regime, in the order of its second last column.
+Eigen::VectorXd readNumbers(SqliteFile& file, const std::string& table, const std::string& order,
+                            int bin, bool covered)
+{
+    SqliteStatement found =
+        file.prepare("SELECT * FROM " + table + " WHERE bin = ? AND covered = ? ORDER BY " + order);
+    found.bind(0, bin);
+    found.bind(1, covered ? 1 : 0);
+    std::vector<double> numbers;
+    while (found.step()) {
+        require(found.integer(2) == std::ssize(numbers),
+                "its table " + table + " is not numbered from 0");
+        numbers.push_back(found.real(3));
     }
-    noMoreRows(found, "training_row");
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
+}
+
+SurfaceProcess readSurface(SqliteFile& file, int bin, bool covered)
+{
+    SqliteStatement found = file.prepare("SELECT * FROM surface WHERE bin = ? AND covered = ?");
+    found.bind(0, bin);
+    found.bind(1, covered ? 1 : 0);
+    nextRow(found, "surface");
+    SurfaceProcess process;
+    process.mean = found.real(2);
+    process.residualSd = found.real(3);
+    process.hyper.signalSd = found.real(4);
+    process.hyper.noiseSd = found.real(5);
+    process.hyper.lengthScale = readNumbers(file, "surface_scale", "input", bin, covered);
+    process.weights = readNumbers(file, "surface_weight", "position", bin, covered);
+    return process;
+}
+
+double readValue(SqliteFile& file, std::string_view key)
+{
+    SqliteStatement found = file.prepare("SELECT value FROM clearance WHERE key = ?");
+    found.bind(0, key);
+    nextRow(found, "clearance");
+    return found.real(0);
+}
+
+void readClearance(SqliteFile& file, ClearanceData& data)
+{
+    data.contactBias = readValue(file, "contact_bias");
+    data.contactSd = readValue(file, "contact_sd");
+    data.noveltyScale = readValue(file, "novelty_scale");
+    data.featureMean.resize(Eigen::Index{kFeatures});
+    data.featureSd.resize(Eigen::Index{kFeatures});
+    SqliteStatement input = file.prepare("SELECT * FROM surface_input ORDER BY position");
+    for (int d = 0; d < static_cast<int>(kFeatures); ++d) {
+        nextRow(input, "surface_input");
+        require(input.integer(0) == d, "its table surface_input is not numbered from 0");
+        data.featureMean[d] = input.real(1);
+        data.featureSd[d] = input.real(2);
+    }
+    noMoreRows(input, "surface_input");
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true})
+            (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)] =
+                readSurface(file, bin, covered);
+    const Eigen::MatrixXd rows = readMatrix(file, "residual_row", kBins + 1);
+    for (const double mask : rows.col(0)) {
+        require(mask >= 0.0 && mask < std::ldexp(1.0, kBins) && mask == std::floor(mask),
+                "a row covers a bin that does not exist");
+        data.coveredBins.push_back(static_cast<unsigned>(mask));
+    }
+    data.residuals = rows.rightCols(kBins);
+}
+
+/// Rows of no bin, regime or key would not be seen by the reader.
+void requireNothingElse(SqliteFile& file)
+{
+    for (const char* table : {"surface", "surface_scale", "surface_weight"})
+        require(file.integer("SELECT count(*) FROM " + std::string(table)
+                             + " WHERE bin NOT BETWEEN 0 AND 10 OR covered NOT IN (0, 1)")
+                    == 0,
+                "its table " + std::string(table) + " holds a bin that does not exist");
+    require(file.integer("SELECT count(*) FROM clearance") == 3,
+            "its table clearance has too many rows");
 }
 
 void requireNoOtherSet(SqliteFile& file)
@@ -484,6 +727,8 @@ StoredModel readStored(SqliteFile& file)
     }
     requireNoOtherSet(file);
     readRows(file, model);
+    readClearance(file, model.clearance);
+    requireNothingElse(file);
     requireModel(model);
     const std::string hash = hashOf(model);
     require(hash == stored,

@@ -73,7 +73,7 @@ double objective(unsigned n, const double* x, double* gradient, void* context)
 
 /// Best theta found in at most `evaluations` evaluations from `start`.
 Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                         const Eigen::VectorXd& start, int evaluations,
+                         const Eigen::VectorXd& start, int evaluations, double mostNoiseSd,
                          const std::function<bool()>& cancelled, double& best)
 {
     const auto n = static_cast<unsigned>(start.size());
@@ -83,7 +83,7 @@ Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
     Eigen::VectorXd low = Eigen::VectorXd::Constant(start.size(), std::log(0.05));
     Eigen::VectorXd high = Eigen::VectorXd::Constant(start.size(), std::log(1000.0));
     low.tail(2) << std::log(1e-3), std::log(5e-4);
-    high.tail(2) << std::log(10.0), std::log(0.5);
+    high.tail(2) << std::log(10.0), std::log(mostNoiseSd);
     nlopt_set_lower_bounds(optimiser.get(), low.data());
     nlopt_set_upper_bounds(optimiser.get(), high.data());
     nlopt_set_min_objective(optimiser.get(), objective, &search);
@@ -107,6 +107,17 @@ std::vector<int> drawRows(int total, int wanted, std::uint64_t seed)
     return rows;
 }
 
+void setConditionalRows(ModelData& model, const RowOptions& options)
+{
+    const Eigen::Index rows = std::min<Eigen::Index>(options.conditionalRows, model.heights.rows());
+    model.scannedHeights = model.heights.topRows(rows);
+    std::mt19937_64 rng(options.seed);
+    std::normal_distribution<double> noise;
+    for (Eigen::Index u = 0; u < rows; ++u)
+        for (Eigen::Index i = 0; i < kBins; ++i)
+            model.scannedHeights(u, i) += options.scannerSd * noise(rng);
+}
+
 }  // namespace
 
 bool isComplete(const Scene& scene)
@@ -116,7 +127,7 @@ bool isComplete(const Scene& scene)
                        [](const auto& h) { return h.has_value(); });
 }
 
-TrainingSet prepareTraining(const std::vector<Scene>& scenes)
+TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& options)
 {
     TrainingSet set;
     std::vector<const Scene*> rows;
@@ -139,9 +150,30 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes)
             model.heights(u, i) = *scene.truth[static_cast<std::size_t>(i)];
         model.features.row(u) = features(FeatureSet::Paf, scene.s).transpose();
     }
+    setConditionalRows(model, options);
     setStandardisation(model, model.pa, FeatureSet::Pa);
     setStandardisation(model, model.paf, FeatureSet::Paf);
     return set;
+}
+
+TrainedBin trainProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                        const TrainingOptions& options, const std::function<bool()>& cancelled)
+{
+    const double sd = std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
+    Eigen::VectorXd theta =
+        Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
+    theta.tail(2) << std::log(sd), std::log(0.2 * sd);
+    double best = 0.0;
+    const std::vector<int> rows =
+        drawRows(static_cast<int>(X.rows()), options.subset, options.seed);
+    const bool onAll = static_cast<Eigen::Index>(rows.size()) == X.rows();
+    if (!onAll || options.fullEvaluations == 0)
+        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations,
+                         options.mostNoiseSd, cancelled, best);
+    if (options.fullEvaluations > 0)
+        theta =
+            minimise(X, y, theta, options.fullEvaluations, options.mostNoiseSd, cancelled, best);
+    return {fromLog(theta), -best};
 }
 
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
@@ -150,19 +182,10 @@ TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const Train
     const BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
     const Eigen::MatrixXd X =
         withoutBin(standardised(rawInputs(model, set), data.mean, data.sd), bin);
-    const Eigen::VectorXd y = model.heights.col(bin).array() - data.mean[bin];
-
-    Eigen::VectorXd theta =
-        Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
-    theta.tail(2) << std::log(data.sd[bin]), std::log(0.2 * data.sd[bin]);
-    double best = 0.0;
-    const std::vector<int> rows = drawRows(static_cast<int>(X.rows()), options.subset,
-                                           options.seed + static_cast<std::uint64_t>(bin));
-    if (static_cast<Eigen::Index>(rows.size()) < X.rows())
-        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, cancelled,
-                         best);
-    theta = minimise(X, y, theta, options.fullEvaluations, cancelled, best);
-    return {fromLog(theta), -best};
+    const Eigen::VectorXd y = model.scannedHeights.col(bin).array() - data.mean[bin];
+    TrainingOptions own = options;
+    own.seed += static_cast<std::uint64_t>(bin);
+    return trainProcess(X, y, own, cancelled);
 }
 
 }  // namespace terratact

@@ -3,10 +3,10 @@
 #include <random>
 
 #include "core/learn/bin_models.h"
+#include "core/learn/clearance_training.h"
 #include "core/learn/training.h"
 #include "core/sim/drive.h"
 #include "core/sim/random_terrain.h"
-#include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {
@@ -27,6 +27,21 @@ inline std::vector<Scene> someScenes(int runs, std::uint64_t seed, SensorNoise n
     return scenes;
 }
 
+/// Surface processes from a short search.
+inline void trainToyClearances(ModelData& model)
+{
+    const RobotModel robot = absolem();
+    const Eigen::MatrixXd ceilings = bodyCeilings(model.features, robot);
+    prepareClearance(model, ceilings);
+    TrainingOptions quick;
+    quick.subset = 100;
+    quick.subsetEvaluations = 6;
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true})
+            store(model, trainSurface(model, ceilings, bin, covered, quick), bin, covered);
+    finishClearance(model, ceilings, robot);
+}
+
 /// A small model with plausible hyper-parameters, not optimised: quick to make, real in every other way.
 inline ModelData toyModel(int runs = 8, std::uint64_t seed = 1)
 {
@@ -39,6 +54,7 @@ inline ModelData toyModel(int runs = 8, std::uint64_t seed = 1)
             hyper.noiseSd = 0.02;
         }
     model.command = "toy";
+    trainToyClearances(model);
     return model;
 }
 

@@ -20,11 +20,11 @@ TEST(BinErrors, areTakenWhereTheTruthIsKnown)
     scene.truth[9] = 0.10;
     TerrainEstimate estimate;
     estimate.settings.method = Method::Pafac;
-    estimate.mean[2] = -0.17;
+    estimate.height[2] = -0.17;
     estimate.q10[2] = -0.19;  // the truth lies 1 cm below the band
     estimate.q90[2] = -0.15;
     estimate.origin[2] = Origin::Contact;
-    estimate.mean[9] = 0.05;
+    estimate.height[9] = 0.05;
     estimate.q10[9] = 0.0;
     estimate.q90[9] = 0.10;  // and here on its edge
 

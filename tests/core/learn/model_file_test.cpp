@@ -11,11 +11,44 @@
 #include <random>
 #include <stdexcept>
 
+#include "core/learn/clearance_model.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {
+
+/// Random clearances: bins 0 to 8 covered in every row but each third, where bin 8 is open.
+template <class Within>
+void addClearance(ModelData& model, Within within)
+{
+    const auto random = [&within](Eigen::Index size, double least, double most) {
+        Eigen::VectorXd v(size);
+        for (double& x : v) x = within(least, most);
+        return v;
+    };
+    ClearanceData& data = model.clearance;
+    const Eigen::Index rows = model.heights.rows();
+    data.featureMean = random(11, -1.0, 1.0);
+    data.featureSd = random(11, 0.1, 1.0);
+    data.noveltyScale = within(0.5, 2.0);
+    data.contactBias = within(-0.01, 0.01);
+    data.contactSd = within(0.01, 0.1);
+    for (Eigen::Index u = 0; u < rows; ++u)
+        data.coveredBins.push_back(u % 3 == 0 ? 0x0FFU : 0x1FFU);
+    data.residuals.resize(rows, kBins);
+    for (double& x : data.residuals.reshaped()) x = within(-1.0, 1.0);
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true}) {
+            auto& process = (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)];
+            process.mean = within(-5.0, 1.0);
+            process.residualSd = within(0.01, 1.0);
+            const auto inducing = inducingRows(rowsOf(data.coveredBins, bin, covered)).size();
+            if (inducing == 0) continue;
+            process.hyper = {random(11, 0.1, 9.0), within(0.1, 1.0), within(0.01, 0.1)};
+            process.weights = random(static_cast<Eigen::Index>(inducing), -2.0, 2.0);
+        }
+}
 
 /// A model of random numbers over so many training rows.
 ModelData randomModel(Eigen::Index rows, unsigned seed = 1)
@@ -37,6 +70,8 @@ ModelData randomModel(Eigen::Index rows, unsigned seed = 1)
     model.features.resize(rows, 11);
     for (double& x : model.heights.reshaped()) x = within(-0.5, 0.5);
     for (double& x : model.features.reshaped()) x = within(0.0, 3.0);
+    model.scannedHeights = model.heights.topRows(std::max<Eigen::Index>(rows / 2, 1));
+    addClearance(model, within);
     for (BinModelData* data : {&model.pa, &model.paf}) {
         data->set = data == &model.pa ? FeatureSet::Pa : FeatureSet::Paf;
         const Eigen::Index size = data == &model.pa ? 14 : 22;
@@ -59,9 +94,30 @@ bool same(const BinModelData& a, const BinModelData& b)
     return bins && a.set == b.set && a.mean == b.mean && a.sd == b.sd;
 }
 
+bool same(const SurfaceProcess& a, const SurfaceProcess& b)
+{
+    if (a.mean != b.mean || a.residualSd != b.residualSd || a.weights.size() != b.weights.size())
+        return false;
+    return a.weights.size() == 0
+        || (a.weights == b.weights && a.hyper.lengthScale == b.hyper.lengthScale
+            && a.hyper.signalSd == b.hyper.signalSd && a.hyper.noiseSd == b.hyper.noiseSd);
+}
+
+bool same(const ClearanceData& a, const ClearanceData& b)
+{
+    bool processes = true;
+    for (std::size_t i = 0; i < kBins; ++i)
+        processes = processes && same(a.open[i], b.open[i]) && same(a.covered[i], b.covered[i]);
+    return processes && a.featureMean == b.featureMean && a.featureSd == b.featureSd
+        && a.coveredBins == b.coveredBins && a.residuals == b.residuals
+        && a.noveltyScale == b.noveltyScale && a.contactBias == b.contactBias
+        && a.contactSd == b.contactSd;
+}
+
 bool same(const ModelData& a, const ModelData& b)
 {
-    return a.heights == b.heights && a.features == b.features && same(a.pa, b.pa)
+    return a.scannedHeights == b.scannedHeights && same(a.clearance, b.clearance)
+        && a.heights == b.heights && a.features == b.features && same(a.pa, b.pa)
         && same(a.paf, b.paf) && a.command == b.command && a.seed == b.seed
         && a.dataHash == b.dataHash;
 }
@@ -147,7 +203,7 @@ TEST_F(ModelFile, carriesTheNumbersOfItsFormat)
 {
     const std::string bytes = contentOf(path);
     EXPECT_EQ(bytes.substr(68, 4), "TTM1");
-    EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\1", 4));
+    EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\2", 4));
 }
 
 TEST_F(ModelFile, everyTruncationIsRefused)
@@ -208,7 +264,7 @@ TEST_F(ModelFile, refusesWhatIsNoModel)
 TEST_F(ModelFile, refusesOtherVersionsAndTables)
 {
     EXPECT_TRUE(refusesAfter("PRAGMA application_id = 7", {"another application"}));
-    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 2", {"version 2", "reads version 1"}));
+    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 1", {"version 1", "reads version 2"}));
     EXPECT_TRUE(refusesAfter("CREATE TABLE zebra(x)", {"tables"}));
     EXPECT_TRUE(refusesAfter("CREATE VIEW a AS SELECT 1", {"tables"}));
     EXPECT_TRUE(
@@ -255,7 +311,26 @@ TEST_F(ModelFile, refusesNumbersThatCannotPredict)
                              {"training row 2", "h_+0.1_m is 240", "mm"}));
     EXPECT_TRUE(
         refusesAfter("UPDATE training_row SET force_3_n = -1.0", {"training row 0", "force_3_n"}));
-    EXPECT_TRUE(refusesAfter("DELETE FROM training_row", {"0 training rows"}));
+    EXPECT_TRUE(refusesAfter("UPDATE scanned_row SET \"h_+0.1_m\" = 240.0 WHERE row = 0",
+                             {"scanned row", "h_+0.1_m is 240"}));
+    EXPECT_TRUE(refusesAfter("UPDATE surface SET residual_sd = 0.0 WHERE bin = 2",
+                             {"residual_sd of the surface of bin 2"}));
+    EXPECT_TRUE(refusesAfter("UPDATE surface_scale SET length_scale = 0.0 WHERE bin = 3",
+                             {"length scale of the surface of bin 3"}));
+    EXPECT_TRUE(refusesAfter("DELETE FROM surface_weight WHERE bin = 0 AND position = 0",
+                             {"surface_weight is not numbered from 0"}));
+    EXPECT_TRUE(refusesAfter("DELETE FROM surface WHERE bin = 4", {"surface ends too early"}));
+    EXPECT_TRUE(refusesAfter("INSERT INTO surface VALUES(11, 0, 0.0, 1.0, 1.0, 1.0)",
+                             {"surface holds a bin that does not exist"}));
+    EXPECT_TRUE(refusesAfter("DELETE FROM clearance WHERE key = 'contact_sd'",
+                             {"clearance ends too early"}));
+    EXPECT_TRUE(
+        refusesAfter("INSERT INTO clearance VALUES('more', 1.0)", {"clearance has too many"}));
+    EXPECT_TRUE(refusesAfter("UPDATE residual_row SET covered_bins = 2048.0 WHERE row = 0",
+                             {"bin that does not exist"}));
+    EXPECT_TRUE(refusesAfter("DELETE FROM surface_input WHERE position = 10",
+                             {"surface_input ends too early"}));
+    EXPECT_TRUE(refusesAfter("DELETE FROM training_row", {"0 rows in its table training_row"}));
     EXPECT_TRUE(refusesAfter("DELETE FROM training_row WHERE row = 1", {"not numbered"}));
 }
 
@@ -294,11 +369,23 @@ TEST_F(ModelFile, isReadFromEveryPathAndByWhoMayOnlyRead)
 
 TEST_F(ModelFile, theHashDependsOnEveryPart)
 {
-    const std::array<std::function<void(ModelData&)>, 13> changes{
+    const std::array<std::function<void(ModelData&)>, 25> changes{
         [](ModelData& m) { m.heights(1, 2) += 1e-9; },
         [](ModelData& m) { m.features(2, 10) += 1e-9; },
         [](ModelData& m) { m.pa.mean[13] += 1e-9; },
         [](ModelData& m) { m.pa.sd[0] += 1e-9; },
+        [](ModelData& m) { m.scannedHeights(0, 3) += 1e-9; },
+        [](ModelData& m) { m.clearance.featureMean[2] += 1e-9; },
+        [](ModelData& m) { m.clearance.featureSd[2] += 1e-9; },
+        [](ModelData& m) { m.clearance.residuals(1, 4) += 1e-9; },
+        [](ModelData& m) { m.clearance.noveltyScale += 1e-9; },
+        [](ModelData& m) { m.clearance.contactBias += 1e-9; },
+        [](ModelData& m) { m.clearance.contactSd += 1e-9; },
+        [](ModelData& m) { m.clearance.covered[2].mean += 1e-9; },
+        [](ModelData& m) { m.clearance.covered[2].residualSd += 1e-9; },
+        [](ModelData& m) { m.clearance.covered[2].weights[0] += 1e-9; },
+        [](ModelData& m) { m.clearance.covered[2].hyper.lengthScale[3] += 1e-9; },
+        [](ModelData& m) { m.clearance.covered[2].hyper.noiseSd += 1e-9; },
         [](ModelData& m) { m.paf.mean[21] += 1e-9; },
         [](ModelData& m) { m.paf.sd[5] += 1e-9; },
         [](ModelData& m) { m.pa.bins[10].lengthScale[12] += 1e-9; },

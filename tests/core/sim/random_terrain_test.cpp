@@ -96,7 +96,8 @@ TEST(IsoRoughness, fallsBySixDecibelPerOctaveOfWaveNumber)
     const double gn0 = 4096e-6;
     double expected = 0.0;
     for (double n = 0.25; n < 10.0; n += 1e-4)
-        expected += 1e-4 * gn0 * 0.01 / (n * n) * 4.0 * std::pow(std::sin(std::numbers::pi * n * 0.5), 2.0);
+        expected +=
+            1e-4 * gn0 * 0.01 / (n * n) * 4.0 * std::pow(std::sin(std::numbers::pi * n * 0.5), 2.0);
     double measured = 0.0;
     constexpr int kProfiles = 3000;
     for (int k = 0; k < kProfiles; ++k) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+
+#include "core/infer/estimate.h"
+#include "core/infer/gaussian_mixture.h"
+#include "core/learn/clearance_model.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// Share of a local sample's variance that smooths it: every residual is the centre of a Gaussian with
+/// κ² times the sample's covariance, and the centres move towards their mean by √(1 − κ²), which keeps mean
+/// and covariance.  Source: West, J. R. Stat. Soc. B 55 (1993).
+inline constexpr double kSmoothing = 0.25;  ///< κ
+
+/// Distribution of the surface coordinates of all bins given s, before any contact or probe.
+///   Joint  one Gaussian: the processes' means, the covariance of their leave-one-out residuals
+///   Local  the means plus the residuals of the training scenes most like this one, smoothed
+/// Throws std::invalid_argument for another method.
+GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::VectorXd& features,
+                                    unsigned covered, Method method);
+
+/// Estimates one scene without a chain: contacts (settings.contacts) and arm readings are measurements with
+/// their sd, conditioned exactly in the surface coordinate.  Where the robot is above the bin, their error
+/// there is log(1 + sd / (max(ceiling − z, 0) + δ)): the change of y when the ground lies one sd lower.
+/// height is the median; settings.draws joint draws; rhat is 1 and ess the number of draws.
+/// Throws std::invalid_argument for another method than Joint and Local, settings out of range or an s that
+/// lacks a feature.
+TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
+                                      const RobotModel& robot, const ClearanceModel& model,
+                                      const Settings& settings);
+
+}  // namespace terratact

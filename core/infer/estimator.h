@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+
+#include "core/infer/estimate.h"
+#include "core/infer/watch.h"
+#include "core/learn/bin_models.h"
+#include "core/learn/clearance_model.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// Everything a trained model offers to the methods, prepared once, shared between threads.
+struct Models {
+    explicit Models(const ModelData& model)
+        : pa(model, FeatureSet::Pa), paf(model, FeatureSet::Paf), clearance(model)
+    {
+    }
+    BinModels pa, paf;
+    ClearanceModel clearance;
+
+    FeatureSet featuresOf(Method method) const
+    {
+        return usesForces(method) ? FeatureSet::Paf : FeatureSet::Pa;
+    }
+};
+
+/// The estimate of one scene by settings.method, whichever that is.
+/// Same scene, models and settings: the same result, bit for bit on one machine.
+/// Throws std::invalid_argument for settings out of range or an s that lacks a feature; Cancelled.
+TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
+                                const RobotModel& robot, const Models& models,
+                                const Settings& settings, const Watch& watch = {});
+
+}  // namespace terratact

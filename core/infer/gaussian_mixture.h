@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+
+namespace terratact {
+
+/// p(y) = Σ_k weight_k N(y; mean_k, covariance): K Gaussians in n dimensions with one covariance.
+struct GaussianMixture {
+    Eigen::VectorXd weight;      ///< K, sum 1
+    Eigen::MatrixXd mean;        ///< n × K
+    Eigen::MatrixXd covariance;  ///< n × n, positive semi-definite
+
+    /// Conditions on a measurement z of coordinate i with Gaussian error: exact.
+    ///   weight_k ∝ weight_k N(z; mean_ki, C_ii + sd²),  mean_k += C_·i (z − mean_ki) / (C_ii + sd²),
+    ///   C −= C_·i C_i· / (C_ii + sd²)
+    /// Throws std::invalid_argument unless z is finite and sd positive.
+    void condition(int i, double z, double sd);
+
+    /// P(y_i ≤ x).
+    double cdf(int i, double x) const;
+
+    /// x with P(y_i ≤ x) = p, to 1e-9 of the coordinate's spread.  Throws unless 0 < p < 1.
+    double quantile(int i, double p) const;
+
+    /// count draws, n × count, the components in proportion to their weights (systematic resampling).
+    Eigen::MatrixXd draw(int count, std::mt19937_64& rng) const;
+};
+
+}  // namespace terratact

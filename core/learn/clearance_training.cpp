@@ -1,0 +1,215 @@
+#include "core/learn/clearance_training.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/learn/clearance.h"
+#include "core/learn/clearance_model.h"
+#include "core/learn/columns.h"
+#include "core/learn/projected_process.h"
+#include "core/terrain/body_ceiling.h"
+#include "core/terrain/kinematic_reconstruction.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr double kMostNoise = 3.0;  // of log clearances, no metres
+
+/// Standardised surface features: U × 11.
+Eigen::MatrixXd inputs(const ModelData& model)
+{
+    Eigen::MatrixXd X(model.features.rows(), model.features.cols());
+    for (Eigen::Index u = 0; u < X.rows(); ++u)
+        X.row(u) =
+            (surfaceFeatures(model.features.row(u).transpose()) - model.clearance.featureMean)
+                .cwiseQuotient(model.clearance.featureSd)
+                .transpose();
+    return X;
+}
+
+double surfaceOf(const ModelData& model, const Eigen::MatrixXd& ceilings, Eigen::Index row, int bin)
+{
+    return toSurface(model.heights(row, bin), ceilings(row, bin));
+}
+
+/// y of these bins wherever they are in that regime, or, open, of all rows' heights.
+std::vector<double> substitutes(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                                bool covered)
+{
+    std::vector<double> values;
+    for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
+        if (!covered) values.push_back(model.heights(u, bin));
+        for (int other = 0; covered && other < kBins; ++other)
+            if (std::isfinite(ceilings(u, other)))
+                values.push_back(surfaceOf(model, ceilings, u, other));
+    }
+    if (values.empty()) values.push_back(std::log(kClearanceOffset));
+    return values;
+}
+
+TrainedSurface constantSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                               bool covered, std::vector<int> rows)
+{
+    const std::vector<double> values = substitutes(model, ceilings, bin, covered);
+    const Eigen::Map<const Eigen::ArrayXd> y(values.data(), std::ssize(values));
+    TrainedSurface trained;
+    trained.process.mean = y.mean();
+    trained.process.residualSd = std::max(std::sqrt((y - y.mean()).square().mean()), 1e-3);
+    trained.residuals.resize(std::ssize(rows));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        trained.residuals[static_cast<Eigen::Index>(k)] =
+            surfaceOf(model, ceilings, rows[k], bin) - trained.process.mean;
+    trained.rows = std::move(rows);
+    return trained;
+}
+
+/// Positions among `rows` of the inducing ones.
+std::vector<int> inducingPositions(std::size_t rows)
+{
+    std::vector<int> positions(rows);
+    for (std::size_t k = 0; k < rows; ++k) positions[k] = static_cast<int>(k);
+    return inducingRows(positions);
+}
+
+/// The s of a training row.
+Proprioception proprioceptionOf(const ModelData& model, Eigen::Index row)
+{
+    FeatureValues values;
+    for (std::size_t d = 0; d < kFeatures; ++d)
+        values[d] = model.features(row, static_cast<Eigen::Index>(d));
+    return proprioception(values);
+}
+
+/// What a contact adds: pairs of z − m and h − m.
+struct ContactErrors {
+    std::vector<double> contact, height;
+};
+
+ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceilings,
+                            const RobotModel& robot)
+{
+    constexpr double kThreshold = 2.0;  // [N] as in Settings
+    constexpr double kMost = 0.1;       // [m]
+    ContactErrors errors;
+    for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
+        const auto contacts =
+            reconstructContacts(robot, proprioceptionOf(model, u), kThreshold, true);
+        for (int bin = 0; bin < kBins; ++bin) {
+            const auto& z = contacts.height[static_cast<std::size_t>(bin)];
+            if (!z) continue;
+            const double y = surfaceOf(model, ceilings, u, bin) - model.clearance.residuals(u, bin);
+            const double m = toHeight(y, ceilings(u, bin));
+            if (std::abs(*z - m) > kMost) continue;
+            errors.contact.push_back(*z - m);
+            errors.height.push_back(model.heights(u, bin) - m);
+        }
+    }
+    return errors;
+}
+
+void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot)
+{
+    constexpr double kLeast = 0.005, kMost = 10.0;  // [m]
+    constexpr std::size_t kFewest = 30;
+    ClearanceData& data = model.clearance;
+    data.contactBias = 0.0;
+    data.contactSd = kMost;
+    const ContactErrors errors = contactErrors(model, ceilings, robot);
+    if (errors.contact.size() < kFewest) return;
+    const Eigen::Map<const Eigen::ArrayXd> z(errors.contact.data(), std::ssize(errors.contact));
+    const Eigen::Map<const Eigen::ArrayXd> h(errors.height.data(), std::ssize(errors.height));
+    const Eigen::ArrayXd fromMean = z - z.mean();
+    const double gain = (fromMean * h).sum() / fromMean.square().sum();
+    if (!(gain > 0.0)) return;
+    const double variance = (h - h.mean()).square().mean();
+    const double sd = std::sqrt(variance * std::max(1.0 - gain, 0.0) / gain);
+    data.contactSd = std::clamp(sd, kLeast, kMost);
+    data.contactBias = std::clamp(h.mean() / gain - z.mean(), -0.1, 0.1);
+}
+
+}  // namespace
+
+Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& robot)
+{
+    Eigen::MatrixXd ceilings(features.rows(), kBins);
+    for (Eigen::Index u = 0; u < ceilings.rows(); ++u) {
+        const Heights row = bodyCeiling(robot, features(u, 0), features(u, 1), features(u, 2));
+        ceilings.row(u) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), kBins);
+    }
+    return ceilings;
+}
+
+void prepareClearance(ModelData& model, const Eigen::MatrixXd& ceilings)
+{
+    const Eigen::Index U = model.heights.rows();
+    if (ceilings.rows() != U || ceilings.cols() != kBins || model.features.rows() != U || U < 1)
+        throw std::invalid_argument("clearances need one row of eleven ceilings per training row");
+    ClearanceData& data = model.clearance;
+    Eigen::MatrixXd raw(U, model.features.cols());
+    for (Eigen::Index u = 0; u < U; ++u)
+        raw.row(u) = surfaceFeatures(model.features.row(u).transpose()).transpose();
+    data.featureMean = raw.colwise().mean();
+    data.featureSd =
+        ((raw.rowwise() - data.featureMean.transpose()).array().square().colwise().sum()
+         / static_cast<double>(U))
+            .sqrt()
+            .matrix();
+    if (!(data.featureSd.array() > 1e-12).all())
+        throw std::invalid_argument("a feature of s never varies");
+    data.coveredBins.clear();
+    for (Eigen::Index u = 0; u < U; ++u) {
+        Heights ceiling{};
+        for (int i = 0; i < kBins; ++i) ceiling[static_cast<std::size_t>(i)] = ceilings(u, i);
+        data.coveredBins.push_back(coveredBins(ceiling));
+    }
+    data.residuals = Eigen::MatrixXd::Zero(U, kBins);
+}
+
+TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                            bool covered, const TrainingOptions& options)
+{
+    std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
+    if (std::ssize(rows) < kFewestSurfaceRows)
+        return constantSurface(model, ceilings, bin, covered, std::move(rows));
+
+    const Eigen::MatrixXd X = inputs(model)(rows, Eigen::all);
+    Eigen::VectorXd y(X.rows());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        y[static_cast<Eigen::Index>(k)] = surfaceOf(model, ceilings, rows[k], bin);
+    TrainedSurface trained;
+    trained.process.mean = y.mean();
+    y.array() -= trained.process.mean;
+
+    TrainingOptions search = options;
+    search.seed += static_cast<std::uint64_t>(bin);
+    search.fullEvaluations = 0;
+    search.mostNoiseSd = kMostNoise;
+    trained.process.hyper = trainProcess(X, y, search).hyper;
+    ProjectedProcess projected =
+        projectProcess(X, y, inducingPositions(rows.size()), trained.process.hyper);
+    trained.process.weights = std::move(projected.weights);
+    trained.residuals = std::move(projected.leaveOneOut);
+    trained.process.residualSd =
+        std::sqrt(trained.residuals.squaredNorm() / static_cast<double>(trained.residuals.size()));
+    trained.rows = std::move(rows);
+    return trained;
+}
+
+void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered)
+{
+    ClearanceData& data = model.clearance;
+    auto& processes = covered ? data.covered : data.open;
+    processes[static_cast<std::size_t>(bin)] = trained.process;
+    for (std::size_t k = 0; k < trained.rows.size(); ++k)
+        data.residuals(trained.rows[k], bin) = trained.residuals[static_cast<Eigen::Index>(k)];
+}
+
+void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot)
+{
+    model.clearance.noveltyScale = ClearanceModel::noveltyScale(model);
+    calibrateContacts(model, ceilings, robot);
+}
+
+}  // namespace terratact

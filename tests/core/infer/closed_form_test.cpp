@@ -1,0 +1,186 @@
+#include "core/infer/closed_form.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/infer/estimator.h"
+#include "core/infer/quantile.h"
+#include "core/learn/clearance.h"
+#include "core/terrain/body_ceiling.h"
+#include "tests/support/toy_model.h"
+
+namespace terratact {
+namespace {
+
+struct Bench {
+    RobotModel robot = absolem();
+    ModelData data = toyModel(60);
+    Models models{data};
+    std::vector<Scene> scenes = someScenes(20, 77, [] {
+        SensorNoise noise;
+        noise.height = 0.0;
+        return noise;
+    }());
+};
+
+const Bench& bench()
+{
+    static const Bench instance;
+    return instance;
+}
+
+Settings settingsFor(Method method)
+{
+    Settings settings;
+    settings.method = method;
+    return settings;
+}
+
+TerrainEstimate estimate(const Scene& scene, Method method, std::span<const ArmReading> arm = {})
+{
+    return estimateTerrain(scene.s, arm, bench().robot, bench().models, settingsFor(method));
+}
+
+TEST(ClosedForm, noHeightIsAboveTheBody)
+{
+    for (const Method method : {Method::Joint, Method::Local})
+        for (const Scene& scene : bench().scenes) {
+            const TerrainEstimate e = estimate(scene, method);
+            for (std::size_t i = 0; i < kBins; ++i) {
+                EXPECT_LE(e.q90[i], e.ceiling[i]);
+                EXPECT_LE(e.height[i], e.ceiling[i]);
+                EXPECT_LE(e.mean[i], e.ceiling[i]);
+                EXPECT_LE(e.q10[i], e.height[i]);
+                EXPECT_LE(e.height[i], e.q90[i]);
+                EXPECT_GT(e.sd[i], 0.0);
+                for (const Heights& draw : e.draws) EXPECT_LE(draw[i], e.ceiling[i]);
+            }
+        }
+}
+
+TEST(ClosedForm, agreesWithItsOwnDraws)
+{
+    for (const Method method : {Method::Joint, Method::Local})
+        for (std::size_t k = 0; k < 5; ++k) {
+            Settings settings = settingsFor(method);
+            settings.draws = 40000;
+            const ArmReading probe{10, -0.1, 0.03};
+            const TerrainEstimate e = estimateTerrain(bench().scenes[k * 7].s, {&probe, 1},
+                                                      bench().robot, bench().models, settings);
+            for (std::size_t i = 0; i < kBins; ++i) {
+                std::vector<double> draws;
+                for (const Heights& draw : e.draws) draws.push_back(draw[i]);
+                const double width = e.q90[i] - e.q10[i] + 1e-4;
+                EXPECT_NEAR(quantile(draws, 0.1), e.q10[i], 0.05 * width) << i;
+                EXPECT_NEAR(quantile(draws, 0.5), e.height[i], 0.05 * width) << i;
+                EXPECT_NEAR(quantile(draws, 0.9), e.q90[i], 0.05 * width) << i;
+            }
+        }
+}
+
+TEST(ClosedForm, keepsTheSamplesMeanAndCovarianceWhenItSmooths)
+{
+    const Scene& scene = bench().scenes.front();
+    const Eigen::VectorXd x = features(FeatureSet::Paf, scene.s);
+    const unsigned covered =
+        coveredBins(bodyCeiling(bench().robot, scene.s.pitch, scene.s.front, scene.s.rear));
+    const ClearanceModel& model = bench().models.clearance;
+    const ResidualSample sample = model.localResiduals(x, covered);
+    const Eigen::VectorXd middle = sample.residual * sample.weight;
+    const Eigen::MatrixXd spread = sample.residual.colwise() - middle;
+    const Eigen::MatrixXd expected = spread * sample.weight.asDiagonal() * spread.transpose();
+
+    const GaussianMixture m = surfaceDistribution(model, x, covered, Method::Local);
+    const Eigen::VectorXd mean = m.mean * m.weight;
+    const Eigen::MatrixXd centred = m.mean.colwise() - mean;
+    const Eigen::MatrixXd covariance =
+        centred * m.weight.asDiagonal() * centred.transpose() + m.covariance;
+    EXPECT_TRUE(covariance.isApprox(expected, 1e-9));
+    const Heights centre = model.predict(x, covered);
+    for (int i = 0; i < kBins; ++i)
+        EXPECT_NEAR(mean[i], centre[static_cast<std::size_t>(i)] + middle[i], 1e-9);
+}
+
+TEST(ClosedForm, aProbePullsItsBinAndNarrowsIt)
+{
+    for (const Method method : {Method::Joint, Method::Local})
+        for (std::size_t k = 0; k < bench().scenes.size(); k += 9) {
+            const Scene& scene = bench().scenes[k];
+            const TerrainEstimate before = estimate(scene, method);
+            if (before.sd[9] < 0.05) continue;
+            const ArmReading probe{9, *scene.truth[9], 0.03};
+            const TerrainEstimate after = estimate(scene, method, {&probe, 1});
+            EXPECT_EQ(after.origin[9], Origin::Arm);
+            EXPECT_LT(after.sd[9], 0.05);
+            EXPECT_NEAR(after.height[9], *scene.truth[9], 0.09);
+        }
+}
+
+TEST(ClosedForm, flagsAProbeInsideTheRobotAndASceneUnlikeTraining)
+{
+    const Scene& scene = bench().scenes.front();
+    const ArmReading inside{3, 0.3, 0.03};
+    const TerrainEstimate e = estimate(scene, Method::Local, {&inside, 1});
+    EXPECT_TRUE(std::any_of(e.warnings.begin(), e.warnings.end(), [](const std::string& w) {
+        return w.find("above the robot's own lower edge") != std::string::npos;
+    }));
+    EXPECT_LE(e.height[3], e.ceiling[3]);
+
+    Scene strange = scene;
+    strange.s.force.fill(400.0);
+    strange.s.pitch = -0.9;
+    const TerrainEstimate unlike = estimate(strange, Method::Local);
+    EXPECT_GT(unlike.novelty, 1.0);
+    EXPECT_TRUE(std::any_of(unlike.warnings.begin(), unlike.warnings.end(), [](const auto& w) {
+        return w.find("unlike the training scenes") != std::string::npos;
+    }));
+}
+
+TEST(ClosedForm, coversMostTruthsOfOtherDrives)
+{
+    // A toy model; the shipped one is judged by `terratact evaluate`.
+    int inside = 0;
+    int all = 0;
+    for (const Scene& scene : bench().scenes) {
+        const TerrainEstimate e = estimate(scene, Method::Local);
+        for (std::size_t i = 0; i < kBins; ++i) {
+            ++all;
+            inside += e.q10[i] <= *scene.truth[i] && *scene.truth[i] <= e.q90[i] ? 1 : 0;
+        }
+    }
+    EXPECT_GT(static_cast<double>(inside) / all, 0.6);
+    EXPECT_LT(static_cast<double>(inside) / all, 0.95);
+}
+
+TEST(ClosedForm, isTheSameForTheSameSeedAndRefusesWrongArguments)
+{
+    const Scene& scene = bench().scenes.front();
+    EXPECT_EQ(estimate(scene, Method::Local), estimate(scene, Method::Local));
+    const ClearanceModel& model = bench().models.clearance;
+    EXPECT_THROW(
+        (void)reconstructClosedForm(scene.s, {}, bench().robot, model, settingsFor(Method::Pafc)),
+        std::invalid_argument);
+    const ArmReading wrong{11, 0.0, 0.03};
+    EXPECT_THROW((void)estimate(scene, Method::Local, {&wrong, 1}), std::invalid_argument);
+    Proprioception lacking = scene.s;
+    lacking.force[2].reset();
+    EXPECT_THROW(
+        (void)reconstructClosedForm(lacking, {}, bench().robot, model, settingsFor(Method::Local)),
+        std::invalid_argument);
+}
+
+TEST(Surface, goesBackAndForth)
+{
+    for (const double h : {-0.5, -0.3, -0.2501})
+        EXPECT_NEAR(toHeight(toSurface(h, -0.25), -0.25), h, 1e-12);
+    EXPECT_EQ(toHeight(toSurface(-0.2, -0.25), -0.25),
+              -0.25);  // a height inside the body touches it
+    const double open = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(toHeight(toSurface(0.1, open), open), 0.1);
+}
+
+}  // namespace
+}  // namespace terratact
