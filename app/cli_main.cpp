@@ -103,6 +103,10 @@ void addSimulate(CLI::App& app, Arguments& a)
     c->add_flag("--blocks", a.simulate.blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
     c->add_flag("--exact-truth", a.simulate.exactTruth, "No scanner noise on the true heights");
+    c->add_option("--disturb", a.scratch, "What the estimator does not know of (default none)")
+        ->check(named(a.simulate.disturbance, disturbanceFromName,
+                      "none|imu-noise|forces-high|forces-low|dead-element|soft-ground|light-robot|"
+                      "heavy-robot|friction-free"));
 }
 
 void addTrain(CLI::App& app, Arguments& a)

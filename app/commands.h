@@ -6,6 +6,7 @@
 
 #include "core/infer/settings.h"
 #include "core/result.h"
+#include "core/sim/disturbance.h"
 
 namespace terratact {
 
@@ -20,6 +21,7 @@ struct SimulateOptions {
     double step = 0.1;    ///< [m] of a file of heights
     bool blocks = false;  ///< heights of a file are flat-topped blocks
     bool exactTruth = false;
+    Disturbance disturbance = Disturbance::None;  ///< of the simulated world
 };
 Status simulate(const SimulateOptions& options);
 

@@ -53,6 +53,15 @@ class Commands(unittest.TestCase):
         self.assertEqual(self.data.read_bytes(), again.read_bytes())
         self.assertNotEqual(self.data.read_bytes(), other.read_bytes())
 
+    def test_a_disturbed_world_gives_other_scenes_of_the_same_drives(self):
+        dead, soft = self.path / "dead.csv", self.path / "soft.csv"
+        for name, out in (("dead-element", dead), ("soft-ground", soft)):
+            run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--disturb", name, "--out", out)
+        self.assertEqual({row["force_4_n"] for row in rows(dead)}, {"0"})
+        self.assertEqual([row["force_5_n"] for row in rows(dead)], [row["force_5_n"] for row in rows(self.data)])
+        self.assertNotEqual([row["pitch_rad"] for row in rows(soft)], [row["pitch_rad"] for row in rows(self.data)])
+        complaint("simulate", "--terrain", "boxes", "--disturb", "earthquake", "--out", dead, code=2)
+
     def test_training_repeats_to_the_bit(self):
         again = self.path / "again.ttm"
         run("train", "--data", self.data, "--out", again, "--seed", 3)
