@@ -45,6 +45,13 @@ struct EvaluateOptions {
 };
 Status evaluate(const EvaluateOptions& options);
 
+struct ContactsOptions {
+    std::string robot, data;
+    double threshold = Settings{}.forceThreshold;  ///< [N]
+};
+/// Prints how far contact heights lie from the truth, per bin and overall, for both contact rules.
+Status showContacts(const ContactsOptions& options);
+
 Status showModel(const std::string& path, bool csv);
 
 /// Prints mean and sd of every conditional p(hᵢ | h_{J∖i}, s) for complete scenes, as CSV.

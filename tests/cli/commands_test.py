@@ -36,7 +36,7 @@ class Commands(unittest.TestCase):
         return few
 
     def test_every_command_explains_itself(self):
-        for command in ("simulate", "train", "reconstruct", "evaluate", "demo", "model"):
+        for command in ("simulate", "train", "reconstruct", "evaluate", "contacts", "demo", "model"):
             self.assertIn("--help", run(command, "--help"))
         self.assertIn("terratact", run("--version"))
 
@@ -61,6 +61,13 @@ class Commands(unittest.TestCase):
         self.assertEqual([row["force_5_n"] for row in rows(dead)], [row["force_5_n"] for row in rows(self.data)])
         self.assertNotEqual([row["pitch_rad"] for row in rows(soft)], [row["pitch_rad"] for row in rows(self.data)])
         complaint("simulate", "--terrain", "boxes", "--disturb", "earthquake", "--out", dead, code=2)
+
+    def test_contacts_shows_a_table_per_rule(self):
+        text = run("contacts", "--data", self.data)
+        self.assertIn("contact rule: isolated", text)
+        self.assertIn("contact rule: any", text)
+        self.assertEqual(len([line for line in text.splitlines() if line.split()[:1] == ["all"]]), 2)
+        self.assertIn("no contact", complaint("contacts", "--data", self.data, "--threshold", 900))
 
     def test_training_repeats_to_the_bit(self):
         again = self.path / "again.ttm"
