@@ -77,6 +77,7 @@ struct Arguments {
     ReconstructOptions reconstruct;
     EvaluateOptions evaluate;
     DemoOptions demo;
+    ContactsOptions contacts;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -103,6 +104,10 @@ void addSimulate(CLI::App& app, Arguments& a)
     c->add_flag("--blocks", a.simulate.blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
     c->add_flag("--exact-truth", a.simulate.exactTruth, "No scanner noise on the true heights");
+    c->add_option("--disturb", a.scratch, "What the estimator does not know of (default none)")
+        ->check(named(a.simulate.disturbance, disturbanceFromName,
+                      "none|imu-noise|forces-high|forces-low|dead-element|soft-ground|light-robot|"
+                      "heavy-robot|friction-free"));
 }
 
 void addTrain(CLI::App& app, Arguments& a)
@@ -148,6 +153,16 @@ void addEvaluate(CLI::App& app, Arguments& a)
     addSettings(*c, a.evaluate.settings, a.scratch);
 }
 
+void addContacts(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand(
+        "contacts", "Bias and sd of contact heights, from scenes whose terrain is known");
+    addRobot(*c, a.contacts.robot);
+    c->add_option("--data", a.contacts.data, "Scenes CSV with heights")->required();
+    addNumber(*c, "--threshold", a.contacts.threshold, "Force of a contact [N]")
+        ->check(CLI::Range(0.0, 1000.0));
+}
+
 void addDemo(CLI::App& app, Arguments& a)
 {
     auto* c = app.add_subcommand(
@@ -186,6 +201,7 @@ Status run(const CLI::App& app, Arguments& a)
             a.evaluate.methods.assign(kPaperMethods.begin(), kPaperMethods.end());
         return evaluate(a.evaluate);
     }
+    if (app.got_subcommand("contacts")) return showContacts(a.contacts);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
@@ -195,7 +211,7 @@ Status run(const CLI::App& app, Arguments& a)
 void useShippedFiles(Arguments& a)
 {
     for (std::string* robot : {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot,
-                               &a.evaluate.robot, &a.demo.robot})
+                               &a.evaluate.robot, &a.demo.robot, &a.contacts.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
     for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model})
         if (model->empty()) *model = resourcePath("models/default.ttm");
@@ -212,6 +228,7 @@ int realMain(int argc, char** argv)
     addTrain(app, arguments);
     addReconstruct(app, arguments);
     addEvaluate(app, arguments);
+    addContacts(app, arguments);
     addModel(app, arguments);
     addDemo(app, arguments);
     try {

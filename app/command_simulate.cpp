@@ -20,11 +20,11 @@ constexpr double kSpacing = 0.1;  // [m] between the stops of a drive
 constexpr int kBoxRuns = 28;      // the paper's training set
 constexpr int kPresetScenes = 1400;
 
-SensorNoise noiseFor(const SimulateOptions& options)
+DriveConditions conditionsFor(const SimulateOptions& options, const RobotModel& robot)
 {
     SensorNoise noise;
     if (options.exactTruth) noise.height = 0.0;
-    return noise;
+    return disturbedDrive(noise, robot.forceSaturation, options.disturbance);
 }
 
 struct Recording {
@@ -51,7 +51,7 @@ Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, i
                                                           * static_cast<double>(all.size()))]);
         if (chosen.empty()) continue;
         auto scenes = driveOver(robot, terrain, chosen, std::to_string(run + 1), style(rng),
-                                noiseFor(options), rng, recording.skipped);
+                                conditionsFor(options, robot), rng, recording.skipped);
         std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
     }
     return recording;
@@ -84,8 +84,9 @@ Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
             chosen.push_back(stops[p][*next - firstOfProfile]);
         firstOfProfile += stops[p].size();
         if (chosen.empty()) continue;
-        auto scenes = driveOver(robot, profiles[p], chosen, std::to_string(p + 1),
-                                randomDriveStyle(rng), noiseFor(options), rng, recording.skipped);
+        auto scenes =
+            driveOver(robot, profiles[p], chosen, std::to_string(p + 1), randomDriveStyle(rng),
+                      conditionsFor(options, robot), rng, recording.skipped);
         std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
     }
     return recording;
@@ -117,7 +118,7 @@ Status simulate(const SimulateOptions& options)
 {
     const auto robot = readRobotModel(options.robot);
     if (!robot) return robot.error();
-    const auto recording = drive(*robot, options);
+    const auto recording = drive(disturbed(*robot, options.disturbance), options);
     if (!recording) return recording.error();
     if (recording->scenes.empty())
         return Error{

@@ -6,6 +6,7 @@
 
 #include "core/infer/settings.h"
 #include "core/result.h"
+#include "core/sim/disturbance.h"
 
 namespace terratact {
 
@@ -20,6 +21,7 @@ struct SimulateOptions {
     double step = 0.1;    ///< [m] of a file of heights
     bool blocks = false;  ///< heights of a file are flat-topped blocks
     bool exactTruth = false;
+    Disturbance disturbance = Disturbance::None;  ///< of the simulated world
 };
 Status simulate(const SimulateOptions& options);
 
@@ -44,6 +46,13 @@ struct EvaluateOptions {
     Settings settings;
 };
 Status evaluate(const EvaluateOptions& options);
+
+struct ContactsOptions {
+    std::string robot, data;
+    double threshold = Settings{}.forceThreshold;  ///< [N]
+};
+/// Prints how far contact heights lie from the truth, per bin and overall, for both contact rules.
+Status showContacts(const ContactsOptions& options);
 
 Status showModel(const std::string& path, bool csv);
 

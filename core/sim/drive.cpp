@@ -1,14 +1,15 @@
 #include "core/sim/drive.h"
 
-#include "core/sim/rest_pose.h"
+#include <cmath>
 
 namespace terratact {
 
 namespace {
 
-constexpr double kBehind = 0.65;  // [m] the robot reaches this far behind its base
-constexpr double kAhead = 0.80;   // [m] the last bin ends this far ahead at most
-constexpr double kSpeed = 0.3;    // [m/s]
+constexpr double kBehind = 0.65;     // [m] the robot reaches this far behind its base
+constexpr double kAhead = 0.80;      // [m] the last bin ends this far ahead at most
+constexpr double kSpeed = 0.3;       // [m/s]
+constexpr double kSlideStep = 0.01;  // [m]
 
 OptionalHeights known(const Heights& heights)
 {
@@ -16,6 +17,53 @@ OptionalHeights known(const Heights& heights)
     for (std::size_t i = 0; i < heights.size(); ++i) result[i] = heights[i];
     return result;
 }
+
+/// One stop of a drive: where the robot rests over the terrain.
+class Stop {
+public:
+    Stop(const RobotModel& robot, const TerrainProfile& terrain, const DriveStyle& style,
+         const DriveConditions& conditions, double startPitch)
+        : robot_(robot), terrain_(terrain), style_(style), conditions_(conditions),
+          startPitch_(startPitch)
+    {
+    }
+
+    /// Rest pose at x, or where the robot comes to rest when it slides from there.
+    Result<RestPose> restNear(double x) const
+    {
+        const Result<RestPose> rest = restAt(x);
+        if (!rest || !(conditions_.slide > 0.0)) return rest;
+        const RestPose back = slid(*rest, -kSlideStep);
+        const RestPose ahead = slid(*rest, kSlideStep);
+        return back.energy < ahead.energy ? back : ahead;
+    }
+
+private:
+    Result<RestPose> restAt(double x) const
+    {
+        return restPose(robot_, terrain_, x, PressTorque{style_.pressTorque},
+                        HoldAngle{style_.rearAngle}, startPitch_, conditions_.ground);
+    }
+
+    /// On from `rest` in steps of `step` while the energy falls.
+    RestPose slid(RestPose rest, double step) const
+    {
+        const double start = rest.pose.base.x;
+        const auto steps = std::lround(conditions_.slide / kSlideStep);
+        for (long k = 1; k <= steps; ++k) {
+            const auto next = restAt(start + static_cast<double>(k) * step);
+            if (!next || !(next->energy < rest.energy)) break;
+            rest = *next;
+        }
+        return rest;
+    }
+
+    const RobotModel& robot_;
+    const TerrainProfile& terrain_;
+    const DriveStyle& style_;
+    const DriveConditions& conditions_;
+    double startPitch_;
+};
 
 }  // namespace
 
@@ -38,14 +86,13 @@ std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing)
 
 std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terrain,
                              const std::vector<double>& stops, const std::string& run,
-                             const DriveStyle& style, const SensorNoise& noise,
+                             const DriveStyle& style, const DriveConditions& conditions,
                              std::mt19937_64& rng, int& skipped)
 {
     std::vector<Scene> scenes;
     double pitch = 0.0;
     for (const double x : stops) {
-        const auto rest = restPose(robot, terrain, x, PressTorque{style.pressTorque},
-                                   HoldAngle{style.rearAngle}, pitch);
+        const auto rest = Stop(robot, terrain, style, conditions, pitch).restNear(x);
         if (!rest) {
             ++skipped;
             continue;
@@ -53,11 +100,11 @@ std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terr
         pitch = rest->pose.pitch;
         const Heights truth = binHeights(terrain, imuPosition(robot, rest->pose));
         const Proprioception readings =
-            noisy(exactReadings(robot, *rest), noise, robot.forceSaturation, rng);
+            noisy(exactReadings(robot, *rest), conditions.noise, robot.forceSaturation, rng);
         scenes.push_back({.run = run,
                           .time = (x - stops.front()) / kSpeed,
-                          .s = readings,
-                          .truth = known(noisy(truth, noise, rng))});
+                          .s = conditions.reading ? conditions.reading(readings) : readings,
+                          .truth = known(noisy(truth, conditions.noise, rng))});
     }
     return scenes;
 }

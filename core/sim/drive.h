@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "core/learn/scene.h"
 #include "core/robot/robot_model.h"
+#include "core/sim/rest_pose.h"
 #include "core/sim/sensor_noise.h"
 #include "core/terrain/terrain_profile.h"
 
@@ -20,17 +22,29 @@ struct DriveStyle {
 /// Rear flippers −15° … 40°, press torque 12 … 24 N m.
 DriveStyle randomDriveStyle(std::mt19937_64& rng);
 
+/// Sensors and ground during one drive.
+struct DriveConditions {
+    SensorNoise noise{};
+    GroundOptions ground{};
+    /// What becomes of a noisy reading before it is recorded; empty: nothing.
+    std::function<Proprioception(const Proprioception&)> reading{};
+    double slide =
+        0.0;  ///< [m] at a stop the robot slides at most so far towards less energy; 0 where
+              ///< friction holds it
+};
+
 /// Base positions x [m] at which a drive over the terrain stops for a measurement: every `spacing`, as
 /// long as the robot and its bins stay over the terrain; one position, with bin −0.3 on the terrain's
 /// first point, where the terrain is too short for that.
 std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing);
 
 /// Drives over the stops in order and measures a scene at each: the front flippers are pressed down
-/// from above, the robot rests, sensors are read with `noise`.  The truth carries the scanner's noise
-/// unless noise.height is 0.  Stops without a rest pose are left out and counted in `skipped`.
+/// from above, the robot rests (after sliding, if conditions.slide lets it), sensors are read with
+/// conditions.noise, and the reading goes through conditions.reading.  The truth carries the scanner's
+/// noise unless noise.height is 0.  Stops without a rest pose are left out and counted in `skipped`.
 std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terrain,
                              const std::vector<double>& stops, const std::string& run,
-                             const DriveStyle& style, const SensorNoise& noise,
+                             const DriveStyle& style, const DriveConditions& conditions,
                              std::mt19937_64& rng, int& skipped);
 
 }  // namespace terratact

@@ -116,8 +116,11 @@ private:
         const Vec2 rearPivot = toWorld(pose, robot_.rear.pivot);
         double energy = 0.0;
         const auto add = [&](GroundContact::Part kind, Vec2 point, const Penetration& hit) {
-            const double force = stiffness * hit.depth;
-            energy += 0.5 * force * hit.depth;
+            const double firmDepth = std::max(0.0, hit.depth - ground_.softLayer);
+            const double firm = stiffness * firmDepth;
+            const double soft = ground_.softStiffness * hit.depth;
+            const double force = firm + soft;
+            energy += 0.5 * firm * firmDepth + 0.5 * soft * hit.depth;
             // The part's boundary moves outwards with n·v, and the depth with it.
             g[kZ] += force * hit.normal.z;
             g[kPitch] += force * dot(hit.normal, spin(point, pose.base));

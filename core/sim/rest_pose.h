@@ -55,11 +55,15 @@ struct GroundOptions {
     double spacing = 0.005;  ///< [m]
     double skin = 2e-4;      ///< [m] thickness of the compressible skin around the robot
     double stiffness = 5e6;  ///< [N/m] per point
+    /// [m] of soft ground on top of firm ground; less than the least radius of the robot's parts.
+    double softLayer = 0.0;
+    double softStiffness = 0.0;  ///< [N/m] per point, of the soft layer
 };
 
 /// Potential energy [J] of a pose: weight, flipper torques (τ·angle) and the compressed skin,
-///   E = Σ m g z + τ_front θ_front + τ_rear θ_rear + ½ k Σ depth².
-/// depth: how deep a point of the ground lies in a part's skin.  A held flipper has no torque term.
+///   E = Σ m g z + τ_front θ_front + τ_rear θ_rear + ½ Σ (k_soft depth² + k max(0, depth − softLayer)²).
+/// depth: how deep a point of the ground lies in a part's skin.  k_soft: of the soft layer, if there is one.
+/// A held flipper has no torque term.
 double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, const Pose& pose,
                        const FlipperDrive& front, const FlipperDrive& rear,
                        const GroundOptions& ground = {});

@@ -36,7 +36,7 @@ class Commands(unittest.TestCase):
         return few
 
     def test_every_command_explains_itself(self):
-        for command in ("simulate", "train", "reconstruct", "evaluate", "demo", "model"):
+        for command in ("simulate", "train", "reconstruct", "evaluate", "contacts", "demo", "model"):
             self.assertIn("--help", run(command, "--help"))
         self.assertIn("terratact", run("--version"))
 
@@ -52,6 +52,22 @@ class Commands(unittest.TestCase):
         run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 4, "--out", other)
         self.assertEqual(self.data.read_bytes(), again.read_bytes())
         self.assertNotEqual(self.data.read_bytes(), other.read_bytes())
+
+    def test_a_disturbed_world_gives_other_scenes_of_the_same_drives(self):
+        dead, soft = self.path / "dead.csv", self.path / "soft.csv"
+        for name, out in (("dead-element", dead), ("soft-ground", soft)):
+            run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--disturb", name, "--out", out)
+        self.assertEqual({row["force_4_n"] for row in rows(dead)}, {"0"})
+        self.assertEqual([row["force_5_n"] for row in rows(dead)], [row["force_5_n"] for row in rows(self.data)])
+        self.assertNotEqual([row["pitch_rad"] for row in rows(soft)], [row["pitch_rad"] for row in rows(self.data)])
+        complaint("simulate", "--terrain", "boxes", "--disturb", "earthquake", "--out", dead, code=2)
+
+    def test_contacts_shows_a_table_per_rule(self):
+        text = run("contacts", "--data", self.data)
+        self.assertIn("contact rule: isolated", text)
+        self.assertIn("contact rule: any", text)
+        self.assertEqual(len([line for line in text.splitlines() if line.split()[:1] == ["all"]]), 2)
+        self.assertIn("no contact", complaint("contacts", "--data", self.data, "--threshold", 900))
 
     def test_training_repeats_to_the_bit(self):
         again = self.path / "again.ttm"

@@ -21,7 +21,7 @@ inline std::vector<Scene> someScenes(int runs, std::uint64_t seed, SensorNoise n
     for (int run = 0; run < runs; ++run) {
         const TerrainProfile terrain = randomVariedTerrain(rng);
         auto more = driveOver(robot, terrain, stopsOver(terrain, 0.3), std::to_string(run + 1),
-                              randomDriveStyle(rng), noise, rng, skipped);
+                              randomDriveStyle(rng), {.noise = noise}, rng, skipped);
         scenes.insert(scenes.end(), more.begin(), more.end());
     }
     return scenes;

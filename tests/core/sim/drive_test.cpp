@@ -13,7 +13,8 @@ std::vector<Scene> driveOnce(const SensorNoise& noise, unsigned seed)
     std::mt19937_64 rng(seed);
     int skipped = 0;
     const TerrainProfile terrain = boxTerrain(0.2, 2.0, 1.0, 6.0);
-    return driveOver(absolem(), terrain, stopsOver(terrain, 0.25), "7", {}, noise, rng, skipped);
+    return driveOver(absolem(), terrain, stopsOver(terrain, 0.25), "7", {}, {.noise = noise}, rng,
+                     skipped);
 }
 
 TEST(Drive, measuresASceneAtEveryStop)

@@ -1,0 +1,151 @@
+#include "core/atem/probe_gain.h"
+
+#include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "core/infer/obstacle.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kReadings = 48;
+
+/// Draws of all bins with what is asked of them.
+class Draws {
+public:
+    Draws(const std::vector<Heights>& heights, double stepLimit) : heights_(heights)
+    {
+        step_.reserve(heights.size());
+        for (const Heights& h : heights) step_.push_back(hasStep(h, stepLimit) ? 1.0 : 0.0);
+    }
+
+    std::size_t count() const { return heights_.size(); }
+
+    /// Height of one bin in every draw [m].
+    std::vector<double> of(std::size_t bin) const
+    {
+        std::vector<double> heights(count());
+        std::transform(heights_.begin(), heights_.end(), heights.begin(),
+                       [bin](const Heights& h) { return h[bin]; });
+        return heights;
+    }
+
+    /// V(w) [m²]; 0 where one draw has all the weight.
+    double variance(const std::vector<double>& weight) const
+    {
+        Heights mean{};
+        double squares = 0.0;
+        for (std::size_t d = 0; d < count(); ++d) {
+            squares += weight[d] * weight[d];
+            for (std::size_t i = 0; i < kBins; ++i) mean[i] += weight[d] * heights_[d][i];
+        }
+        double sum = 0.0;
+        for (std::size_t d = 0; d < count(); ++d)
+            for (std::size_t i = 0; i < kBins; ++i) {
+                const double deviation = heights_[d][i] - mean[i];
+                sum += weight[d] * deviation * deviation;
+            }
+        constexpr double kAlone = 1e-9;
+        return 1.0 - squares > kAlone ? sum / (1.0 - squares) : 0.0;
+    }
+
+    /// H(w) [nat].
+    double entropy(const std::vector<double>& weight) const
+    {
+        double p = 0.0;
+        for (std::size_t d = 0; d < count(); ++d) p += weight[d] * step_[d];
+        const auto part = [](double q) { return q > 0.0 ? -q * std::log(q) : 0.0; };
+        return part(p) + part(1.0 - p);
+    }
+
+private:
+    const std::vector<Heights>& heights_;
+    std::vector<double> step_;  // 1 for a draw with a step
+};
+
+/// Evenly spaced quantiles of the readings to expect of a bin with these draws.
+std::vector<double> readings(const std::vector<double>& heights, double armSd)
+{
+    std::vector<double> all(heights);
+    double u = 0.5;
+    for (double& z : all) {
+        z -= armSd * std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u);
+        u += std::numbers::phi - 1.0;
+        u -= std::floor(u);
+        u = std::clamp(u, 1e-9, 1.0 - 1e-9);
+    }
+    std::sort(all.begin(), all.end());
+    std::vector<double> picked(kReadings);
+    for (std::size_t k = 0; k < kReadings; ++k)
+        picked[k] = all[(2 * k + 1) * all.size() / (2 * kReadings)];
+    return picked;
+}
+
+/// w_d ∝ N(reading; heights[d], armSd²), in logarithms until the largest is 1.
+std::vector<double> weights(const std::vector<double>& heights, double reading, double armSd)
+{
+    std::vector<double> w(heights.size());
+    std::transform(heights.begin(), heights.end(), w.begin(), [&](double h) {
+        const double z = (reading - h) / armSd;
+        return -0.5 * z * z;
+    });
+    const double largest = *std::max_element(w.begin(), w.end());
+    double sum = 0.0;
+    for (double& weight : w) sum += weight = std::exp(weight - largest);
+    for (double& weight : w) weight /= sum;
+    return w;
+}
+
+/// Mean of V and H over the readings.
+ProbeGain expectedAfter(const Draws& draws, int bin, double armSd)
+{
+    const std::vector<double> heights = draws.of(static_cast<std::size_t>(bin));
+    ProbeGain after{bin, 0.0, 0.0};
+    for (const double z : readings(heights, armSd)) {
+        const std::vector<double> w = weights(heights, z, armSd);
+        after.varianceReduction += draws.variance(w) / kReadings;
+        after.entropyReduction += draws.entropy(w) / kReadings;
+    }
+    return after;
+}
+
+}  // namespace
+
+std::vector<ProbeGain> probeGains(const TerrainEstimate& estimate, const RobotModel& robot,
+                                  double armSd, double stepLimit)
+{
+    if (!(armSd > 0.0) || !std::isfinite(armSd))
+        throw std::invalid_argument("probeGains: armSd must be finite and above 0 m");
+    if (!(stepLimit >= 0.0) || !std::isfinite(stepLimit))
+        throw std::invalid_argument("probeGains: stepLimit must be finite and 0 m or more");
+    if (estimate.draws.empty()) throw std::invalid_argument("probeGains: no draws");
+
+    const Draws draws(estimate.draws, stepLimit);
+    const std::vector<double> equal(draws.count(), 1.0 / static_cast<double>(draws.count()));
+    const double variance = draws.variance(equal);
+    const double entropy = draws.entropy(equal);
+    std::vector<ProbeGain> gains;
+    for (int bin = 0; bin < kBins; ++bin) {
+        if (!robot.armReaches(bin)) continue;
+        const ProbeGain after = expectedAfter(draws, bin, armSd);
+        gains.push_back(
+            {bin, variance - after.varianceReduction, entropy - after.entropyReduction});
+    }
+    std::stable_sort(gains.begin(), gains.end(), [](const ProbeGain& a, const ProbeGain& b) {
+        return a.varianceReduction > b.varianceReduction;
+    });
+    return gains;
+}
+
+std::optional<ProbeGain> bestProbe(const TerrainEstimate& estimate, const RobotModel& robot,
+                                   double armSd, double stepLimit)
+{
+    for (const ProbeGain& gain : probeGains(estimate, robot, armSd, stepLimit))
+        if (estimate.origin[static_cast<std::size_t>(gain.bin)] == Origin::Sampled) return gain;
+    return std::nullopt;
+}
+
+}  // namespace terratact
