@@ -144,6 +144,7 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
     fixArm(estimate, arm, problem.known);
     problem.ceiling = estimate.ceiling;
     problem.rule = usesCeiling(settings.method) ? settings.ceiling : CeilingRule::None;
+    problem.scan = settings.scan;
     problem.chains = settings.chains;
     problem.burnIn = settings.burnIn;
     problem.keptPerChain = (settings.draws + settings.chains - 1) / settings.chains;
