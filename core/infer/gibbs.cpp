@@ -132,6 +132,27 @@ void report(const Watch& watch, int done, int total)
 
 }  // namespace
 
+void checkSettings(const Settings& settings)
+{
+    if (settings.draws < 1 || settings.chains < 1 || settings.burnIn < 0)
+        throw std::invalid_argument(
+            "an estimate needs at least one draw, one chain and no negative burn-in");
+    if (!(settings.contactSd > 0.0) || !(settings.armSd > 0.0) || !(settings.forceThreshold >= 0.0))
+        throw std::invalid_argument(
+            "contact and arm sd must be positive and the force threshold 0 or more");
+}
+
+GibbsProblem problemFor(const Settings& settings)
+{
+    GibbsProblem problem;
+    problem.scan = settings.scan;
+    problem.chains = settings.chains;
+    problem.burnIn = settings.burnIn;
+    problem.keptPerChain = (settings.draws + settings.chains - 1) / settings.chains;
+    problem.seed = settings.seed;
+    return problem;
+}
+
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
                         const Watch& watch)
 {

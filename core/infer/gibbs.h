@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/infer/conditionals.h"
-#include "core/infer/variant.h"
+#include "core/infer/settings.h"
 #include "core/infer/watch.h"
 #include "core/learn/bin_models.h"
 #include "core/terrain/bins.h"
@@ -25,6 +25,12 @@ struct GibbsProblem {
     int keptPerChain = 63;  ///< sweeps per chain that are kept
     std::uint64_t seed = 1;
 };
+
+/// Throws std::invalid_argument where a number of the settings is out of range.
+void checkSettings(const Settings& settings);
+
+/// Scan order, chains, sweeps and seed from the settings; everything else is left to fill in.
+GibbsProblem problemFor(const Settings& settings);
 
 struct GibbsDraws {
     std::vector<int> bins;               ///< I, rear to front
