@@ -17,6 +17,7 @@ namespace terratact {
 namespace {
 
 constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
+
 void check(const Settings& settings, const BinModels& models)
 {
     if (std::find(kPaperMethods.begin(), kPaperMethods.end(), settings.method)

@@ -17,8 +17,6 @@ namespace terratact {
 
 namespace {
 
-constexpr int kFewestScenes = 30;
-
 void setStandardisation(const ModelData& model, BinModelData& data, FeatureSet set)
 {
     data.set = set;
@@ -73,7 +71,7 @@ double objective(unsigned n, const double* x, double* gradient, void* context)
 
 /// Best theta found in at most `evaluations` evaluations from `start`.
 Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                         const Eigen::VectorXd& start, int evaluations,
+                         const Eigen::VectorXd& start, int evaluations, const SearchBounds& bounds,
                          const std::function<bool()>& cancelled, double& best)
 {
     const auto n = static_cast<unsigned>(start.size());
@@ -82,8 +80,8 @@ Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
     Search search{X, y, cancelled, optimiser.get(), std::numeric_limits<double>::infinity(), start};
     Eigen::VectorXd low = Eigen::VectorXd::Constant(start.size(), std::log(0.05));
     Eigen::VectorXd high = Eigen::VectorXd::Constant(start.size(), std::log(1000.0));
-    low.tail(2) << std::log(1e-3), std::log(5e-4);
-    high.tail(2) << std::log(10.0), std::log(0.5);
+    low.tail(2) << std::log(bounds.leastSignal), std::log(bounds.leastNoise);
+    high.tail(2) << std::log(bounds.mostSignal), std::log(bounds.mostNoise);
     nlopt_set_lower_bounds(optimiser.get(), low.data());
     nlopt_set_upper_bounds(optimiser.get(), high.data());
     nlopt_set_min_objective(optimiser.get(), objective, &search);
@@ -124,11 +122,11 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes)
         if (isComplete(scene)) rows.push_back(&scene);
     set.used = static_cast<int>(rows.size());
     set.leftOut = static_cast<int>(scenes.size() - rows.size());
-    if (set.used < kFewestScenes)
+    if (set.used < kFewestTrainingRows)
         throw std::invalid_argument(
             fmt::format("training needs at least {} scenes with all heights, currents and "
                         "forces known, found {}",
-                        kFewestScenes, set.used));
+                        kFewestTrainingRows, set.used));
     ModelData& model = set.model;
     model.heights.resize(set.used, kBins);
     model.features.resize(set.used,
@@ -144,6 +142,29 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes)
     return set;
 }
 
+Eigen::VectorXd searchStart(Eigen::Index d, double outputSd)
+{
+    Eigen::VectorXd theta =
+        Eigen::VectorXd::Constant(d + 2, 0.5 * std::log(static_cast<double>(d)));
+    theta.tail(2) << std::log(outputSd), std::log(0.2 * outputSd);
+    return theta;
+}
+
+TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                              const Eigen::VectorXd& start, const TrainingOptions& options,
+                              const SearchBounds& bounds, const std::function<bool()>& cancelled)
+{
+    Eigen::VectorXd theta = start;
+    double best = 0.0;
+    const std::vector<int> rows =
+        drawRows(static_cast<int>(X.rows()), options.subset, options.seed);
+    if (static_cast<Eigen::Index>(rows.size()) < X.rows())
+        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, bounds,
+                         cancelled, best);
+    theta = minimise(X, y, theta, options.fullEvaluations, bounds, cancelled, best);
+    return {fromLog(theta), -best};
+}
+
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
                     const std::function<bool()>& cancelled)
 {
@@ -151,18 +172,9 @@ TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const Train
     const Eigen::MatrixXd X =
         withoutBin(standardised(rawInputs(model, set), data.mean, data.sd), bin);
     const Eigen::VectorXd y = model.heights.col(bin).array() - data.mean[bin];
-
-    Eigen::VectorXd theta =
-        Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
-    theta.tail(2) << std::log(data.sd[bin]), std::log(0.2 * data.sd[bin]);
-    double best = 0.0;
-    const std::vector<int> rows = drawRows(static_cast<int>(X.rows()), options.subset,
-                                           options.seed + static_cast<std::uint64_t>(bin));
-    if (static_cast<Eigen::Index>(rows.size()) < X.rows())
-        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, cancelled,
-                         best);
-    theta = minimise(X, y, theta, options.fullEvaluations, cancelled, best);
-    return {fromLog(theta), -best};
+    TrainingOptions ofBin = options;
+    ofBin.seed += static_cast<std::uint64_t>(bin);
+    return maximiseLikelihood(X, y, searchStart(X.cols(), data.sd[bin]), ofBin, {}, cancelled);
 }
 
 }  // namespace terratact

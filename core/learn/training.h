@@ -10,6 +10,9 @@
 
 namespace terratact {
 
+/// A Gaussian process is not trained on fewer rows.
+inline constexpr int kFewestTrainingRows = 30;
+
 /// All eleven heights and all features of s are known.
 bool isComplete(const Scene& scene);
 
@@ -36,10 +39,26 @@ struct TrainedBin {
     double logLikelihood = 0.0;  ///< log p(y | X) on all rows
 };
 
-/// Maximises the log marginal likelihood of p(hᵢ | h_{J∖i}, s) over log ℓ, log σ_f, log σ_n with L-BFGS
-/// (NLopt) and analytic gradients.  Bounds: ℓ 0.05 … 1000 (standardised), σ_f 1 mm … 10 m, σ_n 0.5 mm …
-/// 0.5 m.  cancelled: polled at every evaluation; when true the best so far is returned.
+/// Box of a search, in the unit of the output; length scales 0.05 … 1000 (standardised inputs).
+struct SearchBounds {
+    double leastSignal = 1e-3, mostSignal = 10.0;  ///< σ_f
+    double leastNoise = 5e-4, mostNoise = 0.5;     ///< σ_n
+};
+
+/// Where a search starts: θ = log ℓ_1 … log ℓ_d = ½ log d, log σ_f = log outputSd, log σ_n = log 0.2 outputSd.
+Eigen::VectorXd searchStart(Eigen::Index d, double outputSd);
+
+/// Maximises log p(y | X) over θ = (log ℓ, log σ_f, log σ_n) with L-BFGS (NLopt) and analytic gradients, first
+/// on options.subset rows, then on all of them.
+///   X: U × d, standardised; y: U, centred; start: d + 2, moved into the bounds.
+/// cancelled: polled at every evaluation; when true the best so far is returned.
 /// Same data and seed: the same result on one machine.
+TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                              const Eigen::VectorXd& start, const TrainingOptions& options,
+                              const SearchBounds& bounds = {},
+                              const std::function<bool()>& cancelled = {});
+
+/// The same for p(hᵢ | h_{J∖i}, s): outputs in metres within the default bounds.
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
                     const std::function<bool()>& cancelled = {});
 
