@@ -17,7 +17,7 @@ namespace terratact {
 struct GibbsProblem {
     Eigen::VectorXd s;      ///< features of the models' set; read by sampleHeights only
     OptionalHeights known;  ///< states that are kept as they are: heights [m]
-    Heights ceiling{};      ///< of the states [m] +infinity where there is none
+    Heights ceiling{};      ///< upper bounds of states; +infinity where there is none
     CeilingRule rule = CeilingRule::Truncate;
     ScanOrder scan = ScanOrder::Forward;
     int chains = 16;
