@@ -4,25 +4,17 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "core/infer/measured_bins.h"
 #include "core/learn/clearance.h"
 #include "core/learn/hyperparameters.h"
 #include "core/terrain/body_ceiling.h"
-#include "core/terrain/kinematic_reconstruction.h"
 
 namespace terratact {
 
 namespace {
-
-constexpr double kContradiction = 3.0;  // [sd] beyond which two statements exclude each other
-
-/// A height that something has touched.
-struct Touch {
-    int bin = 0;
-    double height = 0.0, sd = 0.0;  ///< [m]
-    Origin origin = Origin::Contact;
-};
 
 void check(const Settings& settings)
 {
@@ -34,67 +26,30 @@ void check(const Settings& settings)
         throw std::invalid_argument("arm sd must be positive and the force threshold 0 or more");
 }
 
-std::vector<Touch> contacts(const Proprioception& s, const RobotModel& robot,
-                            const ClearanceModel& model, TerrainEstimate& estimate)
+/// Conditions the distribution of one bin's surface coordinate.
+void take(GaussianMixture& distribution, std::size_t bin, const MeasuredHeight& measured,
+          double ceiling)
 {
-    const Settings& settings = estimate.settings;
-    if (settings.contacts == ContactRule::None) return {};
-    KinematicReconstruction found = reconstructContacts(robot, s, settings.forceThreshold,
-                                                        settings.contacts == ContactRule::Isolated);
-    estimate.warnings = std::move(found.warnings);
-    std::vector<Touch> touches;
-    for (int bin = 0; bin < kBins; ++bin)
-        if (const auto& height = found.height[static_cast<std::size_t>(bin)])
-            touches.push_back(
-                {bin, *height + model.contactBias(), model.contactSd(), Origin::Contact});
-    return touches;
-}
-
-std::vector<Touch> probes(std::span<const ArmReading> arm)
-{
-    std::vector<Touch> touches;
-    for (const ArmReading& reading : arm) {
-        if (reading.bin < 0 || reading.bin >= kBins || !std::isfinite(reading.height)
-            || !(reading.sd > 0.0))
-            throw std::invalid_argument(
-                "an arm reading needs a bin 0 to 10, a finite height and a positive sd");
-        touches.push_back({reading.bin, reading.height, reading.sd, Origin::Arm});
-    }
-    return touches;
-}
-
-std::string_view words(Origin origin)
-{
-    return origin == Origin::Arm ? "the arm" : "a contact";
-}
-
-/// Conditions the distribution, flags what cannot be.
-void take(GaussianMixture& distribution, const Touch& touch, TerrainEstimate& estimate)
-{
-    const auto bin = static_cast<std::size_t>(touch.bin);
-    const double ceiling = estimate.ceiling[bin];
-    if (touch.height > ceiling + kContradiction * touch.sd)
-        estimate.warnings.push_back(fmt::format(
-            "{} found bin {:+.1f} m {:.0f} mm above the robot's own lower edge",
-            words(touch.origin), binCentre(touch.bin), 1000.0 * (touch.height - ceiling)));
-    const double y = toSurface(touch.height, ceiling);
     const double error =
         std::isinf(ceiling)
-            ? touch.sd
-            : std::log1p(touch.sd / (std::max(ceiling - touch.height, 0.0) + kClearanceOffset));
-    distribution.condition(touch.bin, y, error);
-    estimate.origin[bin] = touch.origin;
+            ? measured.sd
+            : std::log1p(measured.sd
+                         / (std::max(ceiling - measured.height, 0.0) + kClearanceOffset));
+    distribution.condition(static_cast<int>(bin), toSurface(measured.height, ceiling), error);
 }
 
-void flagDisagreement(const std::vector<Touch>& touches, TerrainEstimate& estimate)
+void takeAll(GaussianMixture& distribution, MeasuredBins& measured, const ClearanceModel& model,
+             TerrainEstimate& estimate)
 {
-    for (const Touch& a : touches)
-        for (const Touch& b : touches)
-            if (a.origin == Origin::Contact && b.origin == Origin::Arm && a.bin == b.bin
-                && std::abs(a.height - b.height) > kContradiction * std::hypot(a.sd, b.sd))
-                estimate.warnings.push_back(
-                    fmt::format("contact and arm disagree about bin {:+.1f} m by {:.0f} mm",
-                                binCentre(a.bin), 1000.0 * std::abs(a.height - b.height)));
+    for (std::size_t i = 0; i < kBins; ++i) {
+        if (!measured.bin[i]) continue;
+        MeasuredHeight& height = *measured.bin[i];
+        if (height.origin == Origin::Contact)
+            height = {height.height + model.contactBias(), model.contactSd(), Origin::Contact};
+        take(distribution, i, height, estimate.ceiling[i]);
+        estimate.origin[i] = height.origin;
+    }
+    estimate.warnings = std::move(measured.warnings);
 }
 
 /// Mean and sd of a bin's height: y is a mixture of Gaussians, so exp(y) one of log-normals.
@@ -178,11 +133,8 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
     GaussianMixture distribution =
         surfaceDistribution(model, x, coveredBins(estimate.ceiling), settings.method);
 
-    std::vector<Touch> touches = contacts(s, robot, model, estimate);
-    const std::vector<Touch> probed = probes(arm);
-    touches.insert(touches.end(), probed.begin(), probed.end());
-    for (const Touch& touch : touches) take(distribution, touch, estimate);
-    flagDisagreement(touches, estimate);
+    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
+    takeAll(distribution, measured, model, estimate);
     if (estimate.novelty > 1.0)
         estimate.warnings.push_back(fmt::format(
             "unlike the training scenes: {:.1f} times the distance that 1 % of them exceed",

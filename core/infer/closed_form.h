@@ -22,8 +22,8 @@ inline constexpr double kSmoothing = 0.25;  ///< κ
 GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::VectorXd& features,
                                     unsigned covered, Method method);
 
-/// Estimates one scene without a chain: contacts (settings.contacts) and arm readings are measurements with
-/// their sd, conditioned exactly in the surface coordinate.  Where the robot is above the bin, their error
+/// Estimates one scene without a chain: contacts, with the model's bias and sd, and arm readings are
+/// measurements (measured_bins.h), conditioned exactly in the surface coordinate.  Where the robot is above the bin, their error
 /// there is log(1 + sd / (max(ceiling − z, 0) + δ)): the change of y when the ground lies one sd lower.
 /// height is the median; settings.draws joint draws; rhat is 1 and ess the number of draws.
 /// Throws std::invalid_argument for another method than Joint and Local, settings out of range or an s that

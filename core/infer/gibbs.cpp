@@ -1,10 +1,15 @@
 #include "core/infer/gibbs.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
+#include "core/infer/bin_conditionals.h"
 #include "core/infer/truncated_normal.h"
 
 namespace terratact {
@@ -28,88 +33,94 @@ double draw(double mean, double sd, double ceiling, CeilingRule rule, std::mt199
     return rule == CeilingRule::Clamp ? std::min(free, ceiling) : free;
 }
 
-/// The state of all chains and the conditional of every unknown bin at this scene.
+/// The positions in I that a sweep visits one after the other; the same for all chains.
+class SweepOrder {
+public:
+    SweepOrder(ScanOrder scan, std::uint64_t seed) : scan_(scan)
+    {
+        std::seed_seq words{seed & 0xffffffffU, seed >> 32U, std::uint64_t{0}, std::uint64_t{1}};
+        rng_.seed(words);  // four words: no chain's generator has this seed
+    }
+
+    const std::vector<std::size_t>& next(std::size_t count)
+    {
+        if (order_.size() != count) {
+            order_.resize(count);
+            std::iota(order_.begin(), order_.end(), std::size_t{0});
+            if (scan_ == ScanOrder::Reverse) std::reverse(order_.begin(), order_.end());
+        }
+        if (scan_ == ScanOrder::Random) shuffle();
+        return order_;
+    }
+
+private:
+    /// Fisher and Yates; the remainder's bias is below 1e-18.  The same with every standard library.
+    void shuffle()
+    {
+        for (std::size_t left = order_.size(); left > 1; --left)
+            std::swap(order_[left - 1], order_[rng_() % left]);
+    }
+
+    ScanOrder scan_;
+    std::mt19937_64 rng_;
+    std::vector<std::size_t> order_;
+};
+
+/// The state of all chains.
 class Sampler {
 public:
-    Sampler(const BinModels& models, const GibbsProblem& problem)
-        : models_(models), problem_(problem), bins_(unknownBins(problem.known))
+    Sampler(const Conditionals& conditionals, const GibbsProblem& problem)
+        : problem_(problem), bins_(unknownBins(problem.known)), order_(problem.scan, problem.seed)
     {
         for (int c = 0; c < problem.chains; ++c) {
             std::seed_seq seed{problem.seed & 0xffffffffU, problem.seed >> 32U,
                                static_cast<std::uint64_t>(c)};
             rng_.emplace_back(seed);
         }
-        startRandomly();
-        prepareConditionals();
+        startRandomly(conditionals);
+        Heights known{};
+        for (std::size_t i = 0; i < kBins; ++i) known[i] = problem.known[i].value_or(0.0);
+        conditionals_ = conditionals.at(known, bins_);
     }
 
-    const std::vector<int>& bins() const { return bins_; }
-    const Heights& chain(int c) const { return state_[static_cast<std::size_t>(c)]; }
+    /// |I| × chains.
+    const Eigen::MatrixXd& states() const { return states_; }
 
     void sweep()
     {
-        for (std::size_t k = 0; k < bins_.size(); ++k) {
-            gatherInputs(k);
-            conditionals_[k]->predict(inputs_, mean_, variance_);
-            const auto bin = static_cast<std::size_t>(bins_[k]);
-            for (std::size_t c = 0; c < state_.size(); ++c) {
+        for (const std::size_t k : order_.next(bins_.size())) {
+            conditionals_->predict(k, states_, mean_, variance_);
+            for (std::size_t c = 0; c < rng_.size(); ++c) {
                 const auto column = static_cast<Eigen::Index>(c);
-                state_[c][bin] = draw(mean_[column], std::sqrt(variance_[column]),
-                                      problem_.ceiling[bin], problem_.rule, rng_[c]);
+                drawState(k, c, mean_[column], std::sqrt(variance_[column]));
             }
         }
     }
 
 private:
-    void startRandomly()
+    void startRandomly(const Conditionals& conditionals)
     {
-        state_.resize(rng_.size());
-        for (std::size_t c = 0; c < state_.size(); ++c) {
-            for (std::size_t i = 0; i < kBins; ++i) state_[c][i] = problem_.known[i].value_or(0.0);
-            for (const int i : bins_)
-                state_[c][static_cast<std::size_t>(i)] =
-                    draw(models_.heightMean(i), models_.heightSd(i),
-                         problem_.ceiling[static_cast<std::size_t>(i)], problem_.rule, rng_[c]);
-        }
+        states_.resize(static_cast<Eigen::Index>(bins_.size()), problem_.chains);
+        for (std::size_t c = 0; c < rng_.size(); ++c)
+            for (std::size_t k = 0; k < bins_.size(); ++k) {
+                const StartDraw start = conditionals.start(bins_[k]);
+                drawState(k, c, start.mean, start.sd);
+            }
     }
 
-    /// Position of bin j among the inputs of bin i's model.
-    static int inputOf(int i, int j) { return j < i ? j : j - 1; }
-
-    void prepareConditionals()
+    void drawState(std::size_t k, std::size_t c, double mean, double sd)
     {
-        for (const int i : bins_) {
-            std::vector<int> moving;
-            for (const int j : bins_)
-                if (j != i) moving.push_back(inputOf(i, j));
-            conditionals_.push_back(std::make_unique<SceneConditional>(
-                models_.bin(i), models_.input(i, state_.front(), problem_.s), std::move(moving)));
-        }
+        const double ceiling = problem_.ceiling[static_cast<std::size_t>(bins_[k])];
+        states_(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c)) =
+            draw(mean, sd, ceiling, problem_.rule, rng_[c]);
     }
 
-    void gatherInputs(std::size_t k)
-    {
-        inputs_.resize(static_cast<Eigen::Index>(bins_.size()) - 1,
-                       static_cast<Eigen::Index>(state_.size()));
-        Eigen::Index row = 0;
-        for (std::size_t other = 0; other < bins_.size(); ++other) {
-            if (other == k) continue;
-            const int j = bins_[other];
-            for (std::size_t c = 0; c < state_.size(); ++c)
-                inputs_(row, static_cast<Eigen::Index>(c)) =
-                    (state_[c][static_cast<std::size_t>(j)] - models_.heightMean(j))
-                    / models_.heightSd(j);
-            ++row;
-        }
-    }
-
-    const BinModels& models_;
     const GibbsProblem& problem_;
     std::vector<int> bins_;
+    SweepOrder order_;
     std::vector<std::mt19937_64> rng_;
-    std::vector<Heights> state_;
-    std::vector<std::unique_ptr<SceneConditional>> conditionals_;
-    Eigen::MatrixXd inputs_;
+    Eigen::MatrixXd states_;
+    std::unique_ptr<SceneConditionals> conditionals_;
     Eigen::VectorXd mean_, variance_;
 };
 
@@ -121,7 +132,29 @@ void report(const Watch& watch, int done, int total)
 
 }  // namespace
 
-GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)
+void checkSettings(const Settings& settings)
+{
+    if (settings.draws < 1 || settings.chains < 1 || settings.burnIn < 0)
+        throw std::invalid_argument(
+            "an estimate needs at least one draw, one chain and no negative burn-in");
+    if (!(settings.contactSd > 0.0) || !(settings.armSd > 0.0) || !(settings.forceThreshold >= 0.0))
+        throw std::invalid_argument(
+            "contact and arm sd must be positive and the force threshold 0 or more");
+}
+
+GibbsProblem problemFor(const Settings& settings)
+{
+    GibbsProblem problem;
+    problem.scan = settings.scan;
+    problem.chains = settings.chains;
+    problem.burnIn = settings.burnIn;
+    problem.keptPerChain = (settings.draws + settings.chains - 1) / settings.chains;
+    problem.seed = settings.seed;
+    return problem;
+}
+
+GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
+                        const Watch& watch)
 {
     if (problem.chains < 1 || problem.burnIn < 0 || problem.keptPerChain < 1)
         throw std::invalid_argument(
@@ -129,7 +162,7 @@ GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, c
     GibbsDraws result{unknownBins(problem.known), {}};
     if (result.bins.empty()) return result;
 
-    Sampler sampler(models, problem);
+    Sampler sampler(conditionals, problem);
     result.draws.assign(result.bins.size(), Eigen::MatrixXd(problem.keptPerChain, problem.chains));
     const int total = problem.burnIn + problem.keptPerChain;
     for (int sweep = 0; sweep < total; ++sweep) {
@@ -137,12 +170,16 @@ GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, c
         sampler.sweep();
         if (sweep < problem.burnIn) continue;
         for (std::size_t k = 0; k < result.bins.size(); ++k)
-            for (int c = 0; c < problem.chains; ++c)
-                result.draws[k](sweep - problem.burnIn, c) =
-                    sampler.chain(c)[static_cast<std::size_t>(result.bins[k])];
+            result.draws[k].row(sweep - problem.burnIn) =
+                sampler.states().row(static_cast<Eigen::Index>(k));
     }
     report(watch, total, total);
     return result;
+}
+
+GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)
+{
+    return sampleStates(BinConditionals(models, problem.s), problem, watch);
 }
 
 }  // namespace terratact

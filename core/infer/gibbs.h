@@ -4,37 +4,50 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/infer/variant.h"
+#include "core/infer/conditionals.h"
+#include "core/infer/settings.h"
 #include "core/infer/watch.h"
 #include "core/learn/bin_models.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
 
-/// What the sampler is asked: draw the heights h_I of the unknown bins from the conditionals
-/// p(hᵢ | h_{J∖i}, s), given the known ones.
+/// What the sampler is asked: draw the states x_I of the unknown bins from the conditionals
+/// p(xᵢ | x_{J∖i}, s), given the known ones.  With the paper's models a state is a height.
 struct GibbsProblem {
-    Eigen::VectorXd s;      ///< features of the models' set
-    OptionalHeights known;  ///< [m] kept as they are
-    Heights ceiling{};      ///< [m] +infinity where there is none
+    Eigen::VectorXd s;      ///< features of the models' set; read by sampleHeights only
+    OptionalHeights known;  ///< states that are kept as they are: heights [m]
+    Heights ceiling{};      ///< upper bounds of states; +infinity where there is none
     CeilingRule rule = CeilingRule::Truncate;
+    ScanOrder scan = ScanOrder::Forward;
     int chains = 16;
     int burnIn = 50;        ///< sweeps per chain that are thrown away
     int keptPerChain = 63;  ///< sweeps per chain that are kept
     std::uint64_t seed = 1;
 };
 
+/// Throws std::invalid_argument where a number of the settings is out of range.
+void checkSettings(const Settings& settings);
+
+/// Scan order, chains, sweeps and seed from the settings; everything else is left to fill in.
+GibbsProblem problemFor(const Settings& settings);
+
 struct GibbsDraws {
     std::vector<int> bins;               ///< I, rear to front
-    std::vector<Eigen::MatrixXd> draws;  ///< per bin of I: kept sweeps × chains [m]
+    std::vector<Eigen::MatrixXd> draws;  ///< per bin of I: kept sweeps × chains, states
 };
 
-/// Section 4.3: random start (from the training set's mean and deviation, below the ceiling), then sweeps
-/// that draw every unknown bin in turn, rear to front, ceilings applied by `rule`.  Chains advance side
-/// by side, each with its own random numbers: a chain's draws do not depend on how many others run.
+/// Section 4.3: random start (Conditionals::start, the ceiling applied), then sweeps that draw every
+/// unknown bin in the order of `scan`, ceilings applied by `rule`.  Chains advance side by side, each
+/// with its own random numbers: a chain's draws do not depend on how many others run.
 /// The conditionals are trained one by one and need not belong to one joint distribution: the result may
 /// depend on the order of the scan (domain: "dependency network").
 /// Throws std::invalid_argument unless chains ≥ 1, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
+GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
+                        const Watch& watch = {});
+
+/// The same from the paper's models at problem.s: heights [m], the start from the training set's mean and
+/// deviation.
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem,
                          const Watch& watch = {});
 

@@ -16,6 +16,7 @@ struct Settings {
     int draws = 1000;             ///< K: kept sweeps, all chains together
     int chains = 16;              ///< independent chains, run side by side
     int burnIn = 50;              ///< sweeps thrown away at the start of every chain
+    ScanOrder scan = ScanOrder::Forward;  ///< in which a sweep visits the bins
     std::uint64_t seed = 1;
     double armSd = 0.03;           ///< [m] sd of an arm reading (paper)
     double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)

@@ -50,6 +50,16 @@ std::string_view name(ContactRule rule)
     throw std::invalid_argument("name: no such ContactRule");
 }
 
+std::string_view name(ScanOrder scan)
+{
+    switch (scan) {
+    case ScanOrder::Forward: return "forward";
+    case ScanOrder::Reverse: return "reverse";
+    case ScanOrder::Random: return "random";
+    }
+    throw std::invalid_argument("name: no such ScanOrder");
+}
+
 std::optional<Method> methodFromName(std::string_view text)
 {
     return named(text, kMethods);
@@ -63,6 +73,11 @@ std::optional<CeilingRule> ceilingRuleFromName(std::string_view text)
 std::optional<ContactRule> contactRuleFromName(std::string_view text)
 {
     return named(text, std::array{ContactRule::Isolated, ContactRule::Any, ContactRule::None});
+}
+
+std::optional<ScanOrder> scanOrderFromName(std::string_view text)
+{
+    return named(text, std::array{ScanOrder::Forward, ScanOrder::Reverse, ScanOrder::Random});
 }
 
 }  // namespace terratact

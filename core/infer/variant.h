@@ -34,6 +34,12 @@ enum class CeilingRule : std::uint8_t { Truncate, Clamp, None };
 ///   None      none: forces speak through s alone
 enum class ContactRule : std::uint8_t { Isolated, Any, None };
 
+/// In which order a sweep draws the unknown bins.
+///   Forward  rear to front
+///   Reverse  front to rear
+///   Random   a new random order every sweep, the same for all chains
+enum class ScanOrder : std::uint8_t { Forward, Reverse, Random };
+
 constexpr bool usesForces(Method m)
 {
     return m != Method::Pa && m != Method::Pac;
@@ -54,12 +60,14 @@ constexpr bool usesArm(Method m)
     return m == Method::Pafac;
 }
 
-/// The names used on the command line and in files: "pa", "local", "truncate", "isolated", …
+/// The names used on the command line and in files: "pa", "local", "truncate", "isolated", "forward", …
 std::string_view name(Method method);
 std::string_view name(CeilingRule rule);
 std::string_view name(ContactRule rule);
+std::string_view name(ScanOrder scan);
 std::optional<Method> methodFromName(std::string_view text);
 std::optional<CeilingRule> ceilingRuleFromName(std::string_view text);
 std::optional<ContactRule> contactRuleFromName(std::string_view text);
+std::optional<ScanOrder> scanOrderFromName(std::string_view text);
 
 }  // namespace terratact

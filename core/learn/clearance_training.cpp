@@ -171,7 +171,7 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
                             bool covered, const TrainingOptions& options)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
-    if (std::ssize(rows) < kFewestSurfaceRows)
+    if (std::ssize(rows) < kFewestTrainingRows)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
 
     const Eigen::MatrixXd X = inputs(model)(rows, Eigen::all);
@@ -185,8 +185,10 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
     TrainingOptions search = options;
     search.seed += static_cast<std::uint64_t>(bin);
     search.fullEvaluations = 0;
-    search.mostNoiseSd = kMostNoise;
-    trained.process.hyper = trainProcess(X, y, search).hyper;
+    const double sd = std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
+    trained.process.hyper =
+        maximiseLikelihood(X, y, searchStart(X.cols(), sd), search, {.mostNoise = kMostNoise})
+            .hyper;
     ProjectedProcess projected =
         projectProcess(X, y, inducingPositions(rows.size()), trained.process.hyper);
     trained.process.weights = std::move(projected.weights);

@@ -24,11 +24,8 @@ struct TrainedSurface {
     Eigen::VectorXd residuals;
 };
 
-/// Fewer rows give no process: the bin's mean stands in for it.
-inline constexpr int kFewestSurfaceRows = 30;
-
 /// Hyper-parameters from at most options.subset rows (log marginal likelihood), the weights from all.
-/// Without enough rows: mean and sd of the bin's height (open) or of every covered bin's y (covered).
+/// With fewer than kFewestTrainingRows rows: mean and sd of the bin's height (open) or of every covered bin's y (covered).
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const TrainingOptions& options);
 

@@ -17,8 +17,6 @@ namespace terratact {
 
 namespace {
 
-constexpr int kFewestScenes = 30;
-
 void setStandardisation(const ModelData& model, BinModelData& data, FeatureSet set)
 {
     data.set = set;
@@ -73,7 +71,7 @@ double objective(unsigned n, const double* x, double* gradient, void* context)
 
 /// Best theta found in at most `evaluations` evaluations from `start`.
 Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                         const Eigen::VectorXd& start, int evaluations, double mostNoiseSd,
+                         const Eigen::VectorXd& start, int evaluations, const SearchBounds& bounds,
                          const std::function<bool()>& cancelled, double& best)
 {
     const auto n = static_cast<unsigned>(start.size());
@@ -82,8 +80,8 @@ Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
     Search search{X, y, cancelled, optimiser.get(), std::numeric_limits<double>::infinity(), start};
     Eigen::VectorXd low = Eigen::VectorXd::Constant(start.size(), std::log(0.05));
     Eigen::VectorXd high = Eigen::VectorXd::Constant(start.size(), std::log(1000.0));
-    low.tail(2) << std::log(1e-3), std::log(5e-4);
-    high.tail(2) << std::log(10.0), std::log(mostNoiseSd);
+    low.tail(2) << std::log(bounds.leastSignal), std::log(bounds.leastNoise);
+    high.tail(2) << std::log(bounds.mostSignal), std::log(bounds.mostNoise);
     nlopt_set_lower_bounds(optimiser.get(), low.data());
     nlopt_set_upper_bounds(optimiser.get(), high.data());
     nlopt_set_min_objective(optimiser.get(), objective, &search);
@@ -135,11 +133,11 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
         if (isComplete(scene)) rows.push_back(&scene);
     set.used = static_cast<int>(rows.size());
     set.leftOut = static_cast<int>(scenes.size() - rows.size());
-    if (set.used < kFewestScenes)
+    if (set.used < kFewestTrainingRows)
         throw std::invalid_argument(
             fmt::format("training needs at least {} scenes with all heights, currents and "
                         "forces known, found {}",
-                        kFewestScenes, set.used));
+                        kFewestTrainingRows, set.used));
     ModelData& model = set.model;
     model.heights.resize(set.used, kBins);
     model.features.resize(set.used,
@@ -156,23 +154,28 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
     return set;
 }
 
-TrainedBin trainProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                        const TrainingOptions& options, const std::function<bool()>& cancelled)
+Eigen::VectorXd searchStart(Eigen::Index d, double outputSd)
 {
-    const double sd = std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
     Eigen::VectorXd theta =
-        Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
-    theta.tail(2) << std::log(sd), std::log(0.2 * sd);
+        Eigen::VectorXd::Constant(d + 2, 0.5 * std::log(static_cast<double>(d)));
+    theta.tail(2) << std::log(outputSd), std::log(0.2 * outputSd);
+    return theta;
+}
+
+TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                              const Eigen::VectorXd& start, const TrainingOptions& options,
+                              const SearchBounds& bounds, const std::function<bool()>& cancelled)
+{
+    Eigen::VectorXd theta = start;
     double best = 0.0;
     const std::vector<int> rows =
         drawRows(static_cast<int>(X.rows()), options.subset, options.seed);
-    const bool onAll = static_cast<Eigen::Index>(rows.size()) == X.rows();
-    if (!onAll || options.fullEvaluations == 0)
-        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations,
-                         options.mostNoiseSd, cancelled, best);
+    const bool thinned = static_cast<Eigen::Index>(rows.size()) < X.rows();
+    if (thinned || options.fullEvaluations == 0)
+        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, bounds,
+                         cancelled, best);
     if (options.fullEvaluations > 0)
-        theta =
-            minimise(X, y, theta, options.fullEvaluations, options.mostNoiseSd, cancelled, best);
+        theta = minimise(X, y, theta, options.fullEvaluations, bounds, cancelled, best);
     return {fromLog(theta), -best};
 }
 
@@ -183,9 +186,9 @@ TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const Train
     const Eigen::MatrixXd X =
         withoutBin(standardised(rawInputs(model, set), data.mean, data.sd), bin);
     const Eigen::VectorXd y = model.scannedHeights.col(bin).array() - data.mean[bin];
-    TrainingOptions own = options;
-    own.seed += static_cast<std::uint64_t>(bin);
-    return trainProcess(X, y, own, cancelled);
+    TrainingOptions ofBin = options;
+    ofBin.seed += static_cast<std::uint64_t>(bin);
+    return maximiseLikelihood(X, y, searchStart(X.cols(), data.sd[bin]), ofBin, {}, cancelled);
 }
 
 }  // namespace terratact

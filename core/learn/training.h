@@ -10,6 +10,9 @@
 
 namespace terratact {
 
+/// A Gaussian process is not trained on fewer rows.
+inline constexpr int kFewestTrainingRows = 30;
+
 /// All eleven heights and all features of s are known.
 bool isComplete(const Scene& scene);
 
@@ -36,25 +39,34 @@ struct TrainingOptions {
     int subset = 400;            ///< rows of the first, cheap search
     int subsetEvaluations = 80;  ///< likelihood evaluations on the subset
     int fullEvaluations = 30;    ///< and on all rows, from where that ended
-    double mostNoiseSd = 0.5;    ///< upper bound of σ_n
     std::uint64_t seed = 1;      ///< draws the subset
 };
 
 struct TrainedBin {
     Hyperparameters hyper;
-    double logLikelihood = 0.0;  ///< log p(y | X) on all rows
+    double logLikelihood = 0.0;  ///< log p(y | X) on the rows of the last search
 };
 
-/// Maximises the log marginal likelihood log p(y | X) over log ℓ, log σ_f, log σ_n with L-BFGS (NLopt) and
-/// analytic gradients, first on a subset of the rows, then on all where options.fullEvaluations > 0.
-/// X: U × d standardised, y: U centred.  Bounds: ℓ 0.05 … 1000, σ_f 0.001 … 10, σ_n 0.0005 …
-/// options.mostNoiseSd.  cancelled: polled at every evaluation; when true the best so far is returned.
-/// Same data and seed: the same result on one machine.
-TrainedBin trainProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                        const TrainingOptions& options,
-                        const std::function<bool()>& cancelled = {});
+/// Box of a search, in the unit of the output; length scales 0.05 … 1000 (standardised inputs).
+struct SearchBounds {
+    double leastSignal = 1e-3, mostSignal = 10.0;  ///< σ_f
+    double leastNoise = 5e-4, mostNoise = 0.5;     ///< σ_n
+};
 
-/// trainProcess() for p(hᵢ | h_{J∖i}, s); the subset is drawn with options.seed + bin.
+/// Where a search starts: θ = log ℓ_1 … log ℓ_d = ½ log d, log σ_f = log outputSd, log σ_n = log 0.2 outputSd.
+Eigen::VectorXd searchStart(Eigen::Index d, double outputSd);
+
+/// Maximises log p(y | X) over θ = (log ℓ, log σ_f, log σ_n) with L-BFGS (NLopt) and analytic gradients, first
+/// on options.subset rows, then, where options.fullEvaluations > 0, on all of them.
+///   X: U × d, standardised; y: U, centred; start: d + 2, moved into the bounds.
+/// cancelled: polled at every evaluation; when true the best so far is returned.
+/// Same data and seed: the same result on one machine.
+TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                              const Eigen::VectorXd& start, const TrainingOptions& options,
+                              const SearchBounds& bounds = {},
+                              const std::function<bool()>& cancelled = {});
+
+/// The same for p(hᵢ | h_{J∖i}, s): outputs in metres within the default bounds.
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
                     const std::function<bool()>& cancelled = {});
 

@@ -14,6 +14,8 @@ TEST(Variant, isFoundByItsName)
         EXPECT_EQ(ceilingRuleFromName(name(r)), r);
     for (const ContactRule r : {ContactRule::Isolated, ContactRule::Any})
         EXPECT_EQ(contactRuleFromName(name(r)), r);
+    for (const ScanOrder o : {ScanOrder::Forward, ScanOrder::Reverse, ScanOrder::Random})
+        EXPECT_EQ(scanOrderFromName(name(o)), o);
 }
 
 TEST(Variant, hasTheNamesOfTheCommandLine)
@@ -27,6 +29,9 @@ TEST(Variant, hasTheNamesOfTheCommandLine)
     EXPECT_EQ(name(CeilingRule::None), "none");
     EXPECT_EQ(name(ContactRule::Isolated), "isolated");
     EXPECT_EQ(name(ContactRule::Any), "any");
+    EXPECT_EQ(name(ScanOrder::Forward), "forward");
+    EXPECT_EQ(name(ScanOrder::Reverse), "reverse");
+    EXPECT_EQ(name(ScanOrder::Random), "random");
 }
 
 TEST(Variant, isNotFoundByAnotherName)
@@ -35,6 +40,7 @@ TEST(Variant, isNotFoundByAnotherName)
         EXPECT_FALSE(methodFromName(text)) << text;
     EXPECT_FALSE(ceilingRuleFromName("pa"));
     EXPECT_FALSE(contactRuleFromName("truncate"));
+    EXPECT_FALSE(scanOrderFromName("backward"));
 }
 
 TEST(Origin, hasTheNamesOfTheEstimatesFile)

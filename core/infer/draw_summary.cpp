@@ -1,0 +1,58 @@
+#include "core/infer/draw_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/infer/convergence.h"
+#include "core/infer/quantile.h"
+
+namespace terratact {
+
+void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& draws, Origin origin,
+                    Centre centre)
+{
+    const auto i = static_cast<std::size_t>(bin);
+    const double mean = draws.mean();
+    const std::vector<double> all(draws.data(), draws.data() + draws.size());
+    estimate.mean[i] = mean;
+    estimate.height[i] = centre == Centre::Mean ? mean : quantile(all, 0.5);
+    estimate.sd[i] = std::sqrt((draws.array() - mean).square().mean());
+    estimate.q10[i] = quantile(all, 0.1);
+    estimate.q90[i] = quantile(all, 0.9);
+    estimate.origin[i] = origin;
+    estimate.rhat[i] = rankNormalisedRhat(draws);
+    estimate.ess[i] = bulkEss(draws);
+}
+
+std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known)
+{
+    Heights start{};
+    for (std::size_t i = 0; i < kBins; ++i) start[i] = known[i].value_or(0.0);
+    const Eigen::Index count = draws.draws.empty() ? 1 : draws.draws.front().size();
+    std::vector<Heights> all(static_cast<std::size_t>(count), start);
+    for (std::size_t k = 0; k < draws.bins.size(); ++k)
+        for (Eigen::Index d = 0; d < count; ++d)
+            all[static_cast<std::size_t>(d)][static_cast<std::size_t>(draws.bins[k])] =
+                draws.draws[k].data()[d];
+    return all;
+}
+
+void judgeConvergence(TerrainEstimate& estimate, const std::vector<int>& bins)
+{
+    double worstRhat = 1.0;
+    double worstEss = std::numeric_limits<double>::infinity();
+    for (const int bin : bins) {
+        worstRhat = std::max(worstRhat, estimate.rhat[static_cast<std::size_t>(bin)]);
+        worstEss = std::min(worstEss, estimate.ess[static_cast<std::size_t>(bin)]);
+    }
+    estimate.converged = worstRhat <= kRhatLimit && worstEss >= kEssLimit;
+    if (!estimate.converged)
+        estimate.warnings.push_back(fmt::format(
+            "chains not converged: R-hat {:.3f} (limit {}), effective draws {:.0f} (limit {:.0f})",
+            worstRhat, kRhatLimit, worstEss, kEssLimit));
+}
+
+}  // namespace terratact

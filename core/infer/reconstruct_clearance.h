@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "core/infer/estimate.h"
+#include "core/infer/watch.h"
+#include "core/learn/clearance_conditionals.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// Method::Clearance: Gibbs sampling of all eleven bins, the state of a bin under the robot being its clearance
+/// (ClearanceStates).  Contacts and arm readings are noisy measurements of their bins, whose origin they become;
+/// those bins are drawn too.  The height to show is the median of the draws; no draw is above its ceiling.
+/// Convergence is judged over all bins.
+/// Same scene, models and settings: the same result, bit for bit on one machine.
+/// Throws std::invalid_argument for another method, settings or readings out of range, an s that lacks a
+/// feature, and where a bin is in a regime that was not trained; Cancelled.
+TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
+                                     const RobotModel& robot, const ClearanceConditionals& models,
+                                     const Settings& settings, const Watch& watch = {});
+
+}  // namespace terratact
