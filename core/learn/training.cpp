@@ -144,6 +144,22 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes)
     return set;
 }
 
+TrainedBin trainProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, double outputSd,
+                        const TrainingOptions& options, const std::function<bool()>& cancelled)
+{
+    Eigen::VectorXd theta =
+        Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
+    theta.tail(2) << std::log(outputSd), std::log(0.2 * outputSd);
+    double best = 0.0;
+    const std::vector<int> rows =
+        drawRows(static_cast<int>(X.rows()), options.subset, options.seed);
+    if (static_cast<Eigen::Index>(rows.size()) < X.rows())
+        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, cancelled,
+                         best);
+    theta = minimise(X, y, theta, options.fullEvaluations, cancelled, best);
+    return {fromLog(theta), -best};
+}
+
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
                     const std::function<bool()>& cancelled)
 {
@@ -151,18 +167,9 @@ TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const Train
     const Eigen::MatrixXd X =
         withoutBin(standardised(rawInputs(model, set), data.mean, data.sd), bin);
     const Eigen::VectorXd y = model.heights.col(bin).array() - data.mean[bin];
-
-    Eigen::VectorXd theta =
-        Eigen::VectorXd::Constant(X.cols() + 2, 0.5 * std::log(static_cast<double>(X.cols())));
-    theta.tail(2) << std::log(data.sd[bin]), std::log(0.2 * data.sd[bin]);
-    double best = 0.0;
-    const std::vector<int> rows = drawRows(static_cast<int>(X.rows()), options.subset,
-                                           options.seed + static_cast<std::uint64_t>(bin));
-    if (static_cast<Eigen::Index>(rows.size()) < X.rows())
-        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, cancelled,
-                         best);
-    theta = minimise(X, y, theta, options.fullEvaluations, cancelled, best);
-    return {fromLog(theta), -best};
+    TrainingOptions own = options;
+    own.seed += static_cast<std::uint64_t>(bin);
+    return trainProcess(X, y, data.sd[bin], own, cancelled);
 }
 
 }  // namespace terratact

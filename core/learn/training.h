@@ -36,10 +36,18 @@ struct TrainedBin {
     double logLikelihood = 0.0;  ///< log p(y | X) on all rows
 };
 
-/// Maximises the log marginal likelihood of p(hᵢ | h_{J∖i}, s) over log ℓ, log σ_f, log σ_n with L-BFGS
-/// (NLopt) and analytic gradients.  Bounds: ℓ 0.05 … 1000 (standardised), σ_f 1 mm … 10 m, σ_n 0.5 mm …
-/// 0.5 m.  cancelled: polled at every evaluation; when true the best so far is returned.
+/// Maximises the log marginal likelihood log p(y | X) over log ℓ, log σ_f, log σ_n with L-BFGS (NLopt) and
+/// analytic gradients, first on a subset of the rows, then on all.  Bounds: ℓ 0.05 … 1000 (standardised),
+/// σ_f 1 mm … 10 m, σ_n 0.5 mm … 0.5 m.
+///
+/// X: U × d standardised inputs; y: U outputs [m], centred; outputSd: of y [m], where the search begins.
+/// cancelled: polled at every evaluation; when true the best so far is returned.
 /// Same data and seed: the same result on one machine.
+TrainedBin trainProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, double outputSd,
+                        const TrainingOptions& options,
+                        const std::function<bool()>& cancelled = {});
+
+/// The same of p(hᵢ | h_{J∖i}, s); the subset is drawn with options.seed + bin.
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
                     const std::function<bool()>& cancelled = {});
 
