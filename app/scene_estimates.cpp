@@ -30,8 +30,7 @@ SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings
         return {first, joined(first.warnings)};
     }
     const ArmReading reading{*bin, *truth, settings.armSd};
-    const TerrainEstimate second = reconstruct(scene.s, {&reading, 1}, toolbox.robot,
-                                               toolbox.modelsFor(settings.method), settings);
+    const TerrainEstimate second = estimateWith(scene, {&reading, 1}, toolbox, settings);
     return {second, joined(second.warnings)};
 }
 
@@ -47,13 +46,19 @@ Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
     return std::make_unique<Toolbox>(std::move(*robot), std::move(*model));
 }
 
+TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
+                             const Toolbox& toolbox, const Settings& settings)
+{
+    return reconstruct(scene.s, arm, toolbox.robot, toolbox.modelsFor(settings.method), settings);
+}
+
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings)
 {
     const BinModels& models = toolbox.modelsFor(settings.method);
     if (const std::string_view missing = missingFeature(models.set(), scene.s); !missing.empty())
         return {std::nullopt, fmt::format("{} is unknown, and method {} needs it", missing,
                                           name(settings.method))};
-    TerrainEstimate first = reconstruct(scene.s, {}, toolbox.robot, models, settings);
+    TerrainEstimate first = estimateWith(scene, {}, toolbox, settings);
     if (!usesArm(settings.method)) return {first, joined(first.warnings)};
     return withArm(scene, toolbox, settings, std::move(first));
 }

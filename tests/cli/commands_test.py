@@ -97,15 +97,39 @@ class Commands(unittest.TestCase):
         self.assertIn("force_3_n is unknown", estimates[11]["note"])
         self.assertNotEqual(self.reconstruct("--method", "pa", data=few)[11]["mean_m"], "")
 
+    def evaluate(self, out, *arguments, count=12):
+        return run("evaluate", "--model", self.model, "--data", self.first_scenes(count), "--out", out, "--sweeps", 64,
+                   *arguments)
+
     def test_evaluate_writes_its_files_and_tables(self):
         out = self.path / "evaluation"
-        text = run("evaluate", "--model", self.model, "--data", self.first_scenes(12), "--out", out, "--sweeps", 64)
+        text = self.evaluate(out)
         self.assertEqual(sorted(p.name for p in out.iterdir()),
-                         ["errors.csv", "fig8.csv", "fig8.png", "fig9.csv", "fig9.png"])
-        self.assertEqual(len(rows(out / "errors.csv")), 4 * 12 * 11)
-        for method in ("pa", "pac", "pafc", "pafac"):
-            self.assertIn(method, text)
+                         ["coverage.csv", "errors.csv", "fig8.csv", "fig8.png", "fig8.svg", "fig9.csv", "fig9.png",
+                          "fig9.svg", "pit.csv", "pit.png", "pit.svg", "scores.csv", "steps.csv"])
+        methods = ["pa", "pac", "pafc", "pafac", "flat", "linear", "nearest", "gp-s"]
+        self.assertEqual(len(rows(out / "errors.csv")), len(methods) * 12 * 11)
+        self.assertEqual([row["method"] for row in rows(out / "scores.csv")], methods)
+        for row in rows(out / "errors.csv"):
+            self.assertGreaterEqual(float(row["crps_m"]), 0.0)
+            self.assertTrue(0.0 <= float(row["pit"]) <= 1.0)
+            self.assertLessEqual(int(row["in_50"]), int(row["in_95"]))
+        for word in methods + ["CRPS", "Brier score", "Reliability"]:
+            self.assertIn(word, text)
         self.assertEqual((out / "fig8.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertIn(b"<svg", (out / "pit.svg").read_bytes())
+
+    def test_evaluate_tells_classes_apart_and_tries_probes(self):
+        out, index = self.path / "classes", self.path / "index.csv"
+        index.write_text('row,source,kind\n1,made up,"boxes, low"\n2,made up,other\n')
+        text = self.evaluate(out, "--methods", "pa", "--classes", index, "--class-column", "kind", "--probes",
+                             "--step-limit", "0.15", count=6)
+        self.assertEqual({row["class"] for row in rows(out / "classes.csv")}, {"boxes, low", "other"})
+        self.assertEqual([row["rule"] for row in rows(out / "probes.csv")], ["sd", "variance", "step"])
+        self.assertIn("step of more than 150 mm", text)
+        index.write_text("row,source\n1,made up\n")
+        self.assertIn("no column class", complaint("evaluate", "--model", self.model, "--data", self.data, "--out", out,
+                                                   "--classes", index))
 
     def test_real_profiles_of_both_forms_can_be_driven_over(self):
         points = self.path / "points.csv"
