@@ -156,7 +156,8 @@ Status writeTables(const std::filesystem::path& out, const Findings& findings,
         {"pit.csv", pitCsv(results.pit)},
         {"coverage.csv", coverageCsv(results.summaries)},
         {"scores.csv", scoresCsv(results.summaries, results.confidences, findings.times)},
-        {"steps.csv", reliabilityCsv(results.steps)}};
+        {"steps.csv", brierCsv(results.steps)},
+        {"reliability.csv", reliabilityCsv(results.steps)}};
     if (!results.novelty.empty())
         files.emplace_back("novelty.csv", groupsCsv("novelty", results.novelty));
     if (!results.classes.empty())

@@ -279,6 +279,20 @@ std::string groupsCsv(std::string_view kind, std::span<const GroupSummary> group
     return csv;
 }
 
+std::string brierCsv(std::span<const BrierSummary> summaries)
+{
+    std::string csv =
+        "method,place,n,observed_share,brier,brier_low,brier_high,reliability,resolution,"
+        "uncertainty\n";
+    for (const BrierSummary& b : summaries)
+        csv += fmt::format(
+            "{},{},{},{:.6f},{:.6f},{},{:.6f},{:.6f},{:.6f}\n", b.label, name(b.place), b.n,
+            b.observedShare, b.score,
+            b.interval ? fmt::format("{:.6f},{:.6f}", b.interval->low, b.interval->high) : ",",
+            b.reliability, b.resolution, b.uncertainty);
+    return csv;
+}
+
 std::string reliabilityCsv(std::span<const BrierSummary> summaries)
 {
     std::string csv = "method,place,from,to,n,mean_forecast,observed_share\n";

@@ -51,6 +51,10 @@ std::string scoresCsv(std::span<const MethodSummary> summaries,
 /// One row per group and method: <kind>,method,scenes,n,median_m,mean_m,crps_m,coverage.
 std::string groupsCsv(std::string_view kind, std::span<const GroupSummary> groups);
 
+/// One row per method and place, the interval as in scoresCsv:
+///   method,place,n,observed_share,brier,brier_low,brier_high,reliability,resolution,uncertainty
+std::string brierCsv(std::span<const BrierSummary> summaries);
+
 /// One row per method, place and class of the forecasts that is not empty:
 ///   method,place,from,to,n,mean_forecast,observed_share
 std::string reliabilityCsv(std::span<const BrierSummary> summaries);

@@ -39,8 +39,8 @@ struct ProbeErrors {
 /// What one rule did in one scene.
 struct ProbeTrial {
     ProbeErrors before{}, after{};  ///< one probe; equal where none was made
-    int probes = 0;             ///< made in all, the readings adding up
-    bool settled = false;       ///< in the end every sd was below the limit
+    int probes = 0;                 ///< made in all, the readings adding up
+    bool settled = false;           ///< in the end every sd was below the limit
 };
 
 /// Whether the truth of both bins ahead is known.
@@ -60,7 +60,7 @@ struct ProbeSummary {
     std::string label, rule;
     std::size_t scenes = 0;
     std::size_t probed = 0;                 ///< in which at least one probe was made
-    ProbeErrors before{}, after{};              ///< [m] means over all scenes
+    ProbeErrors before{}, after{};          ///< [m] means over all scenes
     ProbeErrors beforeProbed, afterProbed;  ///< [m] over the probed ones
     std::size_t settled = 0;
     double probesNeeded = 0.0;  ///< mean; a scene that is not settled counts as limits.most

@@ -166,6 +166,13 @@ TEST(Steps, haveTheirScoreAndTheReliabilityOfEachClass)
     EXPECT_EQ(reliabilityCsv(std::vector{b}),
               "method,place,from,to,n,mean_forecast,observed_share\n"
               "pa,ahead,0.3,0.4,20,0.3400,0.4000\n");
+    BrierSummary few = b;
+    few.interval.reset();
+    EXPECT_EQ(brierCsv(std::vector{b, few}),
+              "method,place,n,observed_share,brier,brier_low,brier_high,reliability,resolution,"
+              "uncertainty\n"
+              "pa,ahead,20,0.250000,0.125000,0.100000,0.200000,0.000000,0.000000,0.000000\n"
+              "pa,ahead,20,0.250000,0.125000,,,0.000000,0.000000,0.000000\n");
     const std::string table = stepsTable(std::vector{b}, 0.1);
     EXPECT_NE(table.find("step of more than 100 mm"), std::string::npos);
     EXPECT_NE(table.find("0.125 [0.100, 0.200]"), std::string::npos);

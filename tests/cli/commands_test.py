@@ -106,7 +106,7 @@ class Commands(unittest.TestCase):
         text = self.evaluate(out)
         self.assertEqual(sorted(p.name for p in out.iterdir()),
                          ["coverage.csv", "errors.csv", "fig8.csv", "fig8.png", "fig8.svg", "fig9.csv", "fig9.png",
-                          "fig9.svg", "pit.csv", "pit.png", "pit.svg", "scores.csv", "steps.csv"])
+                          "fig9.svg", "pit.csv", "pit.png", "pit.svg", "reliability.csv", "scores.csv", "steps.csv"])
         methods = ["pa", "pac", "pafc", "pafac", "flat", "linear", "nearest", "gp-s"]
         self.assertEqual(len(rows(out / "errors.csv")), len(methods) * 12 * 11)
         self.assertEqual([row["method"] for row in rows(out / "scores.csv")], methods)
