@@ -384,6 +384,8 @@ std::string groupsTable(std::string_view kind, std::span<const GroupSummary> gro
 {
     const std::vector<int> widths{26, 12, 8, 9, 9, 9, 9};
     std::string table =
+        fmt::format("By {}: |error| and CRPS [mm], how often the 80 % band covers\n", kind);
+    table +=
         row({std::string(kind), "method", "scenes", "median", "mean", "CRPS", "covers"}, widths, 2);
     std::string before;
     for (const GroupSummary& g : groups) {

@@ -148,6 +148,7 @@ TEST(Groups, areWrittenOnceAndQuotedWhereNeeded)
               "\"steps, high\",flat,3,30,0.012000,0.000000,0.000000,0.7500\n");
     EXPECT_EQ(
         groupsTable("class", groups),
+        "By class: |error| and CRPS [mm], how often the 80 % band covers\n"
         "class                     method        scenes   median     mean     CRPS   covers\n"
         "steps, high               pa                 3     12.0      0.0      0.0     75 %\n"
         "                          flat               3     12.0      0.0      0.0     75 %\n");
