@@ -146,12 +146,23 @@ void addEvaluate(CLI::App& app, Arguments& a)
     addRobot(*c, a.evaluate.robot);
     c->add_option("--model", a.evaluate.model, "Model (*.ttm)")->default_str("the shipped one");
     c->add_option("--data", a.evaluate.data, "Scenes CSV with heights")->required();
-    c->add_option("--out", a.evaluate.out,
-                  "Directory for errors.csv, fig8.csv, fig9.csv and the figures")
+    c->add_option("--out", a.evaluate.out, "Directory for the CSV files and the figures")
         ->required();
-    c->add_option("--methods", a.methods, "Methods to compare (default: all four)")
+    c->add_option("--methods", a.methods, "Methods to compare (default: all)")
         ->delimiter(',')
         ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac", "clearance", "joint", "local"}));
+    addNumber(*c, "--step-limit", a.evaluate.stepLimit,
+              "Neighbouring bins that differ by more are a step [m]")
+        ->check(CLI::Range(0.0, 10.0));
+    auto* classes =
+        c->add_option("--classes", a.evaluate.classes,
+                      "Index CSV whose column row names the scenes' runs: scores by class");
+    c->add_option("--class-column", a.evaluate.classColumn, "Its column with the class")
+        ->capture_default_str()
+        ->needs(classes);
+    c->add_flag("--probes", a.evaluate.probes,
+                "Simulate probes chosen by largest sd, by expected variance and by the step "
+                "question");
     addSettings(*c, a.evaluate.settings, a.scratch);
 }
 
@@ -199,8 +210,7 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("evaluate")) {
         for (const std::string& method : a.methods)
             a.evaluate.methods.push_back(*methodFromName(method));
-        if (a.evaluate.methods.empty())
-            a.evaluate.methods.assign(kPaperMethods.begin(), kPaperMethods.end());
+        if (a.evaluate.methods.empty()) a.evaluate.methods.assign(kMethods.begin(), kMethods.end());
         return evaluate(a.evaluate);
     }
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);

@@ -7,6 +7,7 @@
 #include "app/parallel.h"
 #include "app/progress.h"
 #include "core/file_read.h"
+#include "core/learn/clearance_conditionals.h"
 #include "core/learn/clearance_training.h"
 #include "core/learn/model_file.h"
 #include "core/learn/scene_file.h"
@@ -66,6 +67,28 @@ void trainClearances(ModelData& model, const RobotModel& robot, std::uint64_t se
     finishClearance(model, ceilings, robot);
 }
 
+/// The conditionals over clearances, wherever a regime has enough rows.
+void trainClearanceConditionals(ModelData& model, const RobotModel& robot, std::uint64_t seed)
+{
+    const ClearanceTraining training = clearanceTraining(model, robot);
+    const ClearanceConditionalData data = prepareClearanceConditionals(training);
+    TrainingOptions options;
+    options.seed = seed;
+    Progress progress("training clearance", 2 * kBins);
+    parallelFor(2 * kBins, [&](int job) {
+        const int bin = job % kBins;
+        const Regime regime = job < kBins ? Regime::Covered : Regime::Open;
+        if (data.at(bin, regime).rows >= kFewestTrainingRows) {
+            ClearanceData& clearance = model.clearance;
+            auto& hypers = regime == Regime::Covered ? clearance.conditionalCovered
+                                                     : clearance.conditionalOpen;
+            hypers[static_cast<std::size_t>(bin)] =
+                trainClearanceConditional(training, data, bin, regime, options).hyper;
+        }
+        progress.tick();
+    });
+}
+
 }  // namespace
 
 Status train(const TrainOptions& options)
@@ -92,6 +115,7 @@ Status train(const TrainOptions& options)
     set.model.dataHash = sha256Hex(*bytes);
     trainAll(set.model, options.seed);
     trainClearances(set.model, *robot, options.seed);
+    trainClearanceConditionals(set.model, *robot, options.seed);
     if (Status written = writeModel(options.out, set.model); !written) return written;
     printBins(set.model);
     fmt::print("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",

@@ -44,6 +44,10 @@ struct EvaluateOptions {
     std::string robot, model, data, out;
     std::vector<Method> methods;
     Settings settings;
+    double stepLimit = 0.10;            ///< [m] neighbouring bins that differ by more are a step
+    std::string classes;                ///< index file; empty: no table by class
+    std::string classColumn = "class";  ///< of the index file
+    bool probes = false;                ///< also simulate probes by three rules
 };
 Status evaluate(const EvaluateOptions& options);
 

@@ -19,7 +19,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
         auto stored = readModel(path);
         if (!stored) return stored.error();
         // Shared because an Estimator is a copyable value while the models are not.
-        const auto models = std::make_shared<const Models>(stored->data);
+        const auto models = std::make_shared<const Models>(stored->data, robot);
 
         LoadedModel model;
         model.name = QFileInfo(QString::fromStdString(path)).fileName();

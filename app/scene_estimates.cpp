@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <stdexcept>
 
 #include "app/parallel.h"
 #include "app/progress.h"
@@ -29,8 +30,7 @@ SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings
         return {first, joined(first.warnings)};
     }
     const ArmReading reading{*bin, *truth, settings.armSd};
-    const TerrainEstimate second =
-        estimateTerrain(scene.s, {&reading, 1}, toolbox.robot, toolbox.models, settings);
+    const TerrainEstimate second = estimateWith(scene, {&reading, 1}, toolbox, settings);
     return {second, joined(second.warnings)};
 }
 
@@ -46,15 +46,25 @@ Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
     return std::make_unique<Toolbox>(std::move(*robot), std::move(*model));
 }
 
+TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
+                             const Toolbox& toolbox, const Settings& settings)
+{
+    return estimateTerrain(scene.s, arm, toolbox.robot, toolbox.models, settings);
+}
+
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings)
 {
     const FeatureSet set = toolbox.models.featuresOf(settings.method);
     if (const std::string_view missing = missingFeature(set, scene.s); !missing.empty())
         return {std::nullopt, fmt::format("{} is unknown, and method {} needs it", missing,
                                           name(settings.method))};
-    TerrainEstimate first = estimateTerrain(scene.s, {}, toolbox.robot, toolbox.models, settings);
-    if (!usesArm(settings.method)) return {first, joined(first.warnings)};
-    return withArm(scene, toolbox, settings, std::move(first));
+    try {
+        TerrainEstimate first = estimateWith(scene, {}, toolbox, settings);
+        if (!usesArm(settings.method)) return {first, joined(first.warnings)};
+        return withArm(scene, toolbox, settings, std::move(first));
+    } catch (const std::invalid_argument& error) {  // a pose the model has not learnt
+        return {std::nullopt, error.what()};
+    }
 }
 
 std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,7 @@ namespace terratact {
 /// Robot, model and what the methods make of it.
 struct Toolbox {
     Toolbox(RobotModel robotModel, StoredModel storedModel)
-        : robot(std::move(robotModel)), model(std::move(storedModel)), models(model.data)
+        : robot(std::move(robotModel)), model(std::move(storedModel)), models(model.data, robot)
     {
     }
 
@@ -26,6 +27,10 @@ struct Toolbox {
 };
 Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
                                              const std::string& modelPath);
+
+/// Reconstructs one scene with what the arm has measured, by the settings' method.  Throws as reconstruct.
+TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
+                             const Toolbox& toolbox, const Settings& settings);
 
 /// An estimate of a scene, or why there is none.
 struct SceneEstimate {

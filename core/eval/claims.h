@@ -5,7 +5,9 @@
 #include <span>
 #include <string_view>
 
+#include "core/eval/cluster_bootstrap.h"
 #include "core/eval/evaluation.h"
+#include "core/infer/variant.h"
 
 namespace terratact {
 
@@ -40,15 +42,12 @@ struct ClaimResult {
            high = 0.0;  ///< [m] 95 % interval of betterMedian − baseMedian; 0 without a bootstrap
 };
 
-/// Below so many drives nothing is decided: scenes of one drive overlap and count nearly as one.
-inline constexpr std::size_t kLeastRuns = 5;
-
 /// Judges a claim by the difference of the two medians of |error|.  Its 95 % interval is the percentile
 /// bootstrap over whole drives (Scene::run), the same drives for both methods.  Interval below 0: holds;
 /// above 0: does not hold; else, or with fewer than kLeastRuns drives: not decided.
-/// Same errors, scenes and seed: the same result.  Throws std::invalid_argument where an error's scene is
-/// not among the scenes or resamples < 1.
-/// Source: Efron & Tibshirani (1993), ch. 8 and 13; Field & Welsh, J. R. Stat. Soc. B 69 (2007) for clusters.
+/// A method's errors are those labelled with its name.  Same errors, scenes and seed: the same result.
+/// Throws std::invalid_argument where an error's scene is not among the scenes or resamples < 1.
+/// Source: see core/eval/cluster_bootstrap.h.
 ClaimResult judge(const Claim& claim, std::span<const BinError> errors,
                   std::span<const Scene> scenes, std::uint64_t seed, int resamples = 2000);
 

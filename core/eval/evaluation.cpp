@@ -19,41 +19,90 @@ std::vector<BinError> only(std::span<const BinError> errors, Keep keep)
     return kept;
 }
 
-/// Share of errors with the truth in the band; 0 for none.
-double coverageOf(std::span<const BinError> errors)
+/// Mean of a number per error; 0 for none.
+template <class Number>
+double meanOf(std::span<const BinError> errors, Number number)
 {
-    if (errors.empty()) return 0.0;
-    const auto inside =
-        std::count_if(errors.begin(), errors.end(), [](const BinError& e) { return e.inBand; });
-    return static_cast<double>(inside) / static_cast<double>(errors.size());
+    double sum = 0.0;
+    for (const BinError& e : errors) sum += number(e);
+    return errors.empty() ? 0.0 : sum / static_cast<double>(errors.size());
 }
 
-MethodSummary summaryOf(Method method, std::span<const BinError> errors)
+double coverageOf(std::span<const BinError> errors)
 {
-    MethodSummary summary{method, {}, statistics(errors)};
+    return meanOf(errors, [](const BinError& e) { return e.scores.in80 ? 1.0 : 0.0; });
+}
+
+MethodSummary summaryOf(const std::string& label, std::span<const BinError> errors)
+{
+    MethodSummary summary{label, {}, statistics(errors), {}};
     for (int bin = 0; bin < kBins; ++bin)
         summary.bin[static_cast<std::size_t>(bin)] =
             statistics(only(errors, [bin](const BinError& e) { return e.bin == bin; }));
+    summary.near =
+        statistics(only(errors, [](const BinError& e) { return e.bin <= kLastNearBin; }));
     return summary;
+}
+
+/// One histogram per label of number(error), which is 0 or more.
+template <class Number>
+std::vector<ErrorHistogram> classify(std::span<const BinError> errors, double width, int classes,
+                                     Number number)
+{
+    if (!(width > 0.0) || classes < 1)
+        throw std::invalid_argument("histograms: width and classes must be above 0");
+    std::vector<ErrorHistogram> result;
+    for (const std::string& label : labelsOf(errors)) {
+        ErrorHistogram histogram{label, width,
+                                 std::vector<std::size_t>(static_cast<std::size_t>(classes)), 0};
+        const double last = static_cast<double>(classes - 1);
+        for (const BinError& e : errorsOf(label, errors)) {
+            ++histogram
+                  .count[static_cast<std::size_t>(std::min(std::floor(number(e) / width), last))];
+            ++histogram.n;
+        }
+        result.push_back(std::move(histogram));
+    }
+    return result;
 }
 
 }  // namespace
 
+std::string labelOf(const Settings& settings)
+{
+    return std::string(name(settings.method));
+}
+
 std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene,
-                                const TerrainEstimate& estimate)
+                                const std::string& label, const TerrainEstimate& estimate)
 {
     std::vector<BinError> errors;
-    for (std::size_t i = 0; i < kBins; ++i) {
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
         if (!scene.truth[i]) continue;
-        const double truth = *scene.truth[i];
         errors.push_back({.scene = sceneIndex,
-                          .method = estimate.settings.method,
-                          .bin = static_cast<int>(i),
-                          .error = estimate.height[i] - truth,
-                          .inBand = estimate.q10[i] <= truth && truth <= estimate.q90[i],
-                          .origin = estimate.origin[i]});
+                          .label = label,
+                          .bin = bin,
+                          .error = estimate.height[i] - *scene.truth[i],
+                          .scores = forecastScores(estimate, bin, *scene.truth[i]),
+                          .origin = estimate.origin[i],
+                          .novelty = estimate.novelty});
     }
     return errors;
+}
+
+std::vector<std::string> labelsOf(std::span<const BinError> errors)
+{
+    std::vector<std::string> labels;
+    for (const BinError& e : errors)
+        if (std::find(labels.begin(), labels.end(), e.label) == labels.end())
+            labels.push_back(e.label);
+    return labels;
+}
+
+std::vector<BinError> errorsOf(std::string_view label, std::span<const BinError> errors)
+{
+    return only(errors, [label](const BinError& e) { return e.label == label; });
 }
 
 ErrorStatistics statistics(std::span<const BinError> errors)
@@ -61,13 +110,18 @@ ErrorStatistics statistics(std::span<const BinError> errors)
     ErrorStatistics result;
     if (errors.empty()) return result;
     std::vector<double> size;
+    size.reserve(errors.size());
     for (const BinError& e : errors) size.push_back(std::abs(e.error));
     result.n = errors.size();
     result.q1 = quantile(size, 0.25);
     result.median = quantile(size, 0.5);
     result.q3 = quantile(size, 0.75);
     for (const double x : size) result.mean += x / static_cast<double>(size.size());
+    result.crps = meanOf(errors, [](const BinError& e) { return e.scores.crps; });
+    result.coverage50 = meanOf(errors, [](const BinError& e) { return e.scores.in50 ? 1.0 : 0.0; });
     result.coverage = coverageOf(errors);
+    result.coverage95 = meanOf(errors, [](const BinError& e) { return e.scores.in95 ? 1.0 : 0.0; });
+    result.width = meanOf(errors, [](const BinError& e) { return e.scores.width; });
 
     const auto sampled =
         only(errors, [](const BinError& e) { return e.origin == Origin::Sampled; });
@@ -79,10 +133,8 @@ ErrorStatistics statistics(std::span<const BinError> errors)
 std::vector<MethodSummary> summarise(std::span<const BinError> errors)
 {
     std::vector<MethodSummary> summaries;
-    for (const Method method : kMethods) {
-        const auto own = only(errors, [method](const BinError& e) { return e.method == method; });
-        if (!own.empty()) summaries.push_back(summaryOf(method, own));
-    }
+    for (const std::string& label : labelsOf(errors))
+        summaries.push_back(summaryOf(label, errorsOf(label, errors)));
     return summaries;
 }
 
@@ -110,22 +162,13 @@ std::vector<BinError> errorsInBins(std::span<const BinError> errors,
 
 std::vector<ErrorHistogram> histograms(std::span<const BinError> errors, double width, int classes)
 {
-    if (!(width > 0.0) || classes < 1)
-        throw std::invalid_argument("histograms: width and classes must be above 0");
-    std::vector<ErrorHistogram> result;
-    for (const Method method : kMethods) {
-        ErrorHistogram histogram{method, width,
-                                 std::vector<std::size_t>(static_cast<std::size_t>(classes)), 0};
-        for (const BinError& e : errors) {
-            if (e.method != method) continue;
-            const double last = static_cast<double>(classes - 1);
-            ++histogram.count[static_cast<std::size_t>(
-                std::min(std::floor(std::abs(e.error) / width), last))];
-            ++histogram.n;
-        }
-        if (histogram.n > 0) result.push_back(std::move(histogram));
-    }
-    return result;
+    return classify(errors, width, classes, [](const BinError& e) { return std::abs(e.error); });
+}
+
+std::vector<ErrorHistogram> pitHistograms(std::span<const BinError> errors, int classes)
+{
+    if (classes < 1) throw std::invalid_argument("pitHistograms: at least one class");
+    return classify(errors, 1.0 / classes, classes, [](const BinError& e) { return e.scores.pit; });
 }
 
 }  // namespace terratact

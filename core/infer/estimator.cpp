@@ -1,9 +1,29 @@
 #include "core/infer/estimator.h"
 
+#include <utility>
+
 #include "core/infer/closed_form.h"
 #include "core/infer/reconstruct.h"
+#include "core/infer/reconstruct_clearance.h"
 
 namespace terratact {
+
+namespace {
+
+ClearanceConditionals conditionalsOf(const ModelData& model, const RobotModel& robot)
+{
+    ClearanceTraining training = clearanceTraining(model, robot);
+    ClearanceConditionalData data = clearanceConditionalData(model, training);
+    return {std::move(training), std::move(data)};
+}
+
+}  // namespace
+
+Models::Models(const ModelData& model, const RobotModel& robot)
+    : pa(model, FeatureSet::Pa), paf(model, FeatureSet::Paf), clearance(model),
+      conditionals(conditionalsOf(model, robot))
+{
+}
 
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
@@ -11,6 +31,8 @@ TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmRead
 {
     if (isClosedForm(settings.method))
         return reconstructClosedForm(s, arm, robot, models.clearance, settings);
+    if (settings.method == Method::Clearance)
+        return reconstructClearance(s, arm, robot, models.conditionals, settings, watch);
     return reconstruct(s, arm, robot, usesForces(settings.method) ? models.paf : models.pa,
                        settings, watch);
 }

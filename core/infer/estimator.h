@@ -5,6 +5,7 @@
 #include "core/infer/estimate.h"
 #include "core/infer/watch.h"
 #include "core/learn/bin_models.h"
+#include "core/learn/clearance_conditionals.h"
 #include "core/learn/clearance_model.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
@@ -13,12 +14,12 @@ namespace terratact {
 
 /// Everything a trained model offers to the methods, prepared once, shared between threads.
 struct Models {
-    explicit Models(const ModelData& model)
-        : pa(model, FeatureSet::Pa), paf(model, FeatureSet::Paf), clearance(model)
-    {
-    }
+    /// robot: the one the model was trained for.
+    Models(const ModelData& model, const RobotModel& robot);
+
     BinModels pa, paf;
     ClearanceModel clearance;
+    ClearanceConditionals conditionals;
 
     FeatureSet featuresOf(Method method) const
     {

@@ -22,7 +22,7 @@ struct MeasuredHeight {
 struct MeasuredBins {
     std::array<std::optional<MeasuredHeight>, kBins> bin{};  ///< the arm's where both touched it
     std::vector<std::string> warnings;                       ///< what contradicts the robot's body,
-                                                           ///< or contact and arm each other
+                                                             ///< or contact and arm each other
 };
 
 /// Contacts of the flipper (for methods that use forces) and readings of the arm.

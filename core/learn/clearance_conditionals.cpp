@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/learn/clearance_training.h"
 #include "core/learn/columns.h"
 
 namespace terratact {
@@ -180,6 +181,26 @@ void requireBin(int bin)
 }
 
 }  // namespace
+
+ClearanceTraining clearanceTraining(const ModelData& model, const RobotModel& robot)
+{
+    const Eigen::Index rows = std::min<Eigen::Index>(kClearanceScenes, model.heights.rows());
+    ClearanceTraining training{model.heights.topRows(rows), {}, model.features.topRows(rows)};
+    training.ceilings = bodyCeilings(training.features, robot);
+    return training;
+}
+
+ClearanceConditionalData clearanceConditionalData(const ModelData& model,
+                                                  const ClearanceTraining& training)
+{
+    ClearanceConditionalData data = prepareClearanceConditionals(training);
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        data.at(bin, Regime::Open).hyper = model.clearance.conditionalOpen[i];
+        data.at(bin, Regime::Covered).hyper = model.clearance.conditionalCovered[i];
+    }
+    return data;
+}
 
 const ClearanceRegimeData& ClearanceConditionalData::at(int bin, Regime regime) const
 {

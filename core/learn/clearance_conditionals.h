@@ -11,6 +11,7 @@
 #include "core/learn/clearance.h"
 #include "core/learn/gaussian_process.h"
 #include "core/learn/training.h"
+#include "core/robot/robot_model.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -57,6 +58,14 @@ struct ClearanceConditionalData {
 
 /// At most this many rows, the first ones, go into one Gaussian process.
 inline constexpr int kMostClearanceRows = 1400;
+
+/// The training rows of a model that the conditionals learn from: the first kClearanceScenes.
+inline constexpr int kClearanceScenes = 2000;
+ClearanceTraining clearanceTraining(const ModelData& model, const RobotModel& robot);
+
+/// The data of the conditionals from a model's hyper-parameters and those rows.
+ClearanceConditionalData clearanceConditionalData(const ModelData& model,
+                                                  const ClearanceTraining& training);
 
 /// Standardisation; hyper-parameters still unset.
 /// Throws std::invalid_argument where sizes disagree, a height or feature is not finite, a ceiling is NaN or

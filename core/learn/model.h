@@ -35,6 +35,9 @@ struct SurfaceProcess {
 struct ClearanceData {
     Eigen::VectorXd featureMean, featureSd;  ///< of surfaceFeatures(), size 11
     std::array<SurfaceProcess, kBins> open, covered;
+    /// Hyper-parameters of the conditionals p(yᵢ | y_{J∖i}, s) of clearance_conditionals.h; no length scales
+    /// where a regime had too few rows.
+    std::array<Hyperparameters, kBins> conditionalOpen, conditionalCovered;
     std::vector<unsigned> coveredBins;  ///< per training row: bit i where bin i's ceiling is finite
     Eigen::MatrixXd residuals;          ///< U × 11: leave-one-out, of the bin's own process [y]
     double noveltyScale = 0.0;          ///< scene distance that 1 % of the training rows exceed

@@ -72,6 +72,13 @@ std::vector<Table> schema()
          "PRIMARY KEY(feature_set, bin)) STRICT, WITHOUT ROWID"},
         {"clearance", "CREATE TABLE clearance(key TEXT NOT NULL PRIMARY KEY, value REAL NOT NULL) "
                       "STRICT, WITHOUT ROWID"},
+        {"clearance_conditional", "CREATE TABLE clearance_conditional(" + ofSurface
+                                      + "signal_sd REAL NOT NULL, noise_sd REAL NOT NULL, "
+                                        "PRIMARY KEY(bin, covered)) STRICT, WITHOUT ROWID"},
+        {"clearance_conditional_scale",
+         "CREATE TABLE clearance_conditional_scale(" + ofSurface
+             + "input INTEGER NOT NULL, length_scale REAL NOT NULL, "
+               "PRIMARY KEY(bin, covered, input)) STRICT, WITHOUT ROWID"},
         {"input", "CREATE TABLE input(feature_set TEXT NOT NULL, position INTEGER NOT NULL, "
                   "name TEXT NOT NULL, unit TEXT NOT NULL, mean REAL NOT NULL, sd REAL NOT NULL, "
                   "PRIMARY KEY(feature_set, position)) STRICT, WITHOUT ROWID"},
@@ -116,6 +123,8 @@ const std::map<std::string, std::string>& explanations()
          "a bin under the robot (covered 1): y = log(max(ceiling - height, 0) + 0.003 m), "
          "else y = height; mean(x) = mean + sum weight k(x, z), z: at most 600 of the "
          "bin's training rows, evenly spread; forces as log(1 + F / 3 N)"},
+        {"clearance_conditional",
+         "y of a bin given the other bins' y and s, on the first 2000 training rows"},
     };
     return texts;
 }
@@ -166,6 +175,16 @@ void requireSurface(const SurfaceProcess& p, std::size_t rows, const std::string
             what + " has not one weight per inducing row");
 }
 
+void requireConditional(const Hyperparameters& hyper, const std::string& what)
+{
+    if (hyper.lengthScale.size() == 0) return;
+    require(hyper.lengthScale.size() == kBins - 1 + Eigen::Index{kFeatures},
+            what + " has the wrong number of length scales");
+    for (const double scale : hyper.lengthScale) requireScale(scale, "a length scale of " + what);
+    requireScale(hyper.signalSd, "signal_sd of " + what);
+    requireScale(hyper.noiseSd, "noise_sd of " + what);
+}
+
 void requireClearance(const ModelData& model)
 {
     const ClearanceData& data = model.clearance;
@@ -188,6 +207,9 @@ void requireClearance(const ModelData& model)
             const std::string what = "the surface of bin " + std::to_string(bin);
             requireSurface(of[static_cast<std::size_t>(bin)],
                            rowsOf(data.coveredBins, bin, covered).size(), what);
+            requireConditional((covered ? data.conditionalCovered
+                                        : data.conditionalOpen)[static_cast<std::size_t>(bin)],
+                               "the clearance conditional of bin " + std::to_string(bin));
         }
     requireScale(data.noveltyScale, "novelty_scale");
     requireScale(data.contactSd, "contact_sd");
@@ -287,10 +309,14 @@ public:
         add(process.mean);
         add(process.residualSd);
         add(Eigen::MatrixXd(process.weights));
-        if (process.weights.size() == 0) return;
-        add(Eigen::MatrixXd(process.hyper.lengthScale));
-        add(process.hyper.signalSd);
-        add(process.hyper.noiseSd);
+        if (process.weights.size() > 0) add(process.hyper);
+    }
+    void add(const Hyperparameters& hyper)
+    {
+        add(Eigen::MatrixXd(hyper.lengthScale));
+        if (hyper.lengthScale.size() == 0) return;
+        add(hyper.signalSd);
+        add(hyper.noiseSd);
     }
     void add(const ClearanceData& data)
     {
@@ -298,6 +324,8 @@ public:
         add(Eigen::MatrixXd(data.featureSd));
         for (const auto* processes : {&data.open, &data.covered})
             for (const SurfaceProcess& process : *processes) add(process);
+        for (const auto* conditionals : {&data.conditionalOpen, &data.conditionalCovered})
+            for (const Hyperparameters& hyper : *conditionals) add(hyper);
         for (const unsigned mask : data.coveredBins) add(std::uint64_t{mask});
         add(data.residuals);
         add(data.noveltyScale);
@@ -415,6 +443,18 @@ void writeSurface(SqliteFile& file, const SurfaceProcess& p, int bin, bool cover
         insert(weight, bin, regime, k, p.weights[k]);
 }
 
+void writeConditional(SqliteFile& file, const Hyperparameters& hyper, int bin, bool covered)
+{
+    if (hyper.lengthScale.size() == 0) return;
+    SqliteStatement conditional =
+        file.prepare("INSERT INTO clearance_conditional VALUES(?, ?, ?, ?)");
+    SqliteStatement scale =
+        file.prepare("INSERT INTO clearance_conditional_scale VALUES(?, ?, ?, ?)");
+    insert(conditional, bin, covered ? 1 : 0, hyper.signalSd, hyper.noiseSd);
+    for (int d = 0; d < static_cast<int>(hyper.lengthScale.size()); ++d)
+        insert(scale, bin, covered ? 1 : 0, d, hyper.lengthScale[d]);
+}
+
 void writeClearance(SqliteFile& file, const ClearanceData& data)
 {
     SqliteStatement value = file.prepare("INSERT INTO clearance VALUES(?, ?)");
@@ -425,9 +465,12 @@ void writeClearance(SqliteFile& file, const ClearanceData& data)
     for (int d = 0; d < static_cast<int>(kFeatures); ++d)
         insert(input, d, data.featureMean[d], data.featureSd[d]);
     for (int bin = 0; bin < kBins; ++bin)
-        for (const bool covered : {false, true})
-            writeSurface(file, (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)],
-                         bin, covered);
+        for (const bool covered : {false, true}) {
+            const auto i = static_cast<std::size_t>(bin);
+            writeSurface(file, (covered ? data.covered : data.open)[i], bin, covered);
+            writeConditional(file, (covered ? data.conditionalCovered : data.conditionalOpen)[i],
+                             bin, covered);
+        }
     Eigen::MatrixXd rows(data.residuals.rows(), kBins + 1);
     for (Eigen::Index u = 0; u < rows.rows(); ++u)
         rows(u, 0) = data.coveredBins[static_cast<std::size_t>(u)];
@@ -655,6 +698,17 @@ SurfaceProcess readSurface(SqliteFile& file, int bin, bool covered)
     return process;
 }
 
+Hyperparameters readConditional(SqliteFile& file, int bin, bool covered)
+{
+    SqliteStatement found =
+        file.prepare("SELECT * FROM clearance_conditional WHERE bin = ? AND covered = ?");
+    found.bind(0, bin);
+    found.bind(1, covered ? 1 : 0);
+    if (!found.step()) return {};
+    return {readNumbers(file, "clearance_conditional_scale", "input", bin, covered), found.real(2),
+            found.real(3)};
+}
+
 double readValue(SqliteFile& file, std::string_view key)
 {
     SqliteStatement found = file.prepare("SELECT value FROM clearance WHERE key = ?");
@@ -679,9 +733,12 @@ void readClearance(SqliteFile& file, ClearanceData& data)
     }
     noMoreRows(input, "surface_input");
     for (int bin = 0; bin < kBins; ++bin)
-        for (const bool covered : {false, true})
-            (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)] =
-                readSurface(file, bin, covered);
+        for (const bool covered : {false, true}) {
+            const auto i = static_cast<std::size_t>(bin);
+            (covered ? data.covered : data.open)[i] = readSurface(file, bin, covered);
+            (covered ? data.conditionalCovered : data.conditionalOpen)[i] =
+                readConditional(file, bin, covered);
+        }
     const Eigen::MatrixXd rows = readMatrix(file, "residual_row", kBins + 1);
     for (const double mask : rows.col(0)) {
         require(mask >= 0.0 && mask < std::ldexp(1.0, kBins) && mask == std::floor(mask),
@@ -694,7 +751,8 @@ void readClearance(SqliteFile& file, ClearanceData& data)
 /// Rows of no bin, regime or key would not be seen by the reader.
 void requireNothingElse(SqliteFile& file)
 {
-    for (const char* table : {"surface", "surface_scale", "surface_weight"})
+    for (const char* table : {"surface", "surface_scale", "surface_weight", "clearance_conditional",
+                              "clearance_conditional_scale"})
         require(file.integer("SELECT count(*) FROM " + std::string(table)
                              + " WHERE bin NOT BETWEEN 0 AND 10 OR covered NOT IN (0, 1)")
                     == 0,

@@ -130,7 +130,7 @@ TEST_F(Bench, theWholeLoop)
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     ASSERT_TRUE(exploration->proposal());
     EXPECT_EQ(exploration->proposal()->bin, kBin06);
-    EXPECT_EQ(exploration->estimate()->settings.method, Method::Pafc);
+    EXPECT_EQ(exploration->estimate()->settings.method, Method::Local);
 
     exploration->approve(exploration->proposal()->id);
     tick();
@@ -324,9 +324,13 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
     blocked = true;
     press();
     ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    // Heard in the worker's own thread, after the result was queued for this one.
+    std::atomic<bool> onItsWay = false;
+    QObject::connect(
+        &*worker, &EstimatorWorker::estimated, &*worker, [&] { onItsWay = true; },
+        Qt::DirectConnection);
     blocked = false;
-    while (worker->progress()) std::this_thread::yield();  // done, but this thread has not heard
-    std::this_thread::sleep_for(20ms);
+    while (!onItsWay) std::this_thread::yield();
     exploration->abort();
     tick();
     QTest::qWait(20);

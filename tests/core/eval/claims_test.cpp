@@ -35,7 +35,10 @@ struct World {
     }
     void add(Method method, int bin, double error)
     {
-        errors.push_back({.scene = scenes.size(), .method = method, .bin = bin, .error = error});
+        errors.push_back({.scene = scenes.size(),
+                          .label = std::string(name(method)),
+                          .bin = bin,
+                          .error = error});
     }
     ClaimResult judged(std::uint64_t seed = 1) const { return judge(kClaim, errors, scenes, seed); }
 };
@@ -96,10 +99,11 @@ TEST(Judge, comparesOnlyBinsThatBothMethodsEstimated)
     alone.run = "run0";
     world.add(Method::Pa, 4, 9.0);  // no Pac estimate of this scene
     world.scenes.push_back(alone);
-    world.errors.push_back({.scene = 0, .method = Method::Pafc, .bin = 4, .error = 9.0});
+    world.errors.push_back({.scene = 0, .label = "pafc", .bin = 4, .error = 9.0});
     for (const int other : {3, 6})  // not the claim's bins
         for (const Method method : {Method::Pa, Method::Pac})
-            world.errors.push_back({.scene = 0, .method = method, .bin = other, .error = 9.0});
+            world.errors.push_back(
+                {.scene = 0, .label = std::string(name(method)), .bin = other, .error = 9.0});
     const ClaimResult after = world.judged();
     EXPECT_EQ(after.n, before.n);
     EXPECT_EQ(after.baseMedian, before.baseMedian);
@@ -116,10 +120,10 @@ TEST(Judge, isRepeatableByItsSeed)
 TEST(Judge, usesTheMiddleOfTwoWhenTheNumberIsEven)
 {
     World world(1, 1, 0.0, 0.0);
-    world.errors = {{.scene = 0, .method = Method::Pa, .bin = 4, .error = -0.01},
-                    {.scene = 0, .method = Method::Pa, .bin = 5, .error = 0.05},
-                    {.scene = 0, .method = Method::Pac, .bin = 4, .error = 0.02},
-                    {.scene = 0, .method = Method::Pac, .bin = 5, .error = -0.02}};
+    world.errors = {{.scene = 0, .label = "pa", .bin = 4, .error = -0.01},
+                    {.scene = 0, .label = "pa", .bin = 5, .error = 0.05},
+                    {.scene = 0, .label = "pac", .bin = 4, .error = 0.02},
+                    {.scene = 0, .label = "pac", .bin = 5, .error = -0.02}};
     EXPECT_DOUBLE_EQ(world.judged().baseMedian, 0.03);
     EXPECT_DOUBLE_EQ(world.judged().betterMedian, 0.02);
 }

@@ -8,9 +8,15 @@
 namespace terratact {
 namespace {
 
-BinError errorOf(double error, Method method = Method::Pa, int bin = 0, std::size_t scene = 0)
+BinError errorOf(double error, const std::string& label = "pa", int bin = 0, std::size_t scene = 0)
 {
-    return {.scene = scene, .method = method, .bin = bin, .error = error, .inBand = true};
+    BinError e;
+    e.scene = scene;
+    e.label = label;
+    e.bin = bin;
+    e.error = error;
+    e.scores.in80 = true;
+    return e;
 }
 
 TEST(BinErrors, areTakenWhereTheTruthIsKnown)
@@ -19,7 +25,8 @@ TEST(BinErrors, areTakenWhereTheTruthIsKnown)
     scene.truth[2] = -0.20;
     scene.truth[9] = 0.10;
     TerrainEstimate estimate;
-    estimate.settings.method = Method::Pafac;
+    estimate.novelty = 0.5;
+    estimate.mean[2] = -0.27;
     estimate.height[2] = -0.17;
     estimate.q10[2] = -0.19;  // the truth lies 1 cm below the band
     estimate.q90[2] = -0.15;
@@ -28,25 +35,29 @@ TEST(BinErrors, areTakenWhereTheTruthIsKnown)
     estimate.q10[9] = 0.0;
     estimate.q90[9] = 0.10;  // and here on its edge
 
-    const auto errors = binErrors(7, scene, estimate);
+    const auto errors = binErrors(7, scene, "pafac/b", estimate);
     ASSERT_EQ(errors.size(), 2U);
     EXPECT_EQ(errors[0].scene, 7U);
-    EXPECT_EQ(errors[0].method, Method::Pafac);
+    EXPECT_EQ(errors[0].label, "pafac/b");
     EXPECT_EQ(errors[0].bin, 2);
     EXPECT_DOUBLE_EQ(errors[0].error, 0.03);
-    EXPECT_FALSE(errors[0].inBand);
+    EXPECT_FALSE(errors[0].scores.in80);
     EXPECT_EQ(errors[0].origin, Origin::Contact);
     EXPECT_EQ(errors[1].bin, 9);
+    EXPECT_DOUBLE_EQ(errors[0].scores.width, 0.04);
+    EXPECT_EQ(errors[0].novelty, 0.5);
     EXPECT_DOUBLE_EQ(errors[1].error, -0.05);
-    EXPECT_TRUE(errors[1].inBand);
+    EXPECT_TRUE(errors[1].scores.in80);
     EXPECT_EQ(errors[1].origin, Origin::Sampled);
 }
 
 TEST(Statistics, speakOfTheErrorsSizeNotItsSign)
 {
     std::vector<BinError> errors{errorOf(-0.04), errorOf(0.01), errorOf(0.08), errorOf(-0.02)};
-    errors[0].inBand = errors[1].inBand = false;
+    errors[0].scores.in80 = errors[1].scores.in80 = false;
     errors[1].origin = Origin::Contact;
+    errors[2].scores = {.crps = 0.04, .in50 = true, .in80 = true, .in95 = true, .width = 0.2};
+    errors[0].scores.in95 = true;
     const ErrorStatistics s = statistics(errors);
     EXPECT_EQ(s.n, 4U);
     EXPECT_DOUBLE_EQ(s.q1, 0.0175);
@@ -54,6 +65,10 @@ TEST(Statistics, speakOfTheErrorsSizeNotItsSign)
     EXPECT_DOUBLE_EQ(s.q3, 0.05);
     EXPECT_DOUBLE_EQ(s.mean, 0.0375);
     EXPECT_DOUBLE_EQ(s.coverage, 0.5);
+    EXPECT_DOUBLE_EQ(s.coverage50, 0.25);
+    EXPECT_DOUBLE_EQ(s.coverage95, 0.5);
+    EXPECT_DOUBLE_EQ(s.crps, 0.01);
+    EXPECT_DOUBLE_EQ(s.width, 0.05);
     EXPECT_EQ(s.sampled, 3U);
     EXPECT_DOUBLE_EQ(s.sampledCoverage, 2.0 / 3.0);
     EXPECT_EQ(statistics({}).n, 0U);
@@ -61,38 +76,59 @@ TEST(Statistics, speakOfTheErrorsSizeNotItsSign)
 
 TEST(Summaries, keepMethodsAndBinsApart)
 {
-    const std::vector<BinError> errors{errorOf(0.05, Method::Pafc, 3), errorOf(0.01, Method::Pa, 3),
-                                       errorOf(0.03, Method::Pa, 4)};
+    const std::vector<BinError> errors{errorOf(0.05, "pafc", 3), errorOf(0.01, "pa", 3),
+                                       errorOf(0.03, "pa", 10)};
     const auto summaries = summarise(errors);
     ASSERT_EQ(summaries.size(), 2U);
-    EXPECT_EQ(summaries[0].method, Method::Pa);
-    EXPECT_DOUBLE_EQ(summaries[0].bin[3].median, 0.01);
-    EXPECT_DOUBLE_EQ(summaries[0].bin[4].median, 0.03);
-    EXPECT_EQ(summaries[0].bin[5].n, 0U);
-    EXPECT_DOUBLE_EQ(summaries[0].all.median, 0.02);
-    EXPECT_EQ(summaries[1].method, Method::Pafc);
-    EXPECT_DOUBLE_EQ(summaries[1].all.median, 0.05);
+    EXPECT_EQ(summaries[0].label, "pafc");
+    EXPECT_DOUBLE_EQ(summaries[0].all.median, 0.05);
+    EXPECT_EQ(summaries[1].label, "pa");
+    EXPECT_DOUBLE_EQ(summaries[1].bin[3].median, 0.01);
+    EXPECT_DOUBLE_EQ(summaries[1].bin[10].median, 0.03);
+    EXPECT_EQ(summaries[1].bin[5].n, 0U);
+    EXPECT_DOUBLE_EQ(summaries[1].all.median, 0.02);
+    EXPECT_DOUBLE_EQ(summaries[1].near.median, 0.01);  // without the last two bins
 }
 
 TEST(Histograms, countEveryErrorOnceTheLargeOnesInTheLastClass)
 {
     const std::vector<BinError> errors{errorOf(0.0),  errorOf(-0.009), errorOf(0.011),
-                                       errorOf(-0.5), errorOf(0.021),  errorOf(0.03, Method::Pac)};
+                                       errorOf(-0.5), errorOf(0.021),  errorOf(0.03, "pac")};
     const auto found = histograms(errors, 0.01, 3);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].count, (std::vector<std::size_t>{2, 1, 2}));
     EXPECT_EQ(found[0].n, 5U);
-    EXPECT_EQ(found[1].method, Method::Pac);
+    EXPECT_EQ(found[1].label, "pac");
     EXPECT_EQ(found[1].count, (std::vector<std::size_t>{0, 0, 1}));
     EXPECT_THROW(histograms(errors, 0.0, 3), std::invalid_argument);
     EXPECT_THROW(histograms(errors, 0.01, 0), std::invalid_argument);
 }
 
+TEST(PitHistograms, haveEqualClassesUpToOne)
+{
+    std::vector<BinError> errors(5, errorOf(0.0));
+    const std::vector<double> pit{0.0, 0.3, 0.6, 0.75, 1.0};
+    for (std::size_t k = 0; k < pit.size(); ++k) errors[k].scores.pit = pit[k];
+    const auto found = pitHistograms(errors, 4);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].count, (std::vector<std::size_t>{1, 1, 1, 2}));
+    EXPECT_DOUBLE_EQ(found[0].width, 0.25);
+    EXPECT_THROW(pitHistograms(errors, 0), std::invalid_argument);
+}
+
+TEST(Labels, standInTheOrderOfEvaluationAndAreTheMethodsNames)
+{
+    const std::vector<BinError> errors{errorOf(0.0, "pafc"), errorOf(0.0, "flat"),
+                                       errorOf(0.0, "pafc"), errorOf(0.0, "pa")};
+    EXPECT_EQ(labelsOf(errors), (std::vector<std::string>{"pafc", "flat", "pa"}));
+    EXPECT_EQ(errorsOf("pafc", errors).size(), 2U);
+    EXPECT_EQ(labelOf({.method = Method::Local}), "local");
+}
+
 TEST(ErrorsInBins, areThoseListedForTheirScene)
 {
-    const std::vector<BinError> errors{
-        errorOf(0.01, Method::Pa, 6, 0), errorOf(0.02, Method::Pa, 7, 0),
-        errorOf(0.03, Method::Pa, 6, 1), errorOf(0.04, Method::Pa, 7, 1)};
+    const std::vector<BinError> errors{errorOf(0.01, "pa", 6, 0), errorOf(0.02, "pa", 7, 0),
+                                       errorOf(0.03, "pa", 6, 1), errorOf(0.04, "pa", 7, 1)};
     const std::vector<std::vector<int>> bins{{6}, {7, 8}};
     const auto kept = errorsInBins(errors, bins);
     ASSERT_EQ(kept.size(), 2U);

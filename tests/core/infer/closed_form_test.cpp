@@ -18,7 +18,7 @@ namespace {
 struct Bench {
     RobotModel robot = absolem();
     ModelData data = toyModel(60);
-    Models models{data};
+    Models models{data, robot};
     std::vector<Scene> scenes = someScenes(20, 77, [] {
         SensorNoise noise;
         noise.height = 0.0;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/eval/evaluation.h"
+#include "core/result.h"
+
+namespace terratact {
+
+/// The errors of one label in scenes of one kind.
+struct GroupSummary {
+    std::string group;
+    std::string label;
+    std::size_t scenes = 0;
+    ErrorStatistics all{};
+};
+
+/// "inside" (novelty ≤ 1) and "outside" the scenes a model was trained on, for the labels that judge
+/// novelty; a group without errors is left out.
+std::vector<GroupSummary> byNovelty(std::span<const BinError> errors);
+
+/// Which class each row of an index file belongs to.
+using Classes = std::map<std::string, std::string>;
+
+/// Reads the columns `row` and `column` of a CSV index; fields in double quotes may hold commas.
+/// Errors name the file, the line and the cause: a column is missing, a line has another number of fields,
+/// a quote does not end, a row appears twice.
+Result<Classes> readClasses(const std::string& path, const std::string& column);
+
+/// What a scene's run is called where the index does not know it.
+inline constexpr std::string_view kNoClass = "(none)";
+
+/// Groups in alphabetical order, labels by first appearance; a scene belongs to the class of the row that
+/// its run names.  Throws std::invalid_argument where an error's scene is not among the scenes.
+std::vector<GroupSummary> byClass(std::span<const BinError> errors, std::span<const Scene> scenes,
+                                  const Classes& classes);
+
+}  // namespace terratact
