@@ -10,6 +10,7 @@
 #include "app/scene_estimates.h"
 #include "core/atem/arm_choice.h"
 #include "core/file_write.h"
+#include "core/infer/estimate_words.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/terrain/body_ceiling.h"
@@ -77,6 +78,7 @@ Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotM
     Heights truth{};
     for (std::size_t i = 0; i < kBins; ++i) truth[i] = *scene.truth[i];
     fmt::print("\n{}\n{}", title, profileTable(estimate, truth));
+    for (const std::string& sentence : hiddenByBands(estimate)) fmt::print("  {}\n", sentence);
     for (const std::string& warning : estimate.warnings) fmt::print("! {}\n", warning);
     const std::string csv = estimateCsv({scene}, {{estimate, ""}});
     if (Status s = writeFileAtomically(stem.string() + ".csv", csv); !s) return s;
@@ -130,7 +132,7 @@ Status demo(const DemoOptions& options)
                                options.settings);
     };
     const TerrainEstimate first = estimateWith({});
-    const std::optional<int> bin = proposeProbe(first, (*toolbox)->robot);
+    const std::optional<int> bin = chooseProbe(first, (*toolbox)->robot);
     if (Status s = present(first, scene, (*toolbox)->robot, bin,
                            "First estimate, by flippers alone", out / "first");
         !s)

@@ -37,10 +37,10 @@ void printCsv(const ModelData& model, const BinModelData& data)
         line("log_likelihood", data.logLikelihood[static_cast<std::size_t>(i)]);
     }
     if (data.set == FeatureSet::Pa) return;
-    for (Eigen::Index u = 0; u < model.heights.rows(); ++u)
+    for (Eigen::Index u = 0; u < model.scannedHeights.rows(); ++u)
         for (Eigen::Index d = 0; d < data.mean.size(); ++d)
             fmt::print("row,{},{},{}\n", u + 1, columnName(d),
-                       d < kBins ? model.heights(u, d) : model.features(u, d - kBins));
+                       d < kBins ? model.scannedHeights(u, d) : model.features(u, d - kBins));
 }
 
 void printTable(const BinModelData& data)
@@ -70,6 +70,32 @@ void printTable(const BinModelData& data)
     row("signal sd [m]", [&](std::size_t i) { return data.bins[i].signalSd; });
     row("noise sd [m]", [&](std::size_t i) { return data.bins[i].noiseSd; });
     row("log likelihood", [&](std::size_t i) { return data.logLikelihood[i]; });
+}
+
+/// The processes over clearances on s, bins that a regime has too few scenes of left empty.
+void printSurfaces(const ClearanceData& data, bool covered)
+{
+    const auto& processes = covered ? data.covered : data.open;
+    fmt::print("\n{}; input in standard deviations; length scale per input and bin\n{:>18}",
+               covered ? "clearance under the robot, log(ceiling - height + 3 mm)"
+                       : "height where nothing of the robot is above [m]",
+               "");
+    for (int i = 0; i < kBins; ++i) fmt::print(" {:>+8.1f}", binCentre(i));
+    fmt::print("\n");
+    const auto row = [&](std::string_view what, auto value) {
+        fmt::print("{:>18}", what);
+        for (const SurfaceProcess& p : processes)
+            fmt::print(" {:>8}", p.weights.size() == 0 ? "-" : fmt::format("{:.4g}", value(p)));
+        fmt::print("\n");
+    };
+    const auto inputs = featureNames(FeatureSet::Paf);
+    for (std::size_t d = 0; d < inputs.size(); ++d)
+        row(inputs[d], [d](const SurfaceProcess& p) {
+            return p.hyper.lengthScale[static_cast<Eigen::Index>(d)];
+        });
+    row("signal sd", [](const SurfaceProcess& p) { return p.hyper.signalSd; });
+    row("noise sd", [](const SurfaceProcess& p) { return p.hyper.noiseSd; });
+    row("residual sd", [](const SurfaceProcess& p) { return p.residualSd; });
 }
 
 /// p(hᵢ | h_{J∖i}, s) of every bin with the other heights taken from the scene.
@@ -121,11 +147,17 @@ Status showModel(const std::string& path, bool csv)
         printCsv(model, model.paf);
         return Done{};
     }
-    fmt::print("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}\ndata     {}\n", path,
-               stored->contentHash, model.command, model.seed, model.heights.rows(),
-               model.dataHash);
+    fmt::print("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}, {} of them for pa and "
+               "paf\ndata     {}\n",
+               path, stored->contentHash, model.command, model.seed, model.heights.rows(),
+               model.scannedHeights.rows(), model.dataHash);
     printTable(model.pa);
     printTable(model.paf);
+    printSurfaces(model.clearance, true);
+    printSurfaces(model.clearance, false);
+    fmt::print("\ncontact: bias {:.1f} mm, sd {:.1f} mm; novelty scale {:.3f}\n",
+               1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd,
+               model.clearance.noveltyScale);
     return Done{};
 }
 

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
+
+#include "core/infer/bimodality.h"
+#include "core/infer/estimate_words.h"
+#include "core/infer/obstacle.h"
 
 namespace terratact {
 
@@ -23,9 +28,28 @@ std::string field(std::string text)
     return text;
 }
 
+/// What is asked of the draws, as CSV fields per bin.
+struct Hidden {
+    std::array<std::string, kBins> step, twoModes;
+};
+
+Hidden hiddenIn(const SceneEstimate& result)
+{
+    Hidden hidden;
+    for (std::string& step : hidden.step) step = ',';
+    if (!result.estimate || result.estimate->draws.empty()) return hidden;
+    const auto steps = stepProbabilities(*result.estimate, kStepLimit);
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        hidden.step[i] = fmt::format("{},{}", steps[i].p, steps[i].monteCarloSd);
+    const auto modes = twoModes(*result.estimate);
+    for (std::size_t i = 0; i < kBins; ++i) hidden.twoModes[i] = modes[i] ? '1' : '0';
+    return hidden;
+}
+
 void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
 {
     auto out = std::back_inserter(csv);
+    const Hidden hidden = hiddenIn(result);
     for (std::size_t i = 0; i < kBins; ++i) {
         fmt::format_to(out, "{},{},{:+.1f},", scene.run, scene.time,
                        binCentre(static_cast<int>(i)));
@@ -38,7 +62,12 @@ void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
         } else {
             fmt::format_to(out, ",,,,,,,,");
         }
-        fmt::format_to(out, "{},{}\n", shown(scene.truth[i]), field(result.note));
+        fmt::format_to(out, "{},{},", shown(scene.truth[i]), field(result.note));
+        if (result.estimate)
+            fmt::format_to(out, "{},{},{},{}\n", result.estimate->height[i], hidden.step[i],
+                           hidden.twoModes[i], result.estimate->novelty);
+        else
+            fmt::format_to(out, ",,,,\n");
     }
 }
 
@@ -49,7 +78,8 @@ std::string estimateCsv(const std::vector<Scene>& scenes,
 {
     if (scenes.size() != estimates.size()) throw std::invalid_argument("one estimate per scene");
     std::string csv =
-        "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note\n";
+        "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,"
+        "height_m,p_step,p_step_sd,two_modes,novelty\n";
     for (std::size_t k = 0; k < scenes.size(); ++k) addRows(csv, scenes[k], estimates[k]);
     return csv;
 }

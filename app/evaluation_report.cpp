@@ -417,25 +417,27 @@ std::string stepsTable(std::span<const BrierSummary> summaries, double limit)
 
 std::string probesTable(std::span<const ProbeSummary> summaries, const ProbeLimits& limits)
 {
-    const std::vector<int> widths{12, 10, 8, 8, 17, 17, 9, 10};
+    const std::vector<int> widths{12, 10, 8, 17, 17, 8, 17, 9, 10};
     std::string table = fmt::format(
         "Probes: mean |error| before and after one; how many until every sd is below {:.0f} mm "
         "(at most {})\n",
         millimetres(limits.sdLimit), limits.most);
-    table +=
-        row({"method", "rule", "scenes", "probed", "0.6 and 0.7", "all bins", "needed", "settled"},
-            widths, 2);
+    table += row({"method", "rule", "scenes", "0.6 and 0.7", "all bins", "probed", "0.6, 0.7 there",
+                  "needed", "settled"},
+                 widths, 2);
     const auto change = [](double before, double after) {
         return fmt::format("{:.1f} to {:.1f}", millimetres(before), millimetres(after));
     };
     for (const ProbeSummary& p : summaries)
-        table += row({p.label, p.rule, fmt::format("{}", p.scenes), fmt::format("{}", p.probed),
-                      change(p.before.ahead, p.after.ahead), change(p.before.all, p.after.all),
-                      fmt::format("{:.2f}", p.probesNeeded),
-                      percent(static_cast<double>(p.settled)
-                                  / static_cast<double>(std::max<std::size_t>(p.scenes, 1)),
-                              p.scenes)},
-                     widths, 2);
+        table +=
+            row({p.label, p.rule, fmt::format("{}", p.scenes),
+                 change(p.before.ahead, p.after.ahead), change(p.before.all, p.after.all),
+                 fmt::format("{}", p.probed), change(p.beforeProbed.ahead, p.afterProbed.ahead),
+                 fmt::format("{:.2f}", p.probesNeeded),
+                 percent(static_cast<double>(p.settled)
+                             / static_cast<double>(std::max<std::size_t>(p.scenes, 1)),
+                         p.scenes)},
+                widths, 2);
     return table;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/atem/arm_choice.h"
+#include "core/infer/estimate_words.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -36,14 +37,14 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 estimate_ = estimate;
                 estimateSeconds_ = seconds;
                 pending_.estimateReady = true;
-                const auto bin = proposeProbe(estimate, robot_);
+                const auto bin = chooseProbe(estimate, robot_);
                 pending_.probeWanted = bin.has_value();
                 proposal_.reset();
                 if (bin) {
                     const auto i = static_cast<std::size_t>(*bin);
                     proposal_ = ProbeProposal{.id = ++lastProposal_,
                                               .bin = *bin,
-                                              .mean = estimate.mean[i],
+                                              .height = estimate.height[i],
                                               .q10 = estimate.q10[i],
                                               .q90 = estimate.q90[i],
                                               .sd = estimate.sd[i],
@@ -54,6 +55,8 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
                 for (const std::string& warning : estimate.warnings)
                     emit happened(QString::fromStdString(warning), Weight::Doubt);
+                for (const std::string& sentence : hiddenByBands(estimate))
+                    emit happened(QString::fromStdString(sentence), Weight::Note);
             });
     connect(&worker_, &EstimatorWorker::failed, this, [this](int job, const QString& why) {
         if (job != job_) return;
@@ -292,6 +295,7 @@ void Exploration::capture()
 {
     scene_ =
         CapturedScene{.measurement = latest_->sample.measurement, .truth = latest_->sample.truth};
+    readings_.clear();
     moved_ = false;
     movedAt_ = 0;
 }
@@ -299,7 +303,7 @@ void Exploration::capture()
 void Exploration::startEstimate(std::vector<ArmReading> arm)
 {
     Settings settings = options_.settings;
-    if (!arm.empty()) settings.method = Method::Pafac;
+    if (!arm.empty() && settings.method == Method::Pafc) settings.method = Method::Pafac;
     job_ = worker_.request(
         {.measurement = scene_->measurement, .arm = std::move(arm), .settings = settings});
 }
@@ -312,7 +316,10 @@ void Exploration::finishProbe()
                       .arg(words::binName(reading.bin), words::signedNumber(reading.height, 2),
                            inside ? tr("inside") : tr("outside")),
                   inside ? Weight::Note : Weight::Doubt);
-    startEstimate({reading});
+    if (estimate_) ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
+    std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
+    readings_.push_back(reading);
+    startEstimate(readings_);
 }
 
 void Exploration::cancelEstimate()

@@ -8,6 +8,7 @@
 #include "app/acquisition.h"
 #include "app/estimator_worker.h"
 #include "core/atem/atem_machine.h"
+#include "core/eval/calibration_ledger.h"
 #include "core/robot/robot_model.h"
 #include "drivers/measurement_source.h"
 #include "widgets/atem_panel.h"
@@ -60,6 +61,8 @@ public:
     bool linkAlive() const { return linkAlive_; }
     const std::optional<CapturedScene>& scene() const { return scene_; }
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
+    /// Every probe beside the band shown before it, since the console started.
+    const CalibrationLedger& ledger() const { return ledger_; }
     double estimateSeconds() const { return estimateSeconds_; }
     const std::optional<ProbeProposal>& proposal() const { return proposal_; }
     std::optional<int> probingBin() const;
@@ -110,6 +113,8 @@ private:
     std::optional<ProbeProposal> proposal_;
     std::optional<ProbeProposal> approved_;
     std::optional<ArmReading> armBefore_;
+    std::vector<ArmReading> readings_;  ///< at this pose
+    CalibrationLedger ledger_;
     bool sawProbing_ = false;
     quint64 lastProposal_ = 0;
     int job_ = 0;

@@ -98,8 +98,8 @@ private:
     void includeBars(const TerrainEstimate& e)
     {
         for (std::size_t i = 0; i < kBins; ++i) {
-            include(binCentre(static_cast<int>(i)), std::min(e.q10[i], e.mean[i]));
-            include(binCentre(static_cast<int>(i)), std::max(e.q90[i], e.mean[i]));
+            include(binCentre(static_cast<int>(i)), std::min(e.q10[i], e.height[i]));
+            include(binCentre(static_cast<int>(i)), std::max(e.q90[i], e.height[i]));
         }
     }
     /// room: [px] kept free at the top.
@@ -133,7 +133,7 @@ public:
         drawCeilings();
         if (input_.previous) drawPrevious(*input_.previous);
         if (input_.truth) drawLine(*input_.truth, {kTruth, 1.5, {}});
-        drawLine(input_.estimate.mean, {kSampled, 2.5, {}});
+        drawLine(input_.estimate.height, {kSampled, 2.5, {}});
         for (int bin = 0; bin < kBins; ++bin) drawBin(bin);
         drawProbe();
         drawKey();
@@ -259,7 +259,7 @@ private:
     {
         const auto i = static_cast<std::size_t>(bin);
         const Look look = lookOf(kindOf(input_.estimate, bin));
-        const Point at = axes_.at(binCentre(bin), input_.estimate.mean[i]);
+        const Point at = axes_.at(binCentre(bin), input_.estimate.height[i]);
         drawBar(at.x, input_.estimate.q10[i], input_.estimate.q90[i], 7.0, {look.colour, 2.0, {}});
         drawMark(canvas_, look, at);
     }
@@ -346,7 +346,7 @@ Status writeProfileFigure(const std::string& path, const FigureInput& input)
 std::string profileTable(const TerrainEstimate& estimate, const std::optional<Heights>& truth)
 {
     std::string table =
-        "   bin    mean    sd    80 % band        ceiling  source       R-hat    ESS";
+        "   bin  height    sd    80 % band        ceiling  source       R-hat    ESS";
     table += truth ? "    truth  error\n" : "\n";
     table += "    [m]     [m]  [mm]          [m]            [m]                             ";
     table += truth ? "      [m]   [mm]\n" : "\n";
@@ -357,12 +357,12 @@ std::string profileTable(const TerrainEstimate& estimate, const std::optional<He
             std::isfinite(estimate.ceiling[i]) ? fmt::format("{:+.3f}", estimate.ceiling[i]) : "-";
         fmt::format_to(
             out, "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<10} {:7.3f} {:6.0f}",
-            binCentre(bin), estimate.mean[i], 1000.0 * estimate.sd[i], estimate.q10[i],
+            binCentre(bin), estimate.height[i], 1000.0 * estimate.sd[i], estimate.q10[i],
             estimate.q90[i], ceiling, lookOf(kindOf(estimate, bin)).words, estimate.rhat[i],
             estimate.ess[i]);
         if (truth)
             fmt::format_to(out, "   {:+.3f}  {:+5.0f}", (*truth)[i],
-                           1000.0 * (estimate.mean[i] - (*truth)[i]));
+                           1000.0 * (estimate.height[i] - (*truth)[i]));
         table += '\n';
     }
     return table;

@@ -77,7 +77,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     const QString bin = words::binName(static_cast<int>(widest));
     const QString sd = words::number(estimate.sd[at], 2);
     headline_->setText(doubtful ? tr("Uncertain at %1: %2 m ± %3 m")
-                                      .arg(bin, words::signedNumber(estimate.mean[at], 2), sd)
+                                      .arg(bin, words::signedNumber(estimate.height[at], 2), sd)
                                 : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
     headline_->setVisible(true);
     setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);

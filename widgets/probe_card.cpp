@@ -103,7 +103,7 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     where_->setText(tr("bin %1").arg(words::binName(proposal.bin)));
     predicted_->setText(
         tr("%1 m ± %2 m (sd)")
-            .arg(words::signedNumber(proposal.mean, 2), words::number(proposal.sd, 2)));
+            .arg(words::signedNumber(proposal.height, 2), words::number(proposal.sd, 2)));
     band_->setText(
         tr("%1 … %2 m")
             .arg(words::signedNumber(proposal.q10, 2), words::signedNumber(proposal.q90, 2)));

@@ -18,10 +18,10 @@ class HoldToConfirmButton;
 struct ProbeProposal {
     quint64 id = 0;
     int bin = 0;
-    double mean = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
-    double limit = 0.06;                                ///< [m] sd above which the arm is asked for
-    double armSd = 0.03;                                ///< [m] sd of what the arm would measure
-    double seconds = 45.0;                              ///< what it costs
+    double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
+    double limit = 0.06;    ///< [m] sd above which the arm is asked for
+    double armSd = 0.03;    ///< [m] sd of what the arm would measure
+    double seconds = 45.0;  ///< what it costs
     bool operator==(const ProbeProposal&) const = default;
 };
 

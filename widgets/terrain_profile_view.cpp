@@ -97,7 +97,7 @@ public:
 /// Says in the legend what the bars are; draws nothing itself.
 class BandKey final : public QwtPlotItem {
 public:
-    BandKey() : QwtPlotItem(QwtText(TerrainProfileView::tr("mean, 80 % band")))
+    BandKey() : QwtPlotItem(QwtText(TerrainProfileView::tr("estimate, 80 % band")))
     {
         setItemAttribute(QwtPlotItem::Legend);
     }
@@ -375,7 +375,7 @@ void TerrainProfileView::showEstimate()
         for (int bin = 0; bin < kBins; ++bin) {
             const auto i = static_cast<std::size_t>(bin);
             const Kind kind = kindOf(e, bin);
-            const QPointF point(binCentre(bin), e.mean[i]);
+            const QPointF point(binCentre(bin), e.height[i]);
             if (drawable(point)) points[kind].append(point);
             if (drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
                 bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
@@ -389,7 +389,7 @@ void TerrainProfileView::showEstimate()
             known.push_back(kind == PriorOnly ? QPointF(point.x(), kGap) : point);
             if (bin > 0) {
                 const bool soft = kind == PriorOnly || kindOf(e, bin - 1) == PriorOnly;
-                prior.push_back(soft ? QPointF(binCentre(bin - 1), e.mean[i - 1])
+                prior.push_back(soft ? QPointF(binCentre(bin - 1), e.height[i - 1])
                                      : QPointF(point.x(), kGap));
                 prior.push_back(soft ? point : QPointF(point.x(), kGap));
                 prior.emplace_back(point.x(), kGap);
@@ -478,13 +478,13 @@ void TerrainProfileView::showProbe()
 {
     const std::optional<int>& bin = probe_;
     const bool shown = bin && *bin >= 0 && *bin < kBins && estimate_
-                    && drawable(estimate_->mean[static_cast<std::size_t>(*bin)]);
+                    && drawable(estimate_->height[static_cast<std::size_t>(*bin)]);
     if (shown) {
         const auto i = static_cast<std::size_t>(*bin);
         probeMark_->at = binCentre(*bin);
         probeMark_->down = drawable(estimate_->q90[i])
-                             ? std::max(estimate_->q90[i], estimate_->mean[i])
-                             : estimate_->mean[i];
+                             ? std::max(estimate_->q90[i], estimate_->height[i])
+                             : estimate_->height[i];
     }
     probeMark_->setVisible(shown);
     fitAxes();
@@ -514,7 +514,7 @@ bool TerrainProfileView::setScales()
     };
     if (estimate_) {
         for (std::size_t i = 0; i < kBins; ++i) {
-            for (const double z : {estimate_->mean[i], estimate_->q10[i], estimate_->q90[i]})
+            for (const double z : {estimate_->height[i], estimate_->q10[i], estimate_->q90[i]})
                 include(z);
         }
     }
@@ -568,7 +568,7 @@ QString TerrainProfileView::binText(int bin) const
     static const std::array<QString, kKinds> kNames{tr("sampled"), tr("prior only"), tr("contact"),
                                                     tr("arm")};
     return tr("bin %1: %2 m, 80 % in %3 … %4, %5")
-        .arg(words::binName(bin), words::signedNumber(estimate_->mean[i], 2),
+        .arg(words::binName(bin), words::signedNumber(estimate_->height[i], 2),
              words::signedNumber(estimate_->q10[i], 2), words::signedNumber(estimate_->q90[i], 2),
              kNames[kindOf(*estimate_, bin)]);
 }

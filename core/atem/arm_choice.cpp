@@ -1,5 +1,9 @@
 #include "core/atem/arm_choice.h"
 
+#include <algorithm>
+
+#include "core/atem/probe_gain.h"
+
 namespace terratact {
 
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot)
@@ -15,6 +19,18 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
         }
     }
     return best;
+}
+
+std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot)
+{
+    constexpr double kAnyStep = 0.1;  // [m]; the rule by variance does not depend on it
+    const std::optional<int> widest = proposeProbe(estimate, robot);
+    const Method method = estimate.settings.method;
+    const bool ofPaper =
+        std::find(kPaperMethods.begin(), kPaperMethods.end(), method) != kPaperMethods.end();
+    if (!widest || ofPaper || estimate.draws.empty()) return widest;
+    const auto best = bestProbe(estimate, robot, estimate.settings.armSd, kAnyStep);
+    return best ? best->bin : widest;
 }
 
 }  // namespace terratact

@@ -12,4 +12,9 @@ namespace terratact {
 /// large sd out of the arm's reach cannot be helped by it and asks for nothing here.
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
+/// What the operator is offered: nothing where proposeProbe() asks for nothing; else its bin for the paper's
+/// methods, and for the others the bin whose reading is expected to reduce the sum of all variances most
+/// (probe_gain.h): the rule that settles scenes with fewer probes, see docs/evaluation.md.
+std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
+
 }  // namespace terratact

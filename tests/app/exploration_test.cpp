@@ -144,8 +144,10 @@ TEST_F(Bench, theWholeLoop)
     telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_EQ(exploration->estimate()->origin[kBin06], Origin::Arm);
-    EXPECT_EQ(exploration->estimate()->settings.method, Method::Pafac);
+    EXPECT_EQ(exploration->estimate()->settings.method, Method::Local);
     EXPECT_EQ(estimates, 2);
+    ASSERT_EQ(exploration->ledger().entries().size(), 1U);
+    EXPECT_TRUE(exploration->ledger().entries()[0].in80);
     EXPECT_TRUE(events.join('\n').contains("inside the band"));
 
     exploration->drive(+1);

@@ -25,7 +25,7 @@ FigureInput flatGround()
     input.title = "Flat ground";
     TerrainEstimate& e = input.estimate;
     for (std::size_t i = 0; i < kBins; ++i) {
-        e.mean[i] = -0.24;
+        e.height[i] = -0.24;
         e.sd[i] = 0.01;
         e.q10[i] = -0.26;
         e.q90[i] = -0.22;
@@ -65,7 +65,7 @@ TEST_F(ProfileFigure, is1200By700WithAWhiteMarginAllAround)
     input.title = std::string(300, 'W');  // far wider than the picture
     input.estimate.warnings = {std::string(300, 'w'), "another"};
     input.previous = input.estimate;
-    input.truth = input.estimate.mean;
+    input.truth = input.estimate.height;
     input.estimate.origin[6] = Origin::Contact;  // with every entry the key is two rows long
     input.estimate.origin[9] = Origin::Arm;
     input.estimate.ceiling[10] = std::numeric_limits<double>::infinity();
@@ -87,7 +87,7 @@ TEST_F(ProfileFigure, showsEveryKindOfBinInItsOwnColourAndOnlyWhereThereIsOne)
     input.estimate.origin[6] = Origin::Contact;
     input.estimate.origin[9] = Origin::Arm;
     input.estimate.ceiling[10] = std::numeric_limits<double>::infinity();
-    input.truth = input.estimate.mean;
+    input.truth = input.estimate.height;
     const Picture all = drawn(input);
     for (const unsigned colour : {kContact, kArm, kPrior, kZone}) {
         EXPECT_EQ(plain.count(colour), 0) << std::hex << colour;
@@ -102,7 +102,7 @@ TEST_F(ProfileFigure, hasEqualAxes)
     FigureInput input = flatGround();
     for (const auto& [bin, height] : {std::pair(3U, -0.3), std::pair(6U, 0.0)}) {
         input.estimate.origin[bin] = Origin::Contact;
-        input.estimate.mean[bin] = input.estimate.q10[bin] = input.estimate.q90[bin] = height;
+        input.estimate.height[bin] = input.estimate.q10[bin] = input.estimate.q90[bin] = height;
     }
     const auto [left, right, top, bottom] = plotOf(drawn(input)).extent(kContact);
     EXPECT_NEAR(right - left, bottom - top, 2);
@@ -114,7 +114,7 @@ TEST_F(ProfileFigure, growsWithWhatItShows)
     FigureInput input = flatGround();
     input.estimate.origin[10] = Origin::Arm;
     for (const double height : {0.05, 0.5, 3.0}) {
-        input.estimate.mean[10] = height;
+        input.estimate.height[10] = height;
         input.estimate.q10[10] = height - 0.1;
         input.estimate.q90[10] = height + 0.1;
         const auto [left, right, top, bottom] = drawn(input).extent(kArm);
@@ -152,7 +152,7 @@ TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
     e.origin[8] = Origin::Contact;
     e.origin[9] = Origin::Arm;
     e.ceiling[10] = std::numeric_limits<double>::infinity();
-    Heights truth = e.mean;
+    Heights truth = e.height;
     truth[10] = -0.29;
     const std::string table = profileTable(e, truth);
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);
@@ -175,7 +175,7 @@ TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
 
 TEST(ProfileTable, hasRowsOfOneWidth)
 {
-    std::istringstream table(profileTable(flatGround().estimate, flatGround().estimate.mean));
+    std::istringstream table(profileTable(flatGround().estimate, flatGround().estimate.height));
     std::string line;
     std::set<std::size_t> widths;
     std::getline(table, line);

@@ -8,7 +8,7 @@ import unittest
 
 from support import CLI, SOURCE, complaint, rows, run
 
-COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note".split(",")
+COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,p_step_sd,two_modes,novelty".split(",")
 
 
 class Commands(unittest.TestCase):

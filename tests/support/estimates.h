@@ -15,11 +15,11 @@ inline TerrainEstimate stepEstimate()
     TerrainEstimate e;
     for (std::size_t i = 0; i < kBins; ++i) {
         const bool onStep = i >= 8;
-        e.mean[i] = onStep ? -0.05 : -0.25;
+        e.height[i] = onStep ? -0.05 : -0.25;
         e.sd[i] = i == 9 ? 0.09 : i == 10 ? 0.08 : 0.01;
-        e.q10[i] = e.mean[i] - 1.28 * e.sd[i];
-        e.q90[i] = e.mean[i] + 1.28 * e.sd[i];
-        e.ceiling[i] = i <= 8 ? e.mean[i] + 0.02 : std::numeric_limits<double>::infinity();
+        e.q10[i] = e.height[i] - 1.28 * e.sd[i];
+        e.q90[i] = e.height[i] + 1.28 * e.sd[i];
+        e.ceiling[i] = i <= 8 ? e.height[i] + 0.02 : std::numeric_limits<double>::infinity();
         e.origin[i] = i == 8 ? Origin::Contact : Origin::Sampled;
         e.rhat[i] = 1.0;
         e.ess[i] = 1000.0;
@@ -34,8 +34,8 @@ inline TerrainEstimate probedEstimate()
     e.origin[9] = Origin::Arm;
     e.sd[9] = e.sd[10] = 0.03;
     for (const std::size_t i : {std::size_t{9}, std::size_t{10}}) {
-        e.q10[i] = e.mean[i] - 0.04;
-        e.q90[i] = e.mean[i] + 0.04;
+        e.q10[i] = e.height[i] - 0.04;
+        e.q90[i] = e.height[i] + 0.04;
     }
     return e;
 }

@@ -12,7 +12,7 @@ namespace terratact {
 namespace {
 
 constexpr ProbeProposal kProposal{
-    .id = 7, .bin = 9, .mean = 0.02, .q10 = -0.05, .q90 = 0.09, .sd = 0.07};
+    .id = 7, .bin = 9, .height = 0.02, .q10 = -0.05, .q90 = 0.09, .sd = 0.07};
 
 struct Probe : testing::Test {
     Probe()
@@ -99,7 +99,7 @@ TEST_F(Probe, hostileNumbersReadAsNothing)
 {
     for (const double bad : gui::kHostile) {
         ProbeProposal p{
-            .id = 9, .bin = 9, .mean = bad, .q10 = bad, .q90 = bad, .sd = bad, .seconds = bad};
+            .id = 9, .bin = 9, .height = bad, .q10 = bad, .q90 = bad, .sd = bad, .seconds = bad};
         card.setProposal(p);
         card.setTimeLeft(bad);
         ASSERT_FALSE(gui::painted(card).isNull());

@@ -69,14 +69,14 @@ TEST_F(TerrainView, pixelsAndMetresMapBothWays)
 TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
 {
     TerrainEstimate high = stepEstimate();
-    high.mean[10] = 0.6;
+    high.height[10] = 0.6;
     high.q90[10] = 0.8;
     high.q10[0] = -0.9;
     view.setEstimate(high);
     const QRectF canvas = view.canvas()->rect();
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        for (const double z : {high.mean[i], high.q10[i], high.q90[i]})
+        for (const double z : {high.height[i], high.q10[i], high.q90[i]})
             EXPECT_TRUE(canvas.contains(view.pixelOf(binCentre(bin), z)))
                 << "bin " << bin << " at " << z;
     }
@@ -86,10 +86,10 @@ TEST_F(TerrainView, marksStandWhereTheMeansAre)
 {
     TerrainEstimate e = probedEstimate();
     view.setEstimate(e);
-    EXPECT_TRUE(alike(colourAt(view, 0.0, e.mean[3]), palette::kSampled));
-    EXPECT_TRUE(alike(colourAt(view, 0.5, e.mean[8]), palette::kContact));
-    EXPECT_TRUE(alike(colourAt(view, 0.6, e.mean[9]), palette::kArm));
-    EXPECT_TRUE(alike(colourAt(view, 0.7, e.mean[10]), palette::kCard))
+    EXPECT_TRUE(alike(colourAt(view, 0.0, e.height[3]), palette::kSampled));
+    EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), palette::kContact));
+    EXPECT_TRUE(alike(colourAt(view, 0.6, e.height[9]), palette::kArm));
+    EXPECT_TRUE(alike(colourAt(view, 0.7, e.height[10]), palette::kCard))
         << "an open mark: nothing but the prior";
 }
 
@@ -97,11 +97,11 @@ TEST_F(TerrainView, kindsDifferInShapeAndNotOnlyInColour)
 {
     // A square fills its corner; a circle and a triangle of that size do not fill their upper left one.
     TerrainEstimate e = probedEstimate();
-    e.q10 = e.q90 = e.mean;  // no bars in the way
+    e.q10 = e.q90 = e.height;  // no bars in the way
     view.setEstimate(e);
     const QImage image = painted(*view.canvas());
     const auto upperLeft = [&](int bin) {
-        const QPointF centre = view.pixelOf(binCentre(bin), e.mean[static_cast<std::size_t>(bin)]);
+        const QPointF centre = view.pixelOf(binCentre(bin), e.height[static_cast<std::size_t>(bin)]);
         return image.pixelColor((centre + QPointF(-4.5, -4.5)).toPoint());
     };
     EXPECT_TRUE(alike(upperLeft(8), palette::kContact));
@@ -188,8 +188,8 @@ TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
 {
     for (const double bad : gui::kHostile) {
         TerrainEstimate e = stepEstimate();
-        e.mean[5] = e.q10[6] = e.q90[7] = e.ceiling[2] = bad;
-        Heights truth = e.mean;
+        e.height[5] = e.q10[6] = e.q90[7] = e.ceiling[2] = bad;
+        Heights truth = e.height;
         Outline outline = square(-0.2, 0.0, 0.2, 0.1);
         outline.front().points.push_back({bad, 0.05});
         outline.front().points.push_back({0.0, bad});
@@ -200,7 +200,7 @@ TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
         const QImage image = painted(view);
         ASSERT_FALSE(image.isNull()) << "painting hung on " << bad;
         EXPECT_GT(gui::colours(image), 20);
-        EXPECT_TRUE(alike(colourAt(view, 0.5, e.mean[8]), palette::kContact)) << bad;
+        EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), palette::kContact)) << bad;
         (void)view.binText(5);
     }
 }
@@ -209,7 +209,7 @@ TEST_F(TerrainView, nothingButHostileNumbersLeavesAPicture)
 {
     for (const double bad : gui::kHostile) {
         TerrainEstimate e;
-        for (Heights* h : {&e.mean, &e.sd, &e.q10, &e.q90, &e.ceiling}) h->fill(bad);
+        for (Heights* h : {&e.height, &e.sd, &e.q10, &e.q90, &e.ceiling}) h->fill(bad);
         view.setEstimate(e);
         ASSERT_FALSE(painted(view).isNull());
     }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "tests/support/absolem.h"
+
 #include <limits>
 
 namespace terratact {
@@ -63,6 +67,34 @@ TEST_F(ArmChoice, takesTheNearerOfEquals)
 {
     estimate.sd[kBin06] = estimate.sd[kBin07] = 0.08;
     EXPECT_EQ(proposeProbe(estimate, robot), kBin06);
+}
+
+TEST(ChooseProbe, asksForTheBinThatTellsMostWhereTheMethodKnowsIt)
+{
+    // Bins 0.5 and 0.6 go together, 0.7 is a little less certain but tells about itself alone.
+    const RobotModel robot = absolem();
+    TerrainEstimate estimate;
+    estimate.settings.method = Method::Local;
+    std::mt19937_64 rng(1);
+    std::normal_distribution<double> normal;
+    for (int d = 0; d < 1000; ++d) {
+        Heights h{};
+        h[8] = h[9] = 0.1 * normal(rng);
+        h[10] = 0.11 * normal(rng);
+        estimate.draws.push_back(h);
+    }
+    estimate.sd[8] = estimate.sd[9] = 0.1;
+    estimate.sd[10] = 0.11;
+    EXPECT_EQ(proposeProbe(estimate, robot), 10);
+    const auto chosen = chooseProbe(estimate, robot);
+    ASSERT_TRUE(chosen);
+    EXPECT_TRUE(*chosen == 8 || *chosen == 9) << *chosen;
+
+    estimate.settings.method = Method::Pafc;
+    EXPECT_EQ(chooseProbe(estimate, robot), 10);
+    estimate.settings.method = Method::Local;
+    estimate.sd.fill(0.01);
+    EXPECT_EQ(chooseProbe(estimate, robot), std::nullopt);
 }
 
 }  // namespace

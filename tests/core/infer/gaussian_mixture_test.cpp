@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/support/simulation_based_calibration.h"
+
 namespace terratact {
 namespace {
 
@@ -99,6 +101,43 @@ TEST(GaussianMixture, refusesWhatIsNoMeasurement)
     EXPECT_THROW(m.condition(0, 0.0, 0.0), std::invalid_argument);
     EXPECT_THROW((void)m.quantile(0, 0.0), std::invalid_argument);
     EXPECT_THROW((void)m.quantile(0, 1.0), std::invalid_argument);
+}
+
+/// Simulation-based calibration of conditioning and drawing: truth from the mixture, a reading of its second
+/// coordinate, the truth's ranks among the draws given the reading.  sdShare: what the sampler believes of
+/// the reading's sd, 1 is right.
+double calibrationP(double sdShare)
+{
+    constexpr int kSets = 300, kDraws = 19;
+    constexpr double kSd = 0.4;
+    std::mt19937_64 rng(11);
+    std::normal_distribution<double> normal;
+    RankHistograms ranks(kDraws);
+    for (int set = 0; set < kSets; ++set) {
+        GaussianMixture m = twoHeaps();
+        const Eigen::VectorXd truth = m.draw(1, rng).col(0);
+        const double reading = truth[1] + kSd * normal(rng);
+        // Coordinates alone have uniform ranks for a sampler that ignores the reading, too.
+        const auto quantities = [reading](const Eigen::VectorXd& y) {
+            return Eigen::Vector3d(y[0], y[1], std::abs(y[1] - reading));
+        };
+        m.condition(1, reading, sdShare * kSd);
+        Eigen::MatrixXd draws(3, kDraws);
+        for (int d = 0; d < kDraws; ++d) draws.col(d) = quantities(m.draw(1, rng).col(0));
+        ranks.add(quantities(truth), draws);
+    }
+    return ranks.pValue();
+}
+
+TEST(GaussianMixture, isCalibratedAfterConditioning)
+{
+    EXPECT_GT(calibrationP(1.0), 1e-4);
+}
+
+TEST(GaussianMixture, theCalibrationSeesAWrongSd)
+{
+    EXPECT_LT(calibrationP(0.3), 1e-4);
+    EXPECT_LT(calibrationP(4.0), 1e-4);
 }
 
 }  // namespace

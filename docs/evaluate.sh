@@ -1,0 +1,92 @@
+#!/bin/sh
+# Writes docs/evaluation.md and the figures beside it: every method on terrain the shipped model has never
+# seen.  About half an hour on two cores.
+# Usage: docs/evaluate.sh path/to/terratact PROFILES.csv [INDEX.csv COLUMN]
+#   PROFILES.csv   terrain to drive over, as `terratact simulate --terrain` reads it
+#   INDEX.csv      its classes: COLUMN of the row whose `row` is the profile's number
+set -eu
+terratact=$(realpath "$1")
+profiles=$(realpath "$2")
+classes=
+if [ $# -ge 4 ]; then classes="--classes $(realpath "$3") --class-column $4"; fi
+cd "$(dirname "$0")"
+docs=$PWD
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+ln -s "$profiles" profiles.csv
+page=$folder/evaluation.md
+
+say() { printf '%s\n' "$@" >>"$page"; }
+
+# Runs terratact quietly.
+quiet() { "$terratact" "$@" >/dev/null 2>&1; }
+
+# Runs terratact, shows the command and what it printed.
+show() {
+  say '' "    terratact $(printf '%s ' "$@" | sed "s#$(dirname "$profiles")/##g")" '' '```'
+  "$terratact" "$@" 2>/dev/null | grep -v '^written to' >>"$page"
+  say '```'
+}
+
+# The line of one method in the table of scores, under another name.
+scores() {
+  "$terratact" evaluate --data "$2" --methods local --seed 1 --out scratch 2>/dev/null |
+    awk -v name="$1" '/^Scores/ {on = 1} on && $1 == "local" {sub("^local *", ""); printf "%-16s%s\n", name, $0; exit}' >>"$page"
+}
+
+say '# Evaluation' '' \
+  'Every number below was printed by the command above it; the whole page by' '' \
+  "    docs/evaluate.sh path/to/terratact $(basename "$profiles") [INDEX.csv COLUMN]" '' \
+  'with the shipped model, which was trained on simulated drives over generated ground alone' \
+  '(`resources/models/make_default.sh`). Brackets are 95 % bootstrap intervals over whole drives.' \
+  'median\* is the median over bins -0.3 to 0.5. The baselines are fitted on the same training scenes.'
+
+say '' '## Real terrain' '' \
+  'Drives over profiles cut from scans that had no part in training or in any choice of a constant.'
+show simulate --terrain profiles.csv --count 300 --exact-truth --seed 1 --out real.csv
+# shellcheck disable=SC2086
+show evaluate --data real.csv --seed 1 $classes --out real
+say '' '![Fig. 8](fig8.svg)' '' '![Fig. 9](fig9.svg)' '' '![PIT](pit.svg)'
+cp real/fig8.svg real/fig9.svg real/pit.svg "$docs/"
+
+say '' '## Generated ground of another seed'
+show simulate --terrain varied --count 150 --exact-truth --seed 2 --out unseen.csv
+show evaluate --data unseen.csv --methods pafc,clearance,joint,local --seed 1 --out unseen
+
+say '' '## The paper’s training set' '' \
+  'The same real scenes, the model trained as in the paper: 28 runs over boxes of two heights.'
+show simulate --terrain boxes --seed 1 --out boxes.csv
+quiet train --data boxes.csv --seed 1 --out boxes.ttm
+show evaluate --model boxes.ttm --data real.csv --methods pafc,local --seed 1 --out boxes
+
+say '' '## Order of the scan' '' \
+  'The conditionals are trained one by one and need not belong to one joint distribution.'
+quiet simulate --terrain profiles.csv --count 60 --exact-truth --seed 2 --out few.csv
+for order in forward reverse random; do
+  say '' "    terratact evaluate --data few.csv --methods pafc,clearance --scan $order --seed 1 --out scan" '' '```'
+  "$terratact" evaluate --data few.csv --methods pafc,clearance --scan "$order" --seed 1 --out scan 2>/dev/null |
+    sed -n '/^Scores/,/^clearance/p' | grep -E 'Scores|method|pafc|clearance' >>"$page"
+  say '```'
+done
+
+say '' '## Choosing the probe' '' \
+  'A probe reads the truth with an sd of 30 mm. `sd`: the paper’s rule; `variance`, `step`: the largest expected' \
+  'reduction of the total variance, of the doubt about a step.' '' \
+  '    terratact evaluate --data real.csv --methods joint,local --probes --seed 1 --out probes' '' '```'
+"$terratact" evaluate --data real.csv --methods joint,local --probes --seed 1 --out probes 2>/dev/null |
+  sed -n '/^Probes/,/^$/p' >>"$page"
+say '```'
+
+say '' '## Disturbances' '' \
+  'Method `local`, the same model, the same profiles:' '' \
+  '    terratact simulate --terrain profiles.csv --count 300 --exact-truth --seed 1 --disturb NAME --out disturbed.csv' \
+  '    terratact evaluate --data disturbed.csv --methods local --seed 1 --out scratch' '' '```' \
+  'disturbance              median*             median       mean |error|               CRPS    80 % covers  50 %  95 %  width ms/scene'
+scores none real.csv
+for name in imu-noise forces-high forces-low dead-element soft-ground light-robot heavy-robot friction-free; do
+  quiet simulate --terrain profiles.csv --count 300 --exact-truth --seed 1 --disturb "$name" --out disturbed.csv
+  scores "$name" disturbed.csv
+done
+say '```'
+mv "$page" "$docs/evaluation.md"
