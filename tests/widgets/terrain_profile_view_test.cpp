@@ -101,7 +101,8 @@ TEST_F(TerrainView, kindsDifferInShapeAndNotOnlyInColour)
     view.setEstimate(e);
     const QImage image = painted(*view.canvas());
     const auto upperLeft = [&](int bin) {
-        const QPointF centre = view.pixelOf(binCentre(bin), e.height[static_cast<std::size_t>(bin)]);
+        const QPointF centre =
+            view.pixelOf(binCentre(bin), e.height[static_cast<std::size_t>(bin)]);
         return image.pixelColor((centre + QPointF(-4.5, -4.5)).toPoint());
     };
     EXPECT_TRUE(alike(upperLeft(8), palette::kContact));
