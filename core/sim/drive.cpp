@@ -31,7 +31,7 @@ public:
     /// Rest pose at x, or where the robot comes to rest when it slides from there.
     Result<RestPose> restNear(double x) const
     {
-        const Result<RestPose> rest = restAt(x);
+        Result<RestPose> rest = restAt(x);
         if (!rest || !(conditions_.slide > 0.0)) return rest;
         const RestPose back = slid(*rest, -kSlideStep);
         const RestPose ahead = slid(*rest, kSlideStep);
