@@ -231,7 +231,8 @@ public:
     void draw(std::size_t place, const ErrorHistogram& h)
     {
         left_ = kPanelLeft + kApart * static_cast<double>(place % kPerRow);
-        floor_ = kHead + 20.0 + kPanelHeight + kRowHeight * static_cast<double>(place / kPerRow);
+        const std::size_t row = place / kPerRow;
+        floor_ = kHead + 20.0 + kPanelHeight + kRowHeight * static_cast<double>(row);
         const Look look = lookOf(h.label);
         canvas_.text({left_, floor_ - kPanelHeight - 8.0}, look.words,
                      {.colour = kText, .size = 15.0, .bold = true});
