@@ -34,7 +34,7 @@ struct LoadedModel {
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
-/// Reads a model file and makes its Gaussian processes ready; takes a second or so.
+/// Reads a model file.  A Gaussian process of the sampling methods is factorised when it is first needed.
 ModelLoader modelFileLoader(std::string path, RobotModel robot);
 
 /// Estimates in its own thread, where it also loads the model first.  The newest request wins: it

@@ -107,7 +107,7 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     band_->setText(
         tr("%1 … %2 m")
             .arg(words::signedNumber(proposal.q10, 2), words::signedNumber(proposal.q90, 2)));
-    why_->setText(tr("uncertain beyond ± %1 m, and telling").arg(words::number(proposal.limit, 2)));
+    why_->setText(tr("less certain than ± %1 m").arg(words::number(proposal.limit, 2)));
     after_->setText(tr("this bin to ± %1 m").arg(words::number(proposal.armSd, 2)));
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(words::number(proposal.seconds, 0)));
     approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));

@@ -35,7 +35,7 @@ struct TerrainEstimate {
     std::vector<Heights> draws;         ///< of all bins together: what a joint question is asked of
     double novelty = 0.0;               ///< how unlike the training scenes this one is, see
                                         ///< core/learn/clearance_model.h; above 1 for 1 % of those;
-                                        ///< 0: not judged (the paper's methods)
+                                        ///< 0: not judged (all but the closed forms)
     bool converged = true;              ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
     std::vector<std::string> warnings;  ///< what makes the result doubtful, in words
     Settings settings;

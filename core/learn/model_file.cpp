@@ -52,7 +52,7 @@ struct Table {
     std::string sql;
 };
 
-/// One number per input column from the first to the last but one.
+/// A table of numbered rows: `more` columns, then one number for each of the first `columns` inputs.
 Table rowTable(const std::string& name, std::size_t columns, const std::string& more = {})
 {
     std::string sql = "CREATE TABLE " + name + "(row INTEGER PRIMARY KEY" + more;
@@ -665,7 +665,7 @@ void readRows(SqliteFile& file, ModelData& model)
     model.scannedHeights = readMatrix(file, "scanned_row", kBins);
 }
 
-/// The numbers of a table's rows that belong to one bin and regime, in the order of its second last column.
+/// The numbers of a table's rows that belong to one bin and regime, in the order of column `order`, which counts from 0.
 Eigen::VectorXd readNumbers(SqliteFile& file, const std::string& table, const std::string& order,
                             int bin, bool covered)
 {
