@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <stdexcept>
 
 #include "app/parallel.h"
 #include "app/progress.h"
@@ -62,7 +61,7 @@ SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Se
         TerrainEstimate first = estimateWith(scene, {}, toolbox, settings);
         if (!usesArm(settings.method)) return {first, joined(first.warnings)};
         return withArm(scene, toolbox, settings, std::move(first));
-    } catch (const std::invalid_argument& error) {  // a pose the model has not learnt
+    } catch (const NotLearnt& error) {
         return {std::nullopt, error.what()};
     }
 }

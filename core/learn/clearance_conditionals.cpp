@@ -170,7 +170,7 @@ void requireEnoughRows(const ClearanceConditionalData& data, int bin, Regime reg
 {
     const int rows = data.at(bin, regime).rows;
     if (rows < kFewestTrainingRows)
-        throw std::invalid_argument(
+        throw NotLearnt(
             fmt::format("bin {:+.1f} m {} was seen in {} training scenes, and {} are needed",
                         binCentre(bin), words(regime), rows, kFewestTrainingRows));
 }

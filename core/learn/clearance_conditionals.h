@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 
 #include "core/learn/clearance.h"
 #include "core/learn/gaussian_process.h"
@@ -24,6 +25,12 @@ inline Regime regimeOf(double ceiling)
 {
     return std::isinf(ceiling) ? Regime::Open : Regime::Covered;
 }
+
+/// A scene in a regime that training saw too rarely; says which, in a sentence.
+class NotLearnt : public std::invalid_argument {
+public:
+    using std::invalid_argument::invalid_argument;
+};
 
 /// What the conditionals over clearances are trained on, one scene per row.
 struct ClearanceTraining {
