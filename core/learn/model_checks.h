@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "core/learn/model.h"
+
+namespace terratact::model_file {
+
+/// Why a model is refused: a sentence that lacks the file's name.  Does not leave model_file.cpp.
+struct Refused {
+    std::string cause;
+};
+
+/// Throws Refused{cause} unless it holds.
+void require(bool holds, const std::string& cause);
+
+/// Throws Refused unless the model can predict: sizes, finite numbers, ranges as readModel says.
+void requireModel(const ModelData& model);
+
+}  // namespace terratact::model_file

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/learn/model_file.h"
+#include "core/sqlite.h"
+
+namespace terratact::model_file {
+
+/// Reads and checks a whole model, its hash included.  Throws Refused and SqliteError.
+StoredModel readStored(SqliteFile& file);
+
+}  // namespace terratact::model_file
