@@ -63,7 +63,27 @@ void requireConditional(const Hyperparameters& hyper, const std::string& what)
     requireScale(hyper.noiseSd, "noise_sd of " + what);
 }
 
-void requireClearance(const ModelData& model)
+void requireSurfaces(const ClearanceData& data, int bin)
+{
+    for (const bool covered : {false, true}) {
+        const auto& of = covered ? data.covered : data.open;
+        const std::string what = "the surface of bin " + std::to_string(bin);
+        requireSurface(of[static_cast<std::size_t>(bin)],
+                       rowsOf(data.coveredBins, bin, covered).size(), what);
+        requireConditional((covered ? data.conditionalCovered
+                                    : data.conditionalOpen)[static_cast<std::size_t>(bin)],
+                           "the clearance conditional of bin " + std::to_string(bin));
+    }
+}
+
+void requireWholeClearance(const ClearanceData& data)
+{
+    requireScale(data.noveltyScale, "novelty_scale");
+    requireScale(data.contactSd, "contact_sd");
+    require(std::abs(data.contactBias) <= 1.0, "contact_bias is out of range");
+}
+
+void requireClearance(const ModelData& model, const BinSet& bins)
 {
     const ClearanceData& data = model.clearance;
     const Eigen::Index rows = model.heights.rows();
@@ -79,19 +99,7 @@ void requireClearance(const ModelData& model)
     for (const unsigned mask : data.coveredBins)
         require(mask < 1U << static_cast<unsigned>(kBins),
                 "a row covers a bin that does not exist");
-    for (int bin = 0; bin < kBins; ++bin)
-        for (const bool covered : {false, true}) {
-            const auto& of = covered ? data.covered : data.open;
-            const std::string what = "the surface of bin " + std::to_string(bin);
-            requireSurface(of[static_cast<std::size_t>(bin)],
-                           rowsOf(data.coveredBins, bin, covered).size(), what);
-            requireConditional((covered ? data.conditionalCovered
-                                        : data.conditionalOpen)[static_cast<std::size_t>(bin)],
-                               "the clearance conditional of bin " + std::to_string(bin));
-        }
-    requireScale(data.noveltyScale, "novelty_scale");
-    requireScale(data.contactSd, "contact_sd");
-    require(std::abs(data.contactBias) <= 1.0, "contact_bias is out of range");
+    for (const int bin : binsOf(bins)) requireSurfaces(data, bin);
 }
 
 void requireScannedHeights(const ModelData& model)
@@ -117,7 +125,7 @@ void requireBin(const Hyperparameters& bin, double logLikelihood, Eigen::Index s
     require(std::isfinite(logLikelihood), "log_likelihood of " + what + " is not finite");
 }
 
-void requireSet(const BinModelData& data, FeatureSet set)
+void requireSet(const BinModelData& data, FeatureSet set, const BinSet& bins)
 {
     const auto size = static_cast<Eigen::Index>(inputs(set));
     const std::string what = "feature set " + std::string(name(set));
@@ -126,9 +134,37 @@ void requireSet(const BinModelData& data, FeatureSet set)
     require(data.mean.allFinite() && data.mean.cwiseAbs().maxCoeff() <= kMostScale,
             "a mean of " + what + " is out of range");
     for (const double sd : data.sd) requireScale(sd, "a standard deviation of " + what);
-    for (std::size_t i = 0; i < kBins; ++i)
+    for (const int bin : binsOf(bins)) {
+        const auto i = static_cast<std::size_t>(bin);
         requireBin(data.bins[i], data.logLikelihood[i], size - 1,
                    what + ", bin " + std::string(heightColumns()[i].name));
+    }
+}
+
+/// Nothing of what a portion leaves to others.
+void requireNoMore(const ModelData& model, const BinSet& bins)
+{
+    const ClearanceData& clearance = model.clearance;
+    for (const int bin : binsOf(~bins)) {
+        const auto i = static_cast<std::size_t>(bin);
+        for (const Hyperparameters& hyper :
+             {model.pa.bins[i], model.paf.bins[i], clearance.conditionalOpen[i],
+              clearance.conditionalCovered[i], clearance.open[i].hyper, clearance.covered[i].hyper})
+            require(hyper.lengthScale.size() == 0, "holds a bin that is not in its list of bins");
+        require((clearance.residuals.col(bin).array() == 0.0).all(),
+                "holds residuals of a bin that is not in its list of bins");
+    }
+    require(clearance.noveltyScale == 0.0 && clearance.contactBias == 0.0
+                && clearance.contactSd == 0.0,
+            "holds what only a whole model has");
+}
+
+void requirePortion(const Portion& portion)
+{
+    require(portion.bins.any(), "its list of bins is empty");
+    require(portion.robotHash.size() <= kMostText && portion.commandBeforeOut.size() <= kMostText
+                && portion.commandAfterOut.size() <= kMostText,
+            "its texts are too long");
 }
 
 }  // namespace
@@ -138,13 +174,20 @@ void require(bool holds, const std::string& cause)
     if (!holds) throw Refused{cause};
 }
 
-void requireModel(const ModelData& model)
+void requireModel(const ModelData& model, const Portion* portion)
 {
+    const BinSet bins = portion ? portion->bins : kAllBins;
     requireRows(model);
-    requireSet(model.pa, FeatureSet::Pa);
-    requireSet(model.paf, FeatureSet::Paf);
+    requireSet(model.pa, FeatureSet::Pa, bins);
+    requireSet(model.paf, FeatureSet::Paf, bins);
     requireScannedHeights(model);
-    requireClearance(model);
+    requireClearance(model, bins);
+    if (portion) {
+        requirePortion(*portion);
+        requireNoMore(model, bins);
+    } else {
+        requireWholeClearance(model.clearance);
+    }
     require(model.command.size() <= kMostText && model.dataHash.size() <= kMostText,
             "its texts are too long");
 }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/learn/model.h"
+#include "core/learn/model_part.h"
 
 namespace terratact::model_file {
 
@@ -14,7 +14,8 @@ struct Refused {
 /// Throws Refused{cause} unless it holds.
 void require(bool holds, const std::string& cause);
 
-/// Throws Refused unless the model can predict: sizes, finite numbers, ranges as readModel says.
-void requireModel(const ModelData& model);
+/// Throws Refused unless the model can predict: sizes, finite numbers, ranges as readModel says; with a
+/// portion: unless it holds that portion and nothing else.
+void requireModel(const ModelData& model, const Portion* portion = nullptr);
 
 }  // namespace terratact::model_file

@@ -1,27 +1,21 @@
 #include "core/learn/model_hash.h"
 
-#include <bit>
 #include <string_view>
+#include <vector>
 
+#include "core/learn/canonical_bytes.h"
 #include "core/learn/model_layout.h"
 #include "core/learn/sha256.h"
 
 namespace terratact::model_file {
 namespace {
 
-/// Bytes that do not depend on the machine: numbers as 8 bytes, least first, texts after their length.
-class Canonical {
+/// A model as bytes; of a portion what belongs to its bins.
+class Canonical : public CanonicalBytes {
 public:
-    void add(std::uint64_t value)
-    {
-        for (int i = 0; i < 8; ++i) bytes_ += static_cast<char>(value >> (8 * i) & 0xFFU);
-    }
-    void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); }  // -0 becomes 0
-    void add(std::string_view text)
-    {
-        add(std::uint64_t{text.size()});
-        bytes_ += text;
-    }
+    using CanonicalBytes::add;
+
+    explicit Canonical(const BinSet& bins) : bins_(binsOf(bins)) {}
     /// Row by row.
     void add(const Eigen::MatrixXd& matrix)
     {
@@ -39,7 +33,8 @@ public:
         }
         add(Eigen::MatrixXd(data.mean));
         add(Eigen::MatrixXd(data.sd));
-        for (std::size_t i = 0; i < kBins; ++i) {
+        for (const int bin : bins_) {
+            const auto i = static_cast<std::size_t>(bin);
             add(Eigen::MatrixXd(data.bins[i].lengthScale));
             add(data.bins[i].signalSd);
             add(data.bins[i].noiseSd);
@@ -65,27 +60,32 @@ public:
         add(Eigen::MatrixXd(data.featureMean));
         add(Eigen::MatrixXd(data.featureSd));
         for (const auto* processes : {&data.open, &data.covered})
-            for (const SurfaceProcess& process : *processes) add(process);
+            for (const int bin : bins_) add((*processes)[static_cast<std::size_t>(bin)]);
         for (const auto* conditionals : {&data.conditionalOpen, &data.conditionalCovered})
-            for (const Hyperparameters& hyper : *conditionals) add(hyper);
+            for (const int bin : bins_) add((*conditionals)[static_cast<std::size_t>(bin)]);
         for (const unsigned mask : data.coveredBins) add(std::uint64_t{mask});
         add(data.residuals);
         add(data.noveltyScale);
         add(data.contactBias);
         add(data.contactSd);
     }
-    const std::string& bytes() const { return bytes_; }
 
 private:
-    std::string bytes_;
+    std::vector<int> bins_;
 };
 
 }  // namespace
 
-std::string hashOf(const ModelData& model)
+std::string hashOf(const ModelData& model, const Portion* portion)
 {
-    Canonical canonical;
+    Canonical canonical(portion ? portion->bins : kAllBins);
     canonical.add(std::string_view("Terratact model 2"));
+    if (portion) {
+        canonical.add(std::string_view(text(portion->bins)));
+        canonical.add(portion->robotHash);
+        canonical.add(portion->commandBeforeOut);
+        canonical.add(portion->commandAfterOut);
+    }
     canonical.add(model.pa);
     canonical.add(model.paf);
     canonical.add(model.heights);

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "core/learn/model.h"
+#include "core/learn/model_part.h"
 
 namespace terratact::model_file {
 
-/// contentHash() of a model that has been checked.
-std::string hashOf(const ModelData& model);
+/// contentHash() of a model that has been checked; with a portion: the hash of that part.
+std::string hashOf(const ModelData& model, const Portion* portion = nullptr);
 
 }  // namespace terratact::model_file

@@ -14,7 +14,8 @@ namespace terratact::model_file {
 
 // What a *.ttm looks like: its marks, its limits and its tables.
 
-inline constexpr std::int64_t kApplicationId = 0x54544D31;  // "TTM1"
+inline constexpr std::int64_t kApplicationId = 0x54544D31;      // "TTM1"
+inline constexpr std::int64_t kPartApplicationId = 0x54545031;  // "TTP1"
 inline constexpr std::int64_t kUserVersion = 2;
 inline constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} * 1024 * 1024;
 inline constexpr Eigen::Index kMostRows = 20'000;
@@ -35,7 +36,7 @@ struct Table {
 /// Every table of a model, sorted by name.
 std::vector<Table> schema();
 
-/// Rows of the table meta: what the file says of itself, for people who open it with other tools.
+/// Rows of the table meta in every file: what the file says of itself, for people who open it with other tools.
 const std::map<std::string, std::string>& explanations();
 
 }  // namespace terratact::model_file

@@ -26,10 +26,18 @@ void noMoreRows(SqliteStatement& statement, const std::string& table)
     require(!statement.step(), "its table " + table + " has too many rows");
 }
 
-void checkIdentity(SqliteFile& file)
+void checkApplication(SqliteFile& file, std::int64_t expected)
 {
-    require(file.integer("PRAGMA application_id") == kApplicationId,
-            "is an SQLite file of another application, not a Terratact model");
+    const std::int64_t found = file.integer("PRAGMA application_id");
+    if (found == expected) return;
+    require(found != kApplicationId, "is a whole model, expected a part of one");
+    require(found != kPartApplicationId,
+            "is a part of a model; `terratact merge` makes a model of all parts");
+    throw Refused{"is an SQLite file of another application, not a Terratact model"};
+}
+
+void checkVersion(SqliteFile& file)
+{
     const std::int64_t version = file.integer("PRAGMA user_version");
     require(version == kUserVersion, "is a model of format version " + std::to_string(version)
                                          + ", and this program reads version "
@@ -59,8 +67,15 @@ std::uint64_t seedFrom(const std::string& text)
     return seed;
 }
 
-/// Reads meta into the model; the content's hash as the file has it.
-std::string readMeta(SqliteFile& file, ModelData& model)
+BinSet binsFrom(const std::string& list)
+{
+    const auto bins = binSetFrom(list);
+    require(bins && text(*bins) == list, "its list of bins is wrong: " + shown(list));
+    return *bins;
+}
+
+/// Reads meta into the model and, of a part, its portion; the content's hash as the file has it.
+std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
 {
     std::map<std::string, std::string> meta;
     SqliteStatement row = file.prepare("SELECT key, value FROM meta");
@@ -76,6 +91,12 @@ std::string readMeta(SqliteFile& file, ModelData& model)
     model.dataHash = take("data_sha256");
     model.seed = seedFrom(take("seed"));
     std::string hash = take("content_sha256");
+    if (portion) {
+        portion->bins = binsFrom(take("bins"));
+        portion->robotHash = take("robot_sha256");
+        portion->commandBeforeOut = take("command_before_out");
+        portion->commandAfterOut = take("command_after_out");
+    }
     require(meta == explanations(), "its table meta describes another kind of model");
     return hash;
 }
@@ -112,13 +133,14 @@ void readInputs(SqliteFile& file, BinModelData& data)
     noMoreRows(row, "input");
 }
 
-void readBins(SqliteFile& file, BinModelData& data)
+void readBins(SqliteFile& file, BinModelData& data, const BinSet& bins)
 {
     SqliteStatement row =
         file.prepare("SELECT bin, name, signal_sd_m, noise_sd_m, log_likelihood FROM bin "
                      "WHERE feature_set = ? ORDER BY bin");
     row.bind(0, name(data.set));
-    for (std::size_t i = 0; i < kBins; ++i) {
+    for (const int bin : binsOf(bins)) {
+        const auto i = static_cast<std::size_t>(bin);
         nextRow(row, "bin");
         require(row.integer(0) == static_cast<std::int64_t>(i)
                     && row.text(1) == heightColumns()[i].name,
@@ -131,13 +153,13 @@ void readBins(SqliteFile& file, BinModelData& data)
     noMoreRows(row, "bin");
 }
 
-void readLengthScales(SqliteFile& file, BinModelData& data)
+void readLengthScales(SqliteFile& file, BinModelData& data, const BinSet& bins)
 {
     SqliteStatement row = file.prepare("SELECT bin, input, length_scale FROM length_scale "
                                        "WHERE feature_set = ? ORDER BY bin, input");
     row.bind(0, name(data.set));
     const auto size = static_cast<Eigen::Index>(inputs(data.set)) - 1;
-    for (std::int64_t bin = 0; bin < kBins; ++bin) {
+    for (const int bin : binsOf(bins)) {
         Eigen::VectorXd& scales = data.bins[static_cast<std::size_t>(bin)].lengthScale;
         scales.resize(size);
         for (Eigen::Index d = 0; d < size; ++d) {
@@ -230,7 +252,7 @@ double readValue(SqliteFile& file, std::string_view key)
     return found.real(0);
 }
 
-void readClearance(SqliteFile& file, ClearanceData& data)
+void readClearance(SqliteFile& file, ClearanceData& data, const BinSet& bins)
 {
     data.contactBias = readValue(file, "contact_bias");
     data.contactSd = readValue(file, "contact_sd");
@@ -245,7 +267,7 @@ void readClearance(SqliteFile& file, ClearanceData& data)
         data.featureSd[d] = input.real(2);
     }
     noMoreRows(input, "surface_input");
-    for (int bin = 0; bin < kBins; ++bin)
+    for (const int bin : binsOf(bins))
         for (const bool covered : {false, true}) {
             const auto i = static_cast<std::size_t>(bin);
             (covered ? data.covered : data.open)[i] = readSurface(file, bin, covered);
@@ -262,12 +284,15 @@ void readClearance(SqliteFile& file, ClearanceData& data)
 }
 
 /// Rows of no bin, regime or key would not be seen by the reader.
-void requireNothingElse(SqliteFile& file)
+void requireNothingElse(SqliteFile& file, const BinSet& bins)
 {
+    std::string list;
+    for (const int bin : binsOf(bins))
+        list.append(list.empty() ? "" : ", ").append(std::to_string(bin));
     for (const char* table : {"surface", "surface_scale", "surface_weight", "clearance_conditional",
                               "clearance_conditional_scale"})
-        require(file.integer("SELECT count(*) FROM " + std::string(table)
-                             + " WHERE bin NOT BETWEEN 0 AND 10 OR covered NOT IN (0, 1)")
+        require(file.integer("SELECT count(*) FROM " + std::string(table) + " WHERE bin NOT IN ("
+                             + list + ") OR covered NOT IN (0, 1)")
                     == 0,
                 "its table " + std::string(table) + " holds a bin that does not exist");
     require(file.integer("SELECT count(*) FROM clearance") == 3,
@@ -283,30 +308,47 @@ void requireNoOtherSet(SqliteFile& file)
                 "its table " + std::string(table) + " holds a feature set other than pa and paf");
 }
 
-}  // namespace
-
-StoredModel readStored(SqliteFile& file)
+/// Everything behind the file's marks; its hash.
+std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
 {
-    checkIdentity(file);
+    checkVersion(file);
     checkSchema(file);
-    ModelData model;
-    const std::string stored = readMeta(file, model);
+    const std::string stored = readMeta(file, model, portion);
+    const BinSet bins = portion ? portion->bins : kAllBins;
     for (const FeatureSet set : kSets) {
         BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
         data.set = set;
         readInputs(file, data);
-        readBins(file, data);
-        readLengthScales(file, data);
+        readBins(file, data, bins);
+        readLengthScales(file, data, bins);
     }
     requireNoOtherSet(file);
     readRows(file, model);
-    readClearance(file, model.clearance);
-    requireNothingElse(file);
-    requireModel(model);
-    const std::string hash = hashOf(model);
+    readClearance(file, model.clearance, bins);
+    requireNothingElse(file, bins);
+    requireModel(model, portion);
+    std::string hash = hashOf(model, portion);
     require(hash == stored,
             "its content was altered: it does not have the hash that was stored with it");
-    return {std::move(model), hash};
+    return hash;
+}
+
+}  // namespace
+
+StoredModel readStored(SqliteFile& file)
+{
+    checkApplication(file, kApplicationId);
+    StoredModel stored;
+    stored.contentHash = readContent(file, stored.data, nullptr);
+    return stored;
+}
+
+ModelPart readStoredPart(SqliteFile& file)
+{
+    checkApplication(file, kPartApplicationId);
+    ModelPart part;
+    readContent(file, part.model, &part.portion);
+    return part;
 }
 
 }  // namespace terratact::model_file

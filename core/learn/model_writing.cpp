@@ -20,27 +20,33 @@ void insert(SqliteStatement& statement, const Values&... values)
     statement.run();
 }
 
-void createTables(SqliteFile& file)
+void createTables(SqliteFile& file, std::int64_t applicationId)
 {
     file.run("PRAGMA page_size = 4096");
-    file.run("PRAGMA application_id = " + std::to_string(kApplicationId));
+    file.run("PRAGMA application_id = " + std::to_string(applicationId));
     file.run("PRAGMA user_version = " + std::to_string(kUserVersion));
     for (const Table& table : schema()) file.run(table.sql);
 }
 
-void writeMeta(SqliteFile& file, const ModelData& model)
+void writeMeta(SqliteFile& file, const ModelData& model, const Portion* portion)
 {
     std::map<std::string, std::string> meta = explanations();
     meta["command"] = model.command;
-    meta["content_sha256"] = hashOf(model);
+    meta["content_sha256"] = hashOf(model, portion);
     meta["data_sha256"] = model.dataHash;
     meta["seed"] = std::to_string(model.seed);
+    if (portion) {
+        meta["bins"] = text(portion->bins);
+        meta["robot_sha256"] = portion->robotHash;
+        meta["command_before_out"] = portion->commandBeforeOut;
+        meta["command_after_out"] = portion->commandAfterOut;
+    }
     SqliteStatement row = file.prepare("INSERT INTO meta VALUES(?, ?)");
     for (const auto& [key, value] : meta)
         insert(row, std::string_view(key), std::string_view(value));
 }
 
-void writeSet(SqliteFile& file, const BinModelData& data)
+void writeSet(SqliteFile& file, const BinModelData& data, const BinSet& bins)
 {
     const int size = static_cast<int>(data.mean.size());
     SqliteStatement input = file.prepare("INSERT INTO input VALUES(?, ?, ?, ?, ?, ?)");
@@ -50,7 +56,7 @@ void writeSet(SqliteFile& file, const BinModelData& data)
     }
     SqliteStatement bin = file.prepare("INSERT INTO bin VALUES(?, ?, ?, ?, ?, ?)");
     SqliteStatement scale = file.prepare("INSERT INTO length_scale VALUES(?, ?, ?, ?)");
-    for (int b = 0; b < kBins; ++b) {
+    for (const int b : binsOf(bins)) {
         const auto i = static_cast<std::size_t>(b);
         const Hyperparameters& h = data.bins[i];
         insert(bin, name(data.set), b, heightColumns()[i].name, h.signalSd, h.noiseSd,
@@ -101,7 +107,7 @@ void writeConditional(SqliteFile& file, const Hyperparameters& hyper, int bin, b
         insert(scale, bin, covered ? 1 : 0, d, hyper.lengthScale[d]);
 }
 
-void writeClearance(SqliteFile& file, const ClearanceData& data)
+void writeClearance(SqliteFile& file, const ClearanceData& data, const BinSet& bins)
 {
     SqliteStatement value = file.prepare("INSERT INTO clearance VALUES(?, ?)");
     insert(value, std::string_view("contact_bias"), data.contactBias);
@@ -110,7 +116,7 @@ void writeClearance(SqliteFile& file, const ClearanceData& data)
     SqliteStatement input = file.prepare("INSERT INTO surface_input VALUES(?, ?, ?)");
     for (int d = 0; d < static_cast<int>(kFeatures); ++d)
         insert(input, d, data.featureMean[d], data.featureSd[d]);
-    for (int bin = 0; bin < kBins; ++bin)
+    for (const int bin : binsOf(bins))
         for (const bool covered : {false, true}) {
             const auto i = static_cast<std::size_t>(bin);
             writeSurface(file, (covered ? data.covered : data.open)[i], bin, covered);
@@ -134,15 +140,16 @@ void writeRows(SqliteFile& file, const ModelData& model)
 
 }  // namespace
 
-void fill(const std::string& path, const ModelData& model)
+void fill(const std::string& path, const ModelData& model, const Portion* portion)
 {
+    const BinSet bins = portion ? portion->bins : kAllBins;
     SqliteFile file = SqliteFile::fill(path);
-    createTables(file);
+    createTables(file, portion ? kPartApplicationId : kApplicationId);
     file.run("BEGIN");
-    writeMeta(file, model);
-    for (const BinModelData* data : {&model.pa, &model.paf}) writeSet(file, *data);
+    writeMeta(file, model, portion);
+    for (const BinModelData* data : {&model.pa, &model.paf}) writeSet(file, *data, bins);
     writeRows(file, model);
-    writeClearance(file, model.clearance);
+    writeClearance(file, model.clearance, bins);
     file.run("COMMIT");
     file.run("VACUUM");
     file.close();

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "core/learn/model.h"
+#include "core/learn/model_part.h"
 
 namespace terratact::model_file {
 
-/// Fills the empty file at `path` with a model that has been checked.  Throws SqliteError.
-void fill(const std::string& path, const ModelData& model);
+/// Fills the empty file at `path` with a model, or a portion of one, that has been checked.  Throws SqliteError.
+void fill(const std::string& path, const ModelData& model, const Portion* portion = nullptr);
 
 }  // namespace terratact::model_file
