@@ -1,10 +1,12 @@
 #include <cblas.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/resources.h"
@@ -66,11 +68,34 @@ void addRobot(CLI::App& app, std::string& robot)
 }
 
 /// The command as a person would type it, with the program's bare name.
-std::string commandLine(int argc, char** argv)
+std::string commandLine(const std::vector<std::string>& words)
 {
-    std::string line = "terratact";
-    for (int k = 1; k < argc; ++k) line += std::string(" ") + argv[k];
-    return line;
+    return fmt::format("terratact {}", fmt::join(words, " "));
+}
+
+/// Takes an option and its value out of the words.
+void drop(std::vector<std::string>& words, const std::string& option)
+{
+    for (auto word = words.begin(); word != words.end();)
+        if (*word == option && word + 1 != words.end())
+            word = words.erase(word, word + 2);
+        else if (word->starts_with(option + "="))
+            word = words.erase(word);
+        else
+            ++word;
+}
+
+/// The command around the value of --out.
+void splitAtOut(std::vector<std::string> words, TrainOptions& options)
+{
+    const auto out = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+        return word == "--out" || word.starts_with("--out=");
+    });
+    if (out == words.end()) return;
+    const bool joined = *out != "--out";  // "--out=model.ttm"
+    options.commandBeforeOut = commandLine({words.begin(), out}) + (joined ? " --out=" : " --out ");
+    for (auto word = out + (joined ? 1 : 2); word < words.end(); ++word)
+        options.commandAfterOut += " " + *word;
 }
 
 struct Arguments {
@@ -79,6 +104,7 @@ struct Arguments {
     ReconstructOptions reconstruct;
     EvaluateOptions evaluate;
     DemoOptions demo;
+    MergeOptions merge;
     ContactsOptions contacts;
     std::string modelPath;
     std::string modelData;
@@ -127,6 +153,15 @@ void addTrain(CLI::App& app, Arguments& a)
     addNumber(*c, "--conditional-rows", a.train.conditionalRows,
               "Scenes the conditionals learn from; clearances learn from all")
         ->check(CLI::Range(30, 20'000));
+    c->add_option("--bins", a.scratch,
+                  "Train these bins alone (0-3 or 0,4,10; 0 is -0.3 m) and write a part of a model "
+                  "(*.ttp) for merge")
+        ->check(CLI::Validator(
+            [&a](std::string& list) -> std::string {
+                a.train.bins = binSetFrom(list);
+                return a.train.bins ? "" : list + " does not name bins 0 to 10, each once";
+            },
+            "BINS"));
 }
 
 void addReconstruct(CLI::App& app, Arguments& a)
@@ -154,6 +189,16 @@ void addEvaluate(CLI::App& app, Arguments& a)
     addNumber(*c, "--step-limit", a.evaluate.stepLimit,
               "Neighbouring bins that differ by more are a step [m]")
         ->check(CLI::Range(0.0, 10.0));
+    c->add_option("--shard", a.scratch,
+                  "Evaluate part i of n alone (2/8) and write it (part_2_of_8.tte) for merge")
+        ->check(CLI::Validator(
+            [&a](std::string& text) -> std::string {
+                const auto shard = shardFrom(text);
+                if (!shard) return text + " is no part i/n with 1 <= i <= n <= 10000";
+                a.evaluate.shard = shard;
+                return {};
+            },
+            "i/n"));
     auto* classes =
         c->add_option("--classes", a.evaluate.classes,
                       "Index CSV whose column row names the scenes' runs: scores by class");
@@ -164,6 +209,17 @@ void addEvaluate(CLI::App& app, Arguments& a)
                 "Simulate probes chosen by largest sd, by expected variance and by the step "
                 "question");
     addSettings(*c, a.evaluate.settings, a.scratch);
+}
+
+void addMerge(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand(
+        "merge", "Put the parts of one train --bins or of one evaluate --shard together");
+    c->add_option("parts", a.merge.parts, "Every part (*.ttp or *.tte), in any order")->required();
+    addRobot(*c, a.merge.robot);
+    c->add_option("--out", a.merge.out,
+                  "Of a training the model to write (*.ttm), of an evaluation the directory")
+        ->required();
 }
 
 void addContacts(CLI::App& app, Arguments& a)
@@ -208,11 +264,15 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("train")) return train(a.train);
     if (app.got_subcommand("reconstruct")) return reconstructScenes(a.reconstruct);
     if (app.got_subcommand("evaluate")) {
-        for (const std::string& method : a.methods)
-            a.evaluate.methods.push_back(*methodFromName(method));
+        auto& methods = a.evaluate.methods;
+        for (const std::string& text : a.methods)
+            if (const Method method = *methodFromName(text);
+                std::find(methods.begin(), methods.end(), method) == methods.end())
+                methods.push_back(method);
         if (a.evaluate.methods.empty()) a.evaluate.methods.assign(kMethods.begin(), kMethods.end());
         return evaluate(a.evaluate);
     }
+    if (app.got_subcommand("merge")) return merge(a.merge);
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.get_subcommand("model")->got_subcommand("predict"))
@@ -223,10 +283,20 @@ Status run(const CLI::App& app, Arguments& a)
 void useShippedFiles(Arguments& a)
 {
     for (std::string* robot : {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot,
-                               &a.evaluate.robot, &a.demo.robot, &a.contacts.robot})
+                               &a.evaluate.robot, &a.merge.robot, &a.demo.robot, &a.contacts.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
     for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model})
         if (model->empty()) *model = resourcePath("models/default.ttm");
+}
+
+/// What models and parts remember of the command.
+void keepCommand(std::vector<std::string> words, Arguments& a)
+{
+    a.train.commandLine = commandLine(words);
+    for (const char* option : {"--bins", "--shard"}) drop(words, option);
+    splitAtOut(words, a.train);
+    drop(words, "--out");
+    a.evaluate.command = commandLine(words);
 }
 
 int realMain(int argc, char** argv)
@@ -240,6 +310,7 @@ int realMain(int argc, char** argv)
     addTrain(app, arguments);
     addReconstruct(app, arguments);
     addEvaluate(app, arguments);
+    addMerge(app, arguments);
     addContacts(app, arguments);
     addModel(app, arguments);
     addDemo(app, arguments);
@@ -249,7 +320,7 @@ int realMain(int argc, char** argv)
         return app.exit(error) == 0 ? kDone : kWrongArguments;
     }
     useShippedFiles(arguments);
-    arguments.train.commandLine = commandLine(argc, argv);
+    keepCommand({argv + 1, argv + argc}, arguments);
     if (const Status done = run(app, arguments); !done) {
         fmt::print(stderr, "terratact: {}\n", done.error().text);
         return kFailed;

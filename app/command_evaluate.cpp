@@ -5,40 +5,30 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "app/commands.h"
-#include "app/evaluation_figure.h"
-#include "app/evaluation_report.h"
+#include "app/findings.h"
+#include "app/findings_file.h"
+#include "app/findings_report.h"
 #include "app/parallel.h"
 #include "app/probe_trials.h"
 #include "app/scene_estimates.h"
 #include "core/eval/baselines.h"
-#include "core/eval/claims.h"
-#include "core/eval/confidence.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/groups.h"
 #include "core/eval/step_forecasts.h"
 #include "core/file_read.h"
-#include "core/file_write.h"
 #include "core/learn/scene_file.h"
+#include "core/learn/sha256.h"
 
 namespace terratact {
 
 namespace {
 
-constexpr double kClassWidth = 0.01;  // [m] of Fig. 8's histogram
-constexpr int kClasses = 15;
-constexpr int kPitClasses = 10;
-
-/// What has been found out so far.
-struct Findings {
-    std::vector<BinError> errors;
-    std::vector<StepForecast> steps;
-    std::vector<MethodTime> times;
-    std::vector<ProbeSummary> probes;
-};
+constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
 
 class Stopwatch {
 public:
@@ -51,44 +41,67 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Adds the errors and forecasts of one method or baseline and prints how it went.
-void judgeEstimates(const std::string& label, const std::vector<Scene>& scenes,
-                    const std::vector<SceneEstimate>& estimates, double seconds, double stepLimit,
-                    Findings& findings)
+/// What is evaluated: the scenes of one part.
+struct Workload {
+    std::vector<Scene> scenes;
+    std::size_t first = 0;  ///< number of the first among all
+    const Toolbox& toolbox;
+    const EvaluateOptions& options;
+};
+
+/// The errors of one estimate; -0, which files do not keep, becomes 0.
+std::vector<BinError> keptErrors(std::size_t number, const Scene& scene, const std::string& label,
+                                 const TerrainEstimate& estimate)
 {
-    int converged = 0;
-    int failed = 0;
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-        const auto& estimate = estimates[k].estimate;
-        if (!estimate) {
-            ++failed;
-            continue;
-        }
-        converged += estimate->converged ? 1 : 0;
-        const auto errors = binErrors(k, scenes[k], label, *estimate);
-        findings.errors.insert(findings.errors.end(), errors.begin(), errors.end());
-        const auto steps = stepForecasts(k, scenes[k], label, *estimate, stepLimit);
-        findings.steps.insert(findings.steps.end(), steps.begin(), steps.end());
+    std::vector<BinError> errors = binErrors(number, scene, label, estimate);
+    for (BinError& e : errors) {
+        e.error += 0.0;
+        e.scores.crps += 0.0;
+        e.scores.width += 0.0;
     }
-    const double perScene = seconds / static_cast<double>(scenes.size());
-    findings.times.push_back({label, perScene});
-    fmt::print("{:<10} {} scenes, {} converged, {} without an estimate, {:.3g} ms per scene\n",
-               label, scenes.size(), converged, failed, 1000.0 * perScene);
+    return errors;
 }
 
-void judgeMethod(Method method, const std::vector<Scene>& scenes, const Toolbox& toolbox,
-                 const EvaluateOptions& options, Findings& findings)
+template <class Entry>
+void append(std::vector<Entry>& into, const std::vector<Entry>& more)
 {
-    Settings settings = options.settings;
+    into.insert(into.end(), more.begin(), more.end());
+}
+
+/// Adds the errors and forecasts of one method or baseline and prints how it went.
+void judgeEstimates(const std::string& label, const Workload& work,
+                    const std::vector<SceneEstimate>& estimates, double seconds, Findings& findings)
+{
+    MethodRun run{.label = label, .scenes = work.scenes.size(), .seconds = seconds};
+    for (std::size_t k = 0; k < work.scenes.size(); ++k) {
+        const auto& estimate = estimates[k].estimate;
+        if (!estimate) {
+            ++run.failed;
+            continue;
+        }
+        run.converged += estimate->converged ? 1 : 0;
+        const std::size_t number = work.first + k;
+        append(findings.errors, keptErrors(number, work.scenes[k], label, *estimate));
+        append(findings.steps,
+               stepForecasts(number, work.scenes[k], label, *estimate, work.options.stepLimit));
+    }
+    printRun(run);
+    findings.runs.push_back(std::move(run));
+}
+
+void judgeMethod(Method method, const Workload& work, Findings& findings)
+{
+    Settings settings = work.options.settings;
     settings.method = method;
     const std::string label = labelOf(settings);
+    Settings ofFirst = settings;
+    ofFirst.seed += work.first;
     const Stopwatch watch;
-    const auto estimates = estimateScenes(scenes, toolbox, settings);
-    judgeEstimates(label, scenes, estimates, watch.seconds(), options.stepLimit, findings);
-    if (!options.probes || usesArm(method)) return;
-    const auto probes =
-        tryProbeRules(label, scenes, estimates, toolbox, settings, options.stepLimit);
-    findings.probes.insert(findings.probes.end(), probes.begin(), probes.end());
+    const auto estimates = estimateScenes(work.scenes, work.toolbox, ofFirst);
+    judgeEstimates(label, work, estimates, watch.seconds(), findings);
+    if (work.options.probes && !usesArm(method))
+        append(findings.probes, tryProbeRules(label, work.scenes, estimates, work.first,
+                                              work.toolbox, settings, work.options.stepLimit));
 }
 
 SceneEstimate estimateBaseline(const Baseline& baseline, const RobotModel& robot,
@@ -100,96 +113,22 @@ SceneEstimate estimateBaseline(const Baseline& baseline, const RobotModel& robot
     return {baselineEstimate(baseline, robot, scene.s, seed), {}};
 }
 
-void judgeBaselines(const std::vector<Scene>& scenes, const Toolbox& toolbox,
-                    const EvaluateOptions& options, Findings& findings)
+void judgeBaselines(const Workload& work, Findings& findings)
 {
-    const auto sideBySide = [](int count, const std::function<void(int)>& work) {
-        parallelFor(count, work);
+    const Toolbox& toolbox = work.toolbox;
+    const auto sideBySide = [](int count, const std::function<void(int)>& each) {
+        parallelFor(count, each);
     };
     for (const auto& baseline : fitBaselines(toolbox.robot, toolbox.model.data, sideBySide)) {
-        std::vector<SceneEstimate> estimates(scenes.size());
+        std::vector<SceneEstimate> estimates(work.scenes.size());
         const Stopwatch watch;
-        parallelFor(static_cast<int>(scenes.size()), [&](int n) {
+        parallelFor(static_cast<int>(work.scenes.size()), [&](int n) {
             const auto k = static_cast<std::size_t>(n);
-            estimates[k] =
-                estimateBaseline(*baseline, toolbox.robot, scenes[k], options.settings.seed + k);
+            estimates[k] = estimateBaseline(*baseline, toolbox.robot, work.scenes[k],
+                                            work.options.settings.seed + work.first + k);
         });
-        judgeEstimates(std::string(baseline->name()), scenes, estimates, watch.seconds(),
-                       options.stepLimit, findings);
+        judgeEstimates(std::string(baseline->name()), work, estimates, watch.seconds(), findings);
     }
-}
-
-/// What the findings come to.
-struct Results {
-    std::vector<MethodSummary> summaries;
-    std::vector<Confidence> confidences;
-    std::vector<ErrorHistogram> fig8, pit;
-    std::vector<GroupSummary> novelty, classes;
-    std::vector<BrierSummary> steps;
-};
-
-Results resultsOf(const Findings& findings, const std::vector<Scene>& scenes,
-                  const RobotModel& robot, const std::optional<Classes>& classes,
-                  const EvaluateOptions& options)
-{
-    std::vector<std::vector<int>> underFlipper;
-    underFlipper.reserve(scenes.size());
-    for (const Scene& scene : scenes) underFlipper.push_back(binsUnderFrontFlipper(robot, scene.s));
-    Results r;
-    r.summaries = summarise(findings.errors);
-    r.confidences = confidence(findings.errors, scenes, options.settings.seed);
-    r.fig8 = histograms(errorsInBins(findings.errors, underFlipper), kClassWidth, kClasses);
-    r.pit = pitHistograms(findings.errors, kPitClasses);
-    r.novelty = byNovelty(findings.errors);
-    if (classes) r.classes = byClass(findings.errors, scenes, *classes);
-    r.steps = brierSummaries(findings.steps, scenes, options.settings.seed);
-    return r;
-}
-
-Status writeTables(const std::filesystem::path& out, const Findings& findings,
-                   const Results& results, const std::vector<Scene>& scenes)
-{
-    std::vector<std::pair<std::string, std::string>> files{
-        {"errors.csv", errorsCsv(findings.errors, scenes)},
-        {"fig8.csv", fig8Csv(results.fig8)},
-        {"fig9.csv", fig9Csv(results.summaries)},
-        {"pit.csv", pitCsv(results.pit)},
-        {"coverage.csv", coverageCsv(results.summaries)},
-        {"scores.csv", scoresCsv(results.summaries, results.confidences, findings.times)},
-        {"steps.csv", brierCsv(results.steps)},
-        {"reliability.csv", reliabilityCsv(results.steps)}};
-    if (!results.novelty.empty())
-        files.emplace_back("novelty.csv", groupsCsv("novelty", results.novelty));
-    if (!results.classes.empty())
-        files.emplace_back("classes.csv", groupsCsv("class", results.classes));
-    if (!findings.probes.empty()) files.emplace_back("probes.csv", probesCsv(findings.probes));
-    for (const auto& [file, text] : files)
-        if (Status s = writeFileAtomically((out / file).string(), text); !s) return s;
-    return Done{};
-}
-
-Status writeFigures(const std::filesystem::path& out, const Results& results)
-{
-    for (const std::string ending : {".png", ".svg"}) {
-        const auto path = [&](const char* file) { return (out / file).string() + ending; };
-        if (!results.fig8.empty())
-            if (Status s = writeHistogramFigure(path("fig8"), results.fig8); !s) return s;
-        if (Status s = writeQuartileFigure(path("fig9"), results.summaries); !s) return s;
-        if (Status s = writePitFigure(path("pit"), results.pit); !s) return s;
-    }
-    return Done{};
-}
-
-void printTables(const Findings& findings, const Results& results, const EvaluateOptions& options)
-{
-    fmt::print("\n{}", evaluationTable(results.summaries));
-    fmt::print("\n{}", scoresTable(results.summaries, results.confidences, findings.times));
-    fmt::print("\n{}", coverageTable(results.summaries));
-    if (!results.steps.empty()) fmt::print("\n{}", stepsTable(results.steps, options.stepLimit));
-    if (!results.novelty.empty()) fmt::print("\n{}", groupsTable("novelty", results.novelty));
-    if (!results.classes.empty()) fmt::print("\n{}", groupsTable("class", results.classes));
-    if (!findings.probes.empty())
-        fmt::print("\n{}", probesTable(findings.probes, {.sdLimit = options.settings.probeAbove}));
 }
 
 bool hasTruth(const Scene& scene)
@@ -213,18 +152,98 @@ Result<std::vector<Scene>> scenesWithTruth(const std::string& path)
     return scenes;
 }
 
-void printClaims(const std::vector<BinError>& errors, const std::vector<Scene>& scenes,
-                 const EvaluateOptions& options)
+/// The index file of the classes, where there is one.
+Result<std::optional<Classes>> classesOf(const EvaluateOptions& options)
 {
-    const auto compared = [&](Method m) {
-        return std::find(options.methods.begin(), options.methods.end(), m)
-            != options.methods.end();
-    };
-    std::vector<ClaimResult> results;
-    for (const Claim& claim : kClaims)
-        if (compared(claim.base) && compared(claim.better))
-            results.push_back(judge(claim, errors, scenes, options.settings.seed));
-    if (!results.empty()) fmt::print("\n{}", claimsText(results));
+    if (options.classes.empty()) return std::optional<Classes>();
+    auto read = readClasses(options.classes, options.classColumn);
+    if (!read) return read.error();
+    return std::optional(*std::move(read));
+}
+
+std::vector<EvaluatedScene> evaluatedScenes(const Workload& work,
+                                            const std::optional<Classes>& classes)
+{
+    std::vector<EvaluatedScene> scenes;
+    for (const Scene& scene : work.scenes) {
+        EvaluatedScene known{scene.run, scene.time + 0.0,
+                             binsUnderFrontFlipper(work.toolbox.robot, scene.s), ""};
+        if (classes) {
+            const auto found = classes->find(scene.run);
+            known.kind = found == classes->end() ? std::string(kNoClass) : found->second;
+        }
+        scenes.push_back(std::move(known));
+    }
+    return scenes;
+}
+
+Result<std::string> hashOfFile(const std::string& path)
+{
+    if (path.empty()) return std::string("(none)");
+    const auto bytes = readFile(path, kMostBytes);
+    if (!bytes) return bytes.error();
+    return sha256Hex(*bytes);
+}
+
+/// What parts must agree in to be put together.
+Result<std::map<std::string, std::string>> originOf(const EvaluateOptions& options,
+                                                    const std::string& modelHash)
+{
+    std::map<std::string, std::string> origin{{"version", TERRATACT_VERSION},
+                                              {"command", options.command},
+                                              {"model's content", modelHash}};
+    for (const auto& [what, path] :
+         {std::pair("scenes' SHA-256", &options.data), std::pair("robot's SHA-256", &options.robot),
+          std::pair("classes' SHA-256", &options.classes)}) {
+        auto hash = hashOfFile(*path);
+        if (!hash) return hash.error();
+        origin[what] = *std::move(hash);
+    }
+    return origin;
+}
+
+Status makeDirectory(const std::string& path)
+{
+    std::error_code failed;
+    std::filesystem::create_directories(path, failed);
+    if (failed)
+        return fileError(path, "the directory cannot be made: " + failed.message(), failed.value());
+    return Done{};
+}
+
+Status judgeAll(const Workload& work, Findings& findings)
+{
+    for (const Method method : work.options.methods) judgeMethod(method, work, findings);
+    if (!work.options.shard && findings.errors.empty())
+        return fileError(work.options.data, "no scene has what the methods need");
+    judgeBaselines(work, findings);
+    return Done{};
+}
+
+Status writeShard(const EvaluateOptions& options, const std::string& modelHash, Findings& findings)
+{
+    auto origin = originOf(options, modelHash);
+    if (!origin) return origin.error();
+    findings.origin = *std::move(origin);
+    const std::string path =
+        (std::filesystem::path(options.out)
+         / fmt::format("part_{}_of_{}.tte", findings.shard.number, findings.shard.count))
+            .string();
+    if (Status s = writeFindings(path, findings); !s) return s;
+    fmt::print("\n{} of {} scenes; written to {}, for `terratact merge`\n", findings.scenes.size(),
+               findings.total, path);
+    return Done{};
+}
+
+/// The part of the scenes that is asked for.
+Result<std::vector<Scene>> scenesOf(const Shard& shard, std::vector<Scene> all,
+                                    const std::string& path)
+{
+    if (static_cast<std::size_t>(shard.count) > all.size())
+        return fileError(path, fmt::format("has {} scenes, expected at least {} for as many parts",
+                                           all.size(), shard.count));
+    const auto at = [&all](std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
+    return std::vector<Scene>(at(shard.begin(all.size())), at(shard.end(all.size())));
 }
 
 }  // namespace
@@ -233,33 +252,30 @@ Status evaluate(const EvaluateOptions& options)
 {
     const auto toolbox = openToolbox(options.robot, options.model);
     if (!toolbox) return toolbox.error();
-    std::optional<Classes> classes;
-    if (!options.classes.empty()) {
-        auto read = readClasses(options.classes, options.classColumn);
-        if (!read) return read.error();
-        classes = *std::move(read);
-    }
-    const auto scenes = scenesWithTruth(options.data);
-    if (!scenes) return scenes.error();
-    std::error_code failed;
-    std::filesystem::create_directories(options.out, failed);
-    if (failed)
-        return fileError(options.out, "the directory cannot be made: " + failed.message(),
-                         failed.value());
+    const auto classes = classesOf(options);
+    if (!classes) return classes.error();
+    auto all = scenesWithTruth(options.data);
+    if (!all) return all.error();
+    if (Status s = makeDirectory(options.out); !s) return s;
 
-    Findings findings;
-    for (const Method method : options.methods)
-        judgeMethod(method, *scenes, **toolbox, options, findings);
-    if (findings.errors.empty())
-        return fileError(options.data, "no scene has what the methods need");
-    judgeBaselines(*scenes, **toolbox, options, findings);
-    const Results results = resultsOf(findings, *scenes, (*toolbox)->robot, classes, options);
-    if (Status s = writeTables(options.out, findings, results, *scenes); !s) return s;
-    if (Status s = writeFigures(options.out, results); !s) return s;
-    printTables(findings, results, options);
-    printClaims(findings.errors, *scenes, options);
-    fmt::print("\nwritten to {}: tables as CSV; fig8, fig9 and pit as PNG and SVG\n", options.out);
-    return Done{};
+    Findings findings{.origin = {},
+                      .options = {options.methods, options.settings.seed, options.stepLimit,
+                                  options.settings.probeAbove, classes->has_value()},
+                      .shard = options.shard.value_or(Shard{}),
+                      .total = all->size(),
+                      .scenes = {},
+                      .runs = {},
+                      .errors = {},
+                      .steps = {},
+                      .probes = {}};
+    auto scenes = scenesOf(findings.shard, *std::move(all), options.data);
+    if (!scenes) return scenes.error();
+    const Workload work{*std::move(scenes), findings.shard.begin(findings.total), **toolbox,
+                        options};
+    findings.scenes = evaluatedScenes(work, *classes);
+    if (Status s = judgeAll(work, findings); !s) return s;
+    if (options.shard) return writeShard(options, (*toolbox)->model.contentHash, findings);
+    return reportFindings(findings, options.out);
 }
 
 }  // namespace terratact

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/parallel.h"
@@ -10,6 +11,7 @@
 #include "core/learn/clearance_conditionals.h"
 #include "core/learn/clearance_training.h"
 #include "core/learn/model_file.h"
+#include "core/learn/model_part.h"
 #include "core/learn/scene_file.h"
 #include "core/learn/sha256.h"
 #include "core/learn/training.h"
@@ -21,25 +23,34 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
 
-void printBins(const ModelData& model)
+void printBins(const ModelData& model, const BinSet& bins)
 {
     fmt::print("{:>6}  {:>22}  {:>22}\n", "bin_m", "noise sd [mm] pa, paf", "log p(y|X) pa, paf");
-    for (std::size_t i = 0; i < kBins; ++i)
-        fmt::print("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n",
-                   binCentre(static_cast<int>(i)), 1000.0 * model.pa.bins[i].noiseSd,
-                   1000.0 * model.paf.bins[i].noiseSd, model.pa.logLikelihood[i],
-                   model.paf.logLikelihood[i]);
+    for (const int bin : binsOf(bins)) {
+        const auto i = static_cast<std::size_t>(bin);
+        fmt::print("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n", binCentre(bin),
+                   1000.0 * model.pa.bins[i].noiseSd, 1000.0 * model.paf.bins[i].noiseSd,
+                   model.pa.logLikelihood[i], model.paf.logLikelihood[i]);
+    }
 }
 
-void trainAll(ModelData& model, std::uint64_t seed)
+/// Job `job` of two per bin, first one kind of all bins, then the other.
+struct Jobs {
+    std::vector<int> bins;
+    int count() const { return 2 * static_cast<int>(bins.size()); }
+    bool first(int job) const { return job < static_cast<int>(bins.size()); }
+    int bin(int job) const { return bins[static_cast<std::size_t>(job) % bins.size()]; }
+};
+
+void trainAll(ModelData& model, const Jobs& jobs, std::uint64_t seed)
 {
     TrainingOptions options;
     options.seed = seed;
-    Progress progress("training Gaussian process", 2 * kBins);
-    parallelFor(2 * kBins, [&](int job) {
+    Progress progress("training Gaussian process", jobs.count());
+    parallelFor(jobs.count(), [&](int job) {
         const FeatureSet set =
-            job < kBins ? FeatureSet::Paf : FeatureSet::Pa;  // the larger ones first
-        const int bin = job % kBins;
+            jobs.first(job) ? FeatureSet::Paf : FeatureSet::Pa;  // the larger ones first
+        const int bin = jobs.bin(job);
         const TrainedBin trained = trainBin(model, set, bin, options);
         BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
         data.bins[static_cast<std::size_t>(bin)] = trained.hyper;
@@ -48,36 +59,37 @@ void trainAll(ModelData& model, std::uint64_t seed)
     });
 }
 
-void trainClearances(ModelData& model, const RobotModel& robot, std::uint64_t seed)
+void trainClearances(ModelData& model, const RobotModel& robot, const Jobs& jobs,
+                     std::uint64_t seed)
 {
     const Eigen::MatrixXd ceilings = bodyCeilings(model.features, robot);
     prepareClearance(model, ceilings);
     TrainingOptions options;
     options.subset = 800;
     options.seed = seed;
-    std::vector<TrainedSurface> trained(std::size_t{2} * kBins);
-    Progress progress("training surface", 2 * kBins);
-    parallelFor(2 * kBins, [&](int job) {
+    std::vector<TrainedSurface> trained(static_cast<std::size_t>(jobs.count()));
+    Progress progress("training surface", jobs.count());
+    parallelFor(jobs.count(), [&](int job) {
         trained[static_cast<std::size_t>(job)] =
-            trainSurface(model, ceilings, job % kBins, job < kBins, options);
+            trainSurface(model, ceilings, jobs.bin(job), jobs.first(job), options);
         progress.tick();
     });
-    for (int job = 0; job < 2 * kBins; ++job)
-        store(model, trained[static_cast<std::size_t>(job)], job % kBins, job < kBins);
-    finishClearance(model, ceilings, robot);
+    for (int job = 0; job < jobs.count(); ++job)
+        store(model, trained[static_cast<std::size_t>(job)], jobs.bin(job), jobs.first(job));
 }
 
 /// The conditionals over clearances, wherever a regime has enough rows.
-void trainClearanceConditionals(ModelData& model, const RobotModel& robot, std::uint64_t seed)
+void trainClearanceConditionals(ModelData& model, const RobotModel& robot, const Jobs& jobs,
+                                std::uint64_t seed)
 {
     const ClearanceTraining training = clearanceTraining(model, robot);
     const ClearanceConditionalData data = prepareClearanceConditionals(training);
     TrainingOptions options;
     options.seed = seed;
-    Progress progress("training clearance", 2 * kBins);
-    parallelFor(2 * kBins, [&](int job) {
-        const int bin = job % kBins;
-        const Regime regime = job < kBins ? Regime::Covered : Regime::Open;
+    Progress progress("training clearance", jobs.count());
+    parallelFor(jobs.count(), [&](int job) {
+        const int bin = jobs.bin(job);
+        const Regime regime = jobs.first(job) ? Regime::Covered : Regime::Open;
         if (data.at(bin, regime).rows >= kFewestTrainingRows) {
             ClearanceData& clearance = model.clearance;
             auto& hypers = regime == Regime::Covered ? clearance.conditionalCovered
@@ -89,17 +101,20 @@ void trainClearanceConditionals(ModelData& model, const RobotModel& robot, std::
     });
 }
 
-}  // namespace
-
-Status train(const TrainOptions& options)
+Result<std::string> hashOfFile(const std::string& path)
 {
-    const auto robot = readRobotModel(options.robot);
-    if (!robot) return robot.error();
+    const auto bytes = readFile(path, kMostBytes);
+    if (!bytes) return bytes.error();
+    return sha256Hex(*bytes);
+}
+
+Result<TrainingSet> readTraining(const TrainOptions& options)
+{
     const auto file = readScenes(options.data);
     if (!file) return file.error();
     for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
-    const auto bytes = readFile(options.data, kMostBytes);
-    if (!bytes) return bytes.error();
+    auto hash = hashOfFile(options.data);
+    if (!hash) return hash.error();
     TrainingSet set;
     try {
         set = prepareTraining(file->scenes, {.conditionalRows = options.conditionalRows,
@@ -112,16 +127,50 @@ Status train(const TrainOptions& options)
         fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", set.leftOut);
     set.model.seed = options.seed;
     set.model.command = options.commandLine;
-    set.model.dataHash = sha256Hex(*bytes);
-    trainAll(set.model, options.seed);
-    trainClearances(set.model, *robot, options.seed);
-    trainClearanceConditionals(set.model, *robot, options.seed);
-    if (Status written = writeModel(options.out, set.model); !written) return written;
-    printBins(set.model);
+    set.model.dataHash = *std::move(hash);
+    return set;
+}
+
+Status writePart(const TrainOptions& options, ModelData model)
+{
+    auto robotHash = hashOfFile(options.robot);
+    if (!robotHash) return robotHash.error();
+    const ModelPart part{
+        std::move(model),
+        {*options.bins, *std::move(robotHash), options.commandBeforeOut, options.commandAfterOut}};
+    if (Status written = writeModelPart(options.out, part); !written) return written;
+    printBins(part.model, *options.bins);
+    fmt::print("bins {} of {}; written to {}, for `terratact merge`\n", text(*options.bins),
+               text(kAllBins), options.out);
+    return Done{};
+}
+
+void printModel(const ModelData& model, const std::string& path)
+{
+    printBins(model, kAllBins);
     fmt::print("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
-               1000.0 * set.model.clearance.contactBias, 1000.0 * set.model.clearance.contactSd);
+               1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
     fmt::print("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
-               set.used, set.model.scannedHeights.rows(), options.out);
+               model.heights.rows(), model.scannedHeights.rows(), path);
+}
+
+}  // namespace
+
+Status train(const TrainOptions& options)
+{
+    const auto robot = readRobotModel(options.robot);
+    if (!robot) return robot.error();
+    auto set = readTraining(options);
+    if (!set) return set.error();
+    ModelData& model = set->model;
+    const Jobs jobs{binsOf(options.bins.value_or(kAllBins))};
+    trainAll(model, jobs, options.seed);
+    trainClearances(model, *robot, jobs, options.seed);
+    trainClearanceConditionals(model, *robot, jobs, options.seed);
+    if (options.bins) return writePart(options, std::move(model));
+    finishClearance(model, bodyCeilings(model.features, *robot), *robot);
+    if (Status written = writeModel(options.out, model); !written) return written;
+    printModel(model, options.out);
     return Done{};
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/findings.h"
 #include "core/infer/settings.h"
+#include "core/learn/bin_set.h"
 #include "core/result.h"
 #include "core/sim/disturbance.h"
 
@@ -31,6 +34,9 @@ struct TrainOptions {
     int conditionalRows = 1400;
     std::string commandLine;  ///< kept in the model
     std::uint64_t seed = 1;
+    std::optional<BinSet> bins;  ///< writes the part of a model with these
+    /// commandLine without --bins, around the value of --out.
+    std::string commandBeforeOut, commandAfterOut;
 };
 Status train(const TrainOptions& options);
 
@@ -48,8 +54,17 @@ struct EvaluateOptions {
     std::string classes;                ///< index file; empty: no table by class
     std::string classColumn = "class";  ///< of the index file
     bool probes = false;                ///< also simulate probes by three rules
+    std::optional<Shard> shard;         ///< writes the findings of this part alone
+    std::string command;                ///< without --shard and --out
 };
 Status evaluate(const EvaluateOptions& options);
+
+struct MergeOptions {
+    std::vector<std::string> parts;
+    std::string robot;  ///< of a training
+    std::string out;
+};
+Status merge(const MergeOptions& options);
 
 struct ContactsOptions {
     std::string robot, data;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sched.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -9,7 +11,15 @@
 
 namespace terratact {
 
-/// Calls work(0) … work(count − 1), each once, on as many threads as the machine has cores.  The first
+/// Processors that this thread may run on: what taskset or a batch system leaves it of the machine's.
+inline int processors()
+{
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return CPU_COUNT(&allowed);
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// Calls work(0) … work(count − 1), each once, on as many threads as there are processors().  The first
 /// exception ends the rest and is thrown again here.
 template <class Work>
 void parallelFor(int count, Work work)
@@ -28,8 +38,7 @@ void parallelFor(int count, Work work)
             }
         }
     };
-    const int threads =
-        std::min(count, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    const int threads = std::min(count, processors());
     {
         std::vector<std::jthread> pool;
         for (int t = 1; t < threads; ++t) pool.emplace_back(run);

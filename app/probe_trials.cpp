@@ -1,6 +1,7 @@
 #include "app/probe_trials.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/parallel.h"
 #include "core/atem/arm_choice.h"
@@ -47,31 +48,31 @@ std::vector<NamedRule> probeRules(const RobotModel& robot, double armSd, double 
             {"step", byGain(&ProbeGain::entropyReduction)}};
 }
 
-std::vector<ProbeSummary> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
-                                        const std::vector<SceneEstimate>& estimates,
-                                        const Toolbox& toolbox, const Settings& settings,
-                                        double stepLimit)
+std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
+                                    const std::vector<SceneEstimate>& estimates, std::size_t first,
+                                    const Toolbox& toolbox, const Settings& settings,
+                                    double stepLimit)
 {
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         if (hasTruthAhead(scenes[k]) && estimates[k].estimate) chosen.push_back(k);
     const ProbeLimits limits = limitsOf(settings);
-    std::vector<ProbeSummary> summaries;
+    std::vector<ProbeRun> runs;
     for (const NamedRule& rule : probeRules(toolbox.robot, settings.armSd, stepLimit)) {
         std::vector<ProbeTrial> trials(chosen.size());
         parallelFor(static_cast<int>(chosen.size()), [&](int n) {
             const std::size_t k = chosen[static_cast<std::size_t>(n)];
             Settings own = settings;
-            own.seed += k;
+            own.seed += first + k;
             const auto estimate = [&](const Scene& scene, std::span<const ArmReading> readings) {
                 return estimateWith(scene, readings, toolbox, own);
             };
-            trials[static_cast<std::size_t>(n)] =
-                tryProbes(k, scenes[k], *estimates[k].estimate, estimate, rule.choose, limits);
+            trials[static_cast<std::size_t>(n)] = tryProbes(
+                first + k, scenes[k], *estimates[k].estimate, estimate, rule.choose, limits);
         });
-        summaries.push_back(summariseProbes(label, rule.name, trials, limits));
+        runs.push_back({label, rule.name, std::move(trials)});
     }
-    return summaries;
+    return runs;
 }
 
 }  // namespace terratact

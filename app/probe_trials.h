@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/findings.h"
 #include "app/scene_estimates.h"
 #include "core/eval/probes.h"
 
@@ -19,11 +20,13 @@ struct NamedRule {
 /// arm reaches and that were not read; the robot must outlive the rules.
 std::vector<NamedRule> probeRules(const RobotModel& robot, double armSd, double stepLimit);
 
-/// Every rule in every scene with truth ahead that has an estimate, on all cores: one summary per rule.
-/// estimates: of the scenes, without a reading.  The seed of scene k is settings.seed + k.
-std::vector<ProbeSummary> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
-                                        const std::vector<SceneEstimate>& estimates,
-                                        const Toolbox& toolbox, const Settings& settings,
-                                        double stepLimit);
+/// Every rule in every scene with truth ahead that has an estimate, on all cores: one run per rule, its trials
+/// in the order of the scenes.
+/// estimates: of the scenes, without a reading; first: the number of the first scene among all.  The seed
+/// of scene k of all is settings.seed + k.
+std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
+                                    const std::vector<SceneEstimate>& estimates, std::size_t first,
+                                    const Toolbox& toolbox, const Settings& settings,
+                                    double stepLimit);
 
 }  // namespace terratact

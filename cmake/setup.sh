@@ -20,7 +20,7 @@ declare -A packages=(
           libcairo2-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-wayland qmake6 libgl-dev make bzip2 fonts-dejavu-core"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
-          sqlite3 xvfb xauth xdotool"
+          sqlite3 parallel xvfb xauth xdotool"
   [tidy]="clang clang-tidy clang-format libclang-rt-14-dev git"
 )
 

@@ -1,0 +1,85 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/findings.h"
+#include "app/findings_file.h"
+#include "app/findings_report.h"
+#include "core/file_read.h"
+#include "core/learn/model_file.h"
+#include "core/learn/model_part.h"
+#include "core/learn/sha256.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr std::size_t kMostRobotBytes = std::size_t{1} << 30U;
+
+template <class Named, class Read>
+Result<std::vector<Named>> readParts(const std::vector<std::string>& paths, Read read)
+{
+    std::vector<Named> parts;
+    for (const std::string& path : paths) {
+        auto part = read(path);
+        if (!part) return part.error();
+        parts.push_back({path, *std::move(part)});
+    }
+    return parts;
+}
+
+Status mergeTraining(const MergeOptions& options)
+{
+    const auto robot = readRobotModel(options.robot);
+    if (!robot) return robot.error();
+    const auto bytes = readFile(options.robot, kMostRobotBytes);
+    if (!bytes) return bytes.error();
+    const auto parts = readParts<NamedModelPart>(options.parts, readModelPart);
+    if (!parts) return parts.error();
+    const auto model = mergeModelParts(*parts, *robot, sha256Hex(*bytes), options.out);
+    if (!model) return model.error();
+    if (Status written = writeModel(options.out, *model); !written) return written;
+    fmt::print("{} parts; content {}; written to {}\n", parts->size(), contentHash(*model),
+               options.out);
+    return Done{};
+}
+
+/// Whether any of the methods, baselines apart, has estimated a scene.
+bool anyEstimate(const Findings& findings)
+{
+    const auto methods = static_cast<std::ptrdiff_t>(findings.options.methods.size());
+    return std::any_of(findings.runs.begin(), findings.runs.begin() + methods,
+                       [](const MethodRun& run) { return run.failed < run.scenes; });
+}
+
+Status mergeEvaluation(const MergeOptions& options)
+{
+    const auto parts = readParts<NamedFindings>(options.parts, readFindings);
+    if (!parts) return parts.error();
+    const auto findings = mergeFindings(*parts, options.out);
+    if (!findings) return findings.error();
+    if (!anyEstimate(*findings))
+        return fileError(options.out, "cannot be made: no scene has what the methods need");
+    std::error_code failed;
+    std::filesystem::create_directories(options.out, failed);
+    if (failed)
+        return fileError(options.out, "the directory cannot be made: " + failed.message(),
+                         failed.value());
+    for (const MethodRun& run : findings->runs) printRun(run);
+    return reportFindings(*findings, options.out);
+}
+
+}  // namespace
+
+Status merge(const MergeOptions& options)
+{
+    return std::any_of(options.parts.begin(), options.parts.end(), isFindingsFile)
+             ? mergeEvaluation(options)
+             : mergeTraining(options);
+}
+
+}  // namespace terratact

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "app/findings.h"
+#include "core/result.h"
+
+namespace terratact {
+
+/// Prints how one method or baseline fared, a line.
+void printRun(const MethodRun& run);
+
+/// Writes tables and figures of an evaluation into the directory and prints its tables.  Errors name the
+/// file that could not be written.
+/// findings: of all scenes, else std::invalid_argument.
+Status reportFindings(const Findings& findings, const std::string& directory);
+
+}  // namespace terratact
