@@ -48,6 +48,7 @@ const GaussianProcess& BinModels::bin(int i) const
         lazy.gp = std::make_unique<GaussianProcess>(withoutBin(standardised_, i),
                                                     heights_.col(i).array() - mean,
                                                     data_.bins[static_cast<std::size_t>(i)], mean);
+        factorised_ |= 1UL << static_cast<unsigned>(i);
     });
     return *lazy.gp;
 }

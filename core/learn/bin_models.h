@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 
+#include "core/learn/bin_set.h"
 #include "core/learn/gaussian_process.h"
 #include "core/learn/model.h"
 
@@ -32,6 +34,9 @@ public:
     /// The Gaussian process of a bin; factorises it at the first call.
     const GaussianProcess& bin(int i) const;
 
+    /// The bins whose Gaussian process has been asked for, and so factorised.
+    BinSet factorised() const { return factorised_.load(); }
+
     /// Standardised input of bin i: the ten other heights, then s (see BinModelData).
     Eigen::VectorXd input(int i, const Heights& h, const Eigen::VectorXd& s) const;
 
@@ -47,6 +52,7 @@ private:
     Eigen::MatrixXd standardised_;  ///< V × (11 + f)
     Eigen::MatrixXd heights_;       ///< V × 11 [m]
     mutable std::array<Lazy, kBins> lazy_;
+    mutable std::atomic<unsigned long> factorised_{0};
 };
 
 }  // namespace terratact

@@ -269,6 +269,7 @@ const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime) const
     std::call_once(lazy.once, [&] {
         Rows rows = rowsFor(training_, data_, bin, regime);
         lazy.gp = std::make_unique<GaussianProcess>(std::move(rows.X), rows.y, own.hyper, own.mean);
+        factorised_[static_cast<std::size_t>(regime)] |= 1UL << static_cast<unsigned>(bin);
     });
     return *lazy.gp;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "core/learn/bin_set.h"
 #include "core/learn/clearance.h"
 #include "core/learn/gaussian_process.h"
 #include "core/learn/training.h"
@@ -101,6 +103,12 @@ public:
     /// where the regime has fewer than kFewestTrainingRows training rows or was not trained.
     const GaussianProcess& gp(int bin, Regime regime) const;
 
+    /// The bins whose Gaussian process in that regime has been asked for, and so factorised.
+    BinSet factorised(Regime regime) const
+    {
+        return factorised_[static_cast<std::size_t>(regime)].load();
+    }
+
     /// Standardised input of bin i: the ten other bins, then s.
     ///   y: states of all bins, that of i is not read; ceiling: [m]; s: 11 raw features, order of
     ///   featureNames(Paf).
@@ -115,6 +123,7 @@ private:
     ClearanceTraining training_;
     ClearanceConditionalData data_;
     mutable std::array<std::array<Lazy, kRegimes.size()>, kBins> lazy_;
+    mutable std::array<std::atomic<unsigned long>, kRegimes.size()> factorised_{};
 };
 
 }  // namespace terratact

@@ -56,7 +56,7 @@ public:
               const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground)
         : robot_(robot), ground_(ground), frontTorque_(torqueOf(front)),
           rearTorque_(torqueOf(rear)),
-          line_(terrain.sampled(x - kReach, x + kReach, ground.spacing))
+          line_(terrain.sampled(x - kReach, x + kReach, ground.spacing)), looks_(line_.size())
     {
     }
 
@@ -73,6 +73,9 @@ public:
         return energy;
     }
 
+    /// How often a point of the ground was sampled or held against a part.
+    std::size_t looks() const { return looks_; }
+
     /// Least height of the base at which no part touches the line.
     double clearHeight(Pose pose) const
     {
@@ -80,6 +83,7 @@ public:
         const RobotShape shape = shapeAt(robot_, pose);
         double height = -1e9;
         for (const Vec2 p : line_) {
+            ++looks_;
             const double lower = lowerEnvelope(shape, p.x);
             if (std::isfinite(lower)) height = std::max(height, p.z - lower);
         }
@@ -136,7 +140,7 @@ private:
         const auto touch = [&](GroundContact::Part kind, const auto& part) {
             const auto before = [](Vec2 p, double x) { return p.x < x; };
             auto p = std::lower_bound(line_.begin(), line_.end(), part.xBegin(), before);
-            for (; p != line_.end() && p->x <= part.xEnd(); ++p)
+            for (; p != line_.end() && p->x <= part.xEnd(); ++p, ++looks_)
                 if (const auto hit = part.penetration(*p)) add(kind, *p, *hit);
         };
         touch(GroundContact::Part::Track, SkinHull(shape.track, ground_.skin));
@@ -152,6 +156,7 @@ private:
     double frontTorque_;
     double rearTorque_;
     std::vector<Vec2> line_;
+    mutable std::size_t looks_;
 };
 
 Pose moved(Pose pose, const Gradient& step)
@@ -267,6 +272,7 @@ RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pos
     rest.energy = potential(pose, ground.stiffness, &g, &rest.contacts);
     rest.frontTorque = torqueOf(front) - g[kFront];
     rest.rearTorque = torqueOf(rear) - g[kRear];
+    rest.terrainPoints = potential.looks();
     return rest;
 }
 
@@ -279,6 +285,7 @@ RestPose heldAtLowest(const RobotModel& robot, const TerrainProfile& terrain, co
     RestPose held =
         settle(robot, terrain, pose, HoldAngle{kLowestFlipper}, rest.rear, ground, Start::Above);
     held.iterations += rest.iterations;
+    held.terrainPoints += rest.terrainPoints;
     return held;
 }
 
@@ -299,6 +306,7 @@ RestPose yielded(const RobotModel& robot, const TerrainProfile& terrain, const R
         return rest;
     RestPose after = settle(robot, terrain, rest.pose, front, rear, ground, Start::Here);
     after.iterations += rest.iterations;
+    after.terrainPoints += rest.terrainPoints;
     return after;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -46,6 +47,8 @@ struct RestPose {
         rear;  ///< in effect: a held axle that gave way is pressed by its motors' limit, a
                ///< pressed one that found no ground is held at kLowestFlipper
     int iterations = 0;
+    std::size_t terrainPoints =
+        0;  ///< how often a point of the ground was sampled or held against a part
 };
 
 /// Ground and solver constants.  A spring stands at every point of the terrain's line sampled at `spacing`;

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -53,8 +55,13 @@ TEST(ParallelFor, takesNoMoreThreadsThanItMayUse)
     EXPECT_GE(processors(), 1);
     const OneProcessor one;
     EXPECT_EQ(processors(), 1);
-    std::set<std::thread::id> threads;  // of one thread alone, else a race
-    parallelFor(50, [&](int) { threads.insert(std::this_thread::get_id()); });
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    parallelFor(20, [&](int) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // time for others to come in
+        const std::scoped_lock lock(mutex);
+        threads.insert(std::this_thread::get_id());
+    });
     EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 

@@ -61,6 +61,17 @@ TEST(ClosedForm, noHeightIsAboveTheBody)
         }
 }
 
+TEST(ClosedForm, factorisesNoConditional)
+{
+    const Models models(bench().data, bench().robot);
+    for (const Method method : {Method::Joint, Method::Local})
+        estimateTerrain(bench().scenes[0].s, {}, bench().robot, models, settingsFor(method));
+    EXPECT_EQ(models.pa.factorised(), BinSet{});
+    EXPECT_EQ(models.paf.factorised(), BinSet{});
+    for (const Regime regime : kRegimes)
+        EXPECT_EQ(models.conditionals.factorised(regime), BinSet{});
+}
+
 TEST(ClosedForm, agreesWithItsOwnDraws)
 {
     for (const Method method : {Method::Joint, Method::Local})

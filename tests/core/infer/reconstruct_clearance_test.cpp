@@ -76,6 +76,20 @@ TEST(ReconstructClearance, keepsEveryDrawBelowItsCeiling)
     EXPECT_GE(scenes, 10);
 }
 
+TEST(ReconstructClearance, factorisesEveryBinInTheRegimeOfTheSceneAlone)
+{
+    const ClearanceConditionals models(bench().training, plausibleConditionals(bench().training));
+    for (const Regime regime : kRegimes) EXPECT_EQ(models.factorised(regime), BinSet{});
+    const TerrainEstimate e =
+        reconstructClearance(trainedScene().s, {}, bench().robot, models, clearanceSettings());
+    BinSet covered;
+    for (std::size_t i = 0; i < kBins; ++i)
+        covered.set(i, regimeOf(e.ceiling[i]) == Regime::Covered);
+    EXPECT_TRUE(covered.any() && !covered.all());
+    EXPECT_EQ(models.factorised(Regime::Covered), covered);
+    EXPECT_EQ(models.factorised(Regime::Open), ~covered);
+}
+
 TEST(ReconstructClearance, findsTheGroundUnderTheRobot)
 {
     std::vector<double> errors;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/support/toy_model.h"
 
@@ -90,6 +92,32 @@ TEST(Reconstruct, fixesTheBinTheArmMeasured)
     EXPECT_DOUBLE_EQ(e.mean[9], -0.31);
     EXPECT_DOUBLE_EQ(e.sd[9], 0.03);
     EXPECT_EQ(e.origin[10], Origin::Sampled);
+}
+
+TEST(Reconstruct, factorisesTheModelsOfSampledBinsAlone)
+{
+    const BinModels models(bench().data, FeatureSet::Paf);
+    EXPECT_EQ(models.factorised(), BinSet{});
+    Proprioception s = bench().scene.s;
+    s.force = {0.0, 0.0, 0.0, 0.0, 9.0, 0.0};
+    const std::array arm{ArmReading{9, -0.31, 0.03}, ArmReading{10, -0.3, 0.03}};
+    const TerrainEstimate e = reconstruct(s, arm, bench().robot, models, quick(Method::Pafc));
+    BinSet sampled;
+    for (std::size_t i = 0; i < kBins; ++i) sampled.set(i, e.origin[i] == Origin::Sampled);
+    EXPECT_EQ(sampled.count(), 8U);
+    EXPECT_EQ(models.factorised(), sampled);
+}
+
+TEST(Reconstruct, samplesNothingWhereEveryBinIsMeasured)
+{
+    const BinModels models(bench().data, FeatureSet::Paf);
+    std::vector<ArmReading> arm;
+    for (int bin = 0; bin < kBins; ++bin) arm.push_back({bin, -0.3, 0.03});
+    const TerrainEstimate e =
+        reconstruct(bench().scene.s, arm, bench().robot, models, quick(Method::Pafc));
+    EXPECT_EQ(models.factorised(), BinSet{});
+    EXPECT_TRUE(e.converged);
+    for (std::size_t i = 0; i < kBins; ++i) EXPECT_EQ(e.mean[i], -0.3);
 }
 
 TEST(Reconstruct, reportsAnArmReadingAboveTheBodyAndKeepsIt)

@@ -201,6 +201,29 @@ TEST(RestPose, isFoundInAboutAMillisecond)
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
+TEST(RestPose, looksAtNoMoreOfALongTerrainThanOfThePieceUnderTheRobot)
+{
+    const RobotModel robot = absolem();
+    std::mt19937_64 rng(5);
+    constexpr double kX = 2500.0;
+    std::vector<Vec2> points, piece;
+    double x = 0.0;
+    while (points.size() < 100'000) {
+        const bool near = std::abs(x - kX) < 0.8;  // fine steps where nothing is to be looked at
+        points.push_back({x, 0.02 * std::uniform_real_distribution<double>(-1.0, 1.0)(rng)});
+        if (near) piece.push_back(points.back());
+        x += near || std::abs(x - kX) > 20.0 ? 0.05 : 0.001;
+    }
+    ASSERT_GT(x, kX + 20.0);
+    const auto onAll = restPose(robot, TerrainProfile(points), kX, kPress, kRear);
+    const auto onPiece = restPose(robot, TerrainProfile(piece), kX, kPress, kRear);
+    ASSERT_TRUE(onAll && onPiece);
+    EXPECT_EQ(onAll->terrainPoints, onPiece->terrainPoints);
+    EXPECT_EQ(onAll->pose.base.z, onPiece->pose.base.z);
+    EXPECT_EQ(onAll->energy, onPiece->energy);
+    EXPECT_GT(onAll->terrainPoints, 300U);  // 1.5 m in steps of 5 mm
+}
+
 TEST(ElementForces, concentrateWhereTheEdgeTouches)
 {
     const RobotModel robot = absolem();
