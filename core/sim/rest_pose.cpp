@@ -82,8 +82,8 @@ public:
         pose.base.z = 0.0;
         const RobotShape shape = shapeAt(robot_, pose);
         double height = -1e9;
+        looks_ += line_.size();
         for (const Vec2 p : line_) {
-            ++looks_;
             const double lower = lowerEnvelope(shape, p.x);
             if (std::isfinite(lower)) height = std::max(height, p.z - lower);
         }
@@ -139,9 +139,11 @@ private:
         };
         const auto touch = [&](GroundContact::Part kind, const auto& part) {
             const auto before = [](Vec2 p, double x) { return p.x < x; };
-            auto p = std::lower_bound(line_.begin(), line_.end(), part.xBegin(), before);
-            for (; p != line_.end() && p->x <= part.xEnd(); ++p, ++looks_)
+            const auto first = std::lower_bound(line_.begin(), line_.end(), part.xBegin(), before);
+            auto p = first;
+            for (; p != line_.end() && p->x <= part.xEnd(); ++p)
                 if (const auto hit = part.penetration(*p)) add(kind, *p, *hit);
+            looks_ += static_cast<std::size_t>(p - first);
         };
         touch(GroundContact::Part::Track, SkinHull(shape.track, ground_.skin));
         touch(GroundContact::Part::Front, SkinHull(shape.front, ground_.skin));
