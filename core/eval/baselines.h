@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "core/for_each.h"
 #include "core/infer/estimate.h"
 #include "core/learn/model.h"
 #include "core/robot/robot_model.h"
@@ -26,9 +26,6 @@ public:
     virtual BandForecast forecast(const Proprioception& s) const = 0;
     virtual FeatureSet needs() const { return FeatureSet::Paf; }
 };
-
-/// Calls work(0) … work(count − 1), each once, in any order or side by side.
-using ForEach = std::function<void(int count, const std::function<void(int)>& work)>;
 
 /// The four baselines, fitted on a model's training rows (heights U × 11, features U × 11):
 ///   flat     the plane of the tracks' lower edge at the measured pitch; sd: root mean square of the

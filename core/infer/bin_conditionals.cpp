@@ -11,13 +11,13 @@ namespace {
 class BinSceneConditionals final : public SceneConditionals {
 public:
     BinSceneConditionals(const BinModels& models, const Heights& known, const Eigen::VectorXd& s,
-                         const std::vector<int>& unknown)
+                         const std::vector<int>& unknown, Precision precision)
     {
         for (const int i : unknown) {
             mean_.push_back(models.heightMean(i));
             sd_.push_back(models.heightSd(i));
             conditionals_.push_back(std::make_unique<SceneConditional>(
-                models.bin(i), models.input(i, known, s), movingInputs(unknown, i)));
+                models.bin(i), models.input(i, known, s), movingInputs(unknown, i), precision));
         }
     }
 
@@ -36,8 +36,8 @@ private:
 
 }  // namespace
 
-BinConditionals::BinConditionals(const BinModels& models, Eigen::VectorXd s)
-    : models_(models), s_(std::move(s))
+BinConditionals::BinConditionals(const BinModels& models, Eigen::VectorXd s, Precision precision)
+    : models_(models), s_(std::move(s)), precision_(precision)
 {
 }
 
@@ -49,7 +49,7 @@ StartDraw BinConditionals::start(int bin) const
 std::unique_ptr<SceneConditionals> BinConditionals::at(const Heights& known,
                                                        const std::vector<int>& unknown) const
 {
-    return std::make_unique<BinSceneConditionals>(models_, known, s_, unknown);
+    return std::make_unique<BinSceneConditionals>(models_, known, s_, unknown, precision_);
 }
 
 }  // namespace terratact

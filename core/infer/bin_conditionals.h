@@ -10,7 +10,7 @@ namespace terratact {
 class BinConditionals final : public Conditionals {
 public:
     /// s: features of the models' set.
-    BinConditionals(const BinModels& models, Eigen::VectorXd s);
+    BinConditionals(const BinModels& models, Eigen::VectorXd s, Precision precision);
 
     StartDraw start(int bin) const override;
     /// Throws std::invalid_argument where s does not fit the models.
@@ -20,6 +20,7 @@ public:
 private:
     const BinModels& models_;
     Eigen::VectorXd s_;
+    Precision precision_;
 };
 
 }  // namespace terratact

@@ -55,8 +55,9 @@ private:
 }  // namespace
 
 ClearanceStates::ClearanceStates(const ClearanceConditionals& models, const Heights& ceiling,
-                                 Eigen::VectorXd s, Measured measured)
-    : models_(models), ceiling_(ceiling), s_(std::move(s)), measured_(measured)
+                                 Eigen::VectorXd s, Measured measured, Precision precision)
+    : models_(models), ceiling_(ceiling), s_(std::move(s)), measured_(measured),
+      precision_(precision)
 {
 }
 
@@ -80,7 +81,7 @@ std::unique_ptr<SceneConditionals> ClearanceStates::at(const Heights& known,
         const auto bin = static_cast<std::size_t>(i);
         scene->add(std::make_unique<SceneConditional>(models_.gp(i, regimeOf(ceiling_[bin])),
                                                       models_.input(i, known, ceiling_, s_),
-                                                      movingInputs(unknown, i)),
+                                                      movingInputs(unknown, i), precision_),
                    measured_[bin], scale(i));
     }
     return scene;

@@ -20,7 +20,7 @@ public:
 
     /// s: 11 raw features, order of featureNames(Paf).
     ClearanceStates(const ClearanceConditionals& models, const Heights& ceiling, Eigen::VectorXd s,
-                    Measured measured);
+                    Measured measured, Precision precision);
 
     StartDraw start(int bin) const override;
     /// Throws std::invalid_argument where a bin's regime was not trained.
@@ -34,6 +34,7 @@ private:
     Heights ceiling_;
     Eigen::VectorXd s_;
     Measured measured_;
+    Precision precision_;
 };
 
 /// A height z with its sd as a measurement of the state.  Open: exact.  Covered, by the delta method:

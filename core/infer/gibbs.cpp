@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 
 #include "core/infer/bin_conditionals.h"
 #include "core/infer/truncated_normal.h"
+#include "core/learn/covariance_kernels.h"
 
 namespace terratact {
 
@@ -66,15 +68,16 @@ private:
     std::vector<std::size_t> order_;
 };
 
-/// The state of all chains.
+/// The state of some of the chains.
 class Sampler {
 public:
-    Sampler(const Conditionals& conditionals, const GibbsProblem& problem)
+    /// first, count: among the problem's chains.
+    Sampler(const Conditionals& conditionals, const GibbsProblem& problem, int first, int count)
         : problem_(problem), bins_(unknownBins(problem.known)), order_(problem.scan, problem.seed)
     {
-        for (int c = 0; c < problem.chains; ++c) {
+        for (int c = 0; c < count; ++c) {
             std::seed_seq seed{problem.seed & 0xffffffffU, problem.seed >> 32U,
-                               static_cast<std::uint64_t>(c)};
+                               static_cast<std::uint64_t>(problem.firstChain + first + c)};
             rng_.emplace_back(seed);
         }
         startRandomly(conditionals);
@@ -100,7 +103,8 @@ public:
 private:
     void startRandomly(const Conditionals& conditionals)
     {
-        states_.resize(static_cast<Eigen::Index>(bins_.size()), problem_.chains);
+        states_.resize(static_cast<Eigen::Index>(bins_.size()),
+                       static_cast<Eigen::Index>(rng_.size()));
         for (std::size_t c = 0; c < rng_.size(); ++c)
             for (std::size_t k = 0; k < bins_.size(); ++k) {
                 const StartDraw start = conditionals.start(bins_[k]);
@@ -124,10 +128,47 @@ private:
     Eigen::VectorXd mean_, variance_;
 };
 
-void report(const Watch& watch, int done, int total)
+/// Speaks to the watch for all threads.
+class Reporter {
+public:
+    Reporter(const Watch& watch, int total) : watch_(watch), total_(total) {}
+
+    /// Before each sweep and after the last one.
+    void step()
+    {
+        const std::scoped_lock lock(mutex_);
+        if (watch_.cancelled && watch_.cancelled()) throw Cancelled{};
+        if (watch_.progress) watch_.progress(static_cast<double>(done_) / total_);
+        ++done_;
+    }
+
+private:
+    const Watch& watch_;
+    int total_;
+    std::mutex mutex_;
+    int done_ = 0;
+};
+
+/// Runs `count` chains from `first` on and writes their columns of the draws.
+void runChains(const Conditionals& conditionals, const GibbsProblem& problem, int first, int count,
+               Reporter& reporter, GibbsDraws& result)
 {
-    if (watch.cancelled && watch.cancelled()) throw Cancelled{};
-    if (watch.progress) watch.progress(static_cast<double>(done) / total);
+    Sampler sampler(conditionals, problem, first, count);
+    for (int sweep = -problem.burnIn; sweep < problem.keptPerChain; ++sweep) {
+        reporter.step();
+        sampler.sweep();
+        if (sweep < 0) continue;
+        for (std::size_t k = 0; k < result.bins.size(); ++k)
+            result.draws[k].row(sweep).segment(first, count) =
+                sampler.states().row(static_cast<Eigen::Index>(k));
+    }
+}
+
+/// Chains that one thread runs: full groups of columns, two where that still makes several parts.
+int chainsPerPart(const GibbsProblem& problem, const Watch& watch)
+{
+    if (!watch.sideBySide) return problem.chains;
+    return problem.chains > 4 * kGroup ? 2 * kGroup : kGroup;
 }
 
 }  // namespace
@@ -148,6 +189,7 @@ GibbsProblem problemFor(const Settings& settings)
     problem.scan = settings.scan;
     problem.chains = settings.chains;
     problem.burnIn = settings.burnIn;
+    problem.precision = settings.precision;
     problem.keptPerChain = (settings.draws + settings.chains - 1) / settings.chains;
     problem.seed = settings.seed;
     return problem;
@@ -156,30 +198,32 @@ GibbsProblem problemFor(const Settings& settings)
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
                         const Watch& watch)
 {
-    if (problem.chains < 1 || problem.burnIn < 0 || problem.keptPerChain < 1)
+    if (problem.chains < 1 || problem.firstChain < 0 || problem.burnIn < 0
+        || problem.keptPerChain < 1)
         throw std::invalid_argument(
             "the sampler needs at least one chain, one kept sweep and no negative burn-in");
     GibbsDraws result{unknownBins(problem.known), {}};
     if (result.bins.empty()) return result;
 
-    Sampler sampler(conditionals, problem);
     result.draws.assign(result.bins.size(), Eigen::MatrixXd(problem.keptPerChain, problem.chains));
-    const int total = problem.burnIn + problem.keptPerChain;
-    for (int sweep = 0; sweep < total; ++sweep) {
-        report(watch, sweep, total);
-        sampler.sweep();
-        if (sweep < problem.burnIn) continue;
-        for (std::size_t k = 0; k < result.bins.size(); ++k)
-            result.draws[k].row(sweep - problem.burnIn) =
-                sampler.states().row(static_cast<Eigen::Index>(k));
-    }
-    report(watch, total, total);
+    const int each = chainsPerPart(problem, watch);
+    const int parts = (problem.chains + each - 1) / each;
+    Reporter reporter(watch, parts * (problem.burnIn + problem.keptPerChain));
+    const auto run = [&](int part) {
+        runChains(conditionals, problem, part * each, std::min(each, problem.chains - part * each),
+                  reporter, result);
+    };
+    if (parts > 1)
+        watch.sideBySide(parts, run);
+    else
+        run(0);
+    reporter.step();
     return result;
 }
 
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)
 {
-    return sampleStates(BinConditionals(models, problem.s), problem, watch);
+    return sampleStates(BinConditionals(models, problem.s, problem.precision), problem, watch);
 }
 
 }  // namespace terratact

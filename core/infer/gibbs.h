@@ -21,15 +21,17 @@ struct GibbsProblem {
     CeilingRule rule = CeilingRule::Truncate;
     ScanOrder scan = ScanOrder::Forward;
     int chains = 16;
+    int firstChain = 0;     ///< number of the first chain: it decides the chain's random numbers
     int burnIn = 50;        ///< sweeps per chain that are thrown away
     int keptPerChain = 63;  ///< sweeps per chain that are kept
+    Precision precision = Precision::Single;  ///< of variances; read by sampleHeights only
     std::uint64_t seed = 1;
 };
 
 /// Throws std::invalid_argument where a number of the settings is out of range.
 void checkSettings(const Settings& settings);
 
-/// Scan order, chains, sweeps and seed from the settings; everything else is left to fill in.
+/// Scan order, chains, sweeps, precision and seed from the settings; everything else is left to fill in.
 GibbsProblem problemFor(const Settings& settings);
 
 struct GibbsDraws {
@@ -39,10 +41,11 @@ struct GibbsDraws {
 
 /// Section 4.3: random start (Conditionals::start, the ceiling applied), then sweeps that draw every
 /// unknown bin in the order of `scan`, ceilings applied by `rule`.  Chains advance side by side, each
-/// with its own random numbers: a chain's draws do not depend on how many others run.
+/// with its own random numbers: a chain's draws depend on its number and the seed, not on how many others run nor
+/// on whether watch.sideBySide runs groups of them in several threads.
 /// The conditionals are trained one by one and need not belong to one joint distribution: the result may
 /// depend on the order of the scan (domain: "dependency network").
-/// Throws std::invalid_argument unless chains ≥ 1, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
+/// Throws std::invalid_argument unless chains ≥ 1, firstChain ≥ 0, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
                         const Watch& watch = {});
 

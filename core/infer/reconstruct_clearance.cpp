@@ -60,7 +60,7 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
     problem.ceiling.fill(std::numeric_limits<double>::infinity());
     problem.rule = CeilingRule::None;  // the states keep below the ceiling by themselves
     const ClearanceStates conditionals(models, estimate.ceiling, x,
-                                       states(measured, estimate.ceiling));
+                                       states(measured, estimate.ceiling), settings.precision);
     GibbsDraws draws = sampleStates(conditionals, problem, watch);
     toHeights(draws, estimate.ceiling);
     for (std::size_t i = 0; i < kBins; ++i)

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/infer/variant.h"
+#include "core/learn/precision.h"
 
 namespace terratact {
 
@@ -16,7 +17,8 @@ struct Settings {
     int draws = 1000;             ///< K: kept sweeps, all chains together
     int chains = 16;              ///< independent chains, run side by side
     int burnIn = 50;              ///< sweeps thrown away at the start of every chain
-    ScanOrder scan = ScanOrder::Forward;  ///< in which a sweep visits the bins
+    ScanOrder scan = ScanOrder::Forward;      ///< in which a sweep visits the bins
+    Precision precision = Precision::Single;  ///< of sampled variances; means are double
     std::uint64_t seed = 1;
     double armSd = 0.03;           ///< [m] sd of an arm reading (paper)
     double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)

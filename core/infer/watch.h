@@ -2,13 +2,17 @@
 
 #include <functional>
 
+#include "core/for_each.h"
+
 namespace terratact {
 
-/// How a long computation talks to whoever waits: both may be empty, both are called from the thread
-/// that computes.
+/// How a long computation talks to whoever waits; all may be empty.  The first two are called from the threads
+/// that compute, by one at a time.
 struct Watch {
     std::function<bool()> cancelled;             ///< true ends the work with Cancelled
     std::function<void(double share)> progress;  ///< 0 … 1
+    ForEach
+        sideBySide;  ///< runs parts that do not depend on each other; empty: one after the other
 };
 
 /// Thrown by a computation whose Watch said "cancelled".

@@ -2,22 +2,57 @@
 
 namespace terratact {
 
-/// The two loops that everything else waits for, compiled for several instruction sets from one source
-/// (covariance_kernels.inl).  All pointers 64-byte aligned, all sizes in doubles.
+/// Predictions are computed for this many columns (chains) at a time.
+inline constexpr int kGroup = 8;
+
+/// Rows of L⁻¹ in one panel: 192 bytes.
+template <class T>
+inline constexpr int kPanelRows = 192 / static_cast<int>(sizeof(T));
+
+/// Covariances with the training rows at one setting of 8 columns, and what they are multiplied with.
+struct CovarianceInput {
+    const double* X = nullptr;          ///< U × m, row-major, in length scales
+    const double* logWeight = nullptr;  ///< U
+    const double* alpha = nullptr;      ///< U
+    int U = 0;
+    int m = 0;
+    double signal2 = 1.0;
+};
+
+/// The loops that everything else waits for, compiled for several instruction sets from one source
+/// (covariance_kernels.inl).  All pointers 64-byte aligned.  A column's result does not depend on the columns
+/// beside it; AVX-512 and AVX2 give the same bits, for both use fused products in the same order.
 struct CovarianceKernels {
     const char* name;  ///< "AVX-512", "AVX2", "baseline"
 
-    /// K[u·C + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·C + c])²)
-    /// for u < U, c < C.  C must be a multiple of 8.  X and Z are in length scales.
-    void (*covariances)(const double* X, const double* logWeight, const double* Z, int U, int m,
-                        int C, double signal2, double* K);
+    /// K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·8 + c])²), u < U, c < 8;
+    /// mean[c] = Σ_u K[u·8 + c] alpha[u].  Z: m × 8 in length scales.
+    void (*covariances)(const CovarianceInput& in, const double* Z, double* K, double* mean);
+    /// The same, K rounded to float; the mean is summed before that.
+    void (*covariancesSingle)(const CovarianceInput& in, const double* Z, float* K, double* mean);
 
-    /// out[c] = Σ_i (Σ_{j ≤ i} T[i][j] K[j·C + c])² for a lower triangle T packed in panels of
-    /// kPanelRows rows (see packTriangle).  U and C must be multiples of 8.
-    void (*sumsOfSquares)(const double* panels, const double* K, int U, int C, double* out);
+    /// out[g·8 + c] = Σ_{i < U} (Σ_{j ≤ i} T[i][j] K_g[j·8 + c])², c < 8, for `groups` blocks K_g, each
+    /// paddedRows(U) × 8 and zero from row U on, one behind the other; a lower triangle T in panels.
+    void (*sumsOfSquares)(const double* panels, const double* K, int U, int groups, double* out);
+    /// The same with products and squares in float; the last sum over 16 is double.
+    void (*sumsOfSquaresSingle)(const float* panels, const float* K, int U, int groups,
+                                double* out);
 };
 
-inline constexpr int kPanelRows = 8;
+/// Rows of a block of covariances: U, to full panels of either precision.
+constexpr int paddedRows(int U)
+{
+    return (U + kPanelRows<float> - 1) / kPanelRows<float> * kPanelRows<float>;
+}
+
+/// Where the panel starts whose first row is `first`, a multiple of kPanelRows.  Row i of the triangle is row
+/// i − first of its panel; entry (i, j) lies at panelStart + j · kPanelRows + i − first, zero where j > i.
+template <class T>
+constexpr long panelStart(int first)
+{
+    const long panel = first / kPanelRows<T>;
+    return panel * (panel + 1) / 2 * kPanelRows<T> * kPanelRows<T>;
+}
 
 /// Fastest kernels this processor runs.
 const CovarianceKernels& covarianceKernels();

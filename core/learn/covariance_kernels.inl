@@ -1,109 +1,270 @@
-// Compiled once per instruction set with TERRATACT_KERNEL_NAMESPACE, _NAME, _LANES, _ROWS and _VECTORS
-// set: doubles per vector, and the block of products that the registers hold.
+// Compiled once per instruction set with TERRATACT_KERNEL_NAMESPACE, _NAME, _BYTES (of a vector) and _COLUMNS
+// (of L⁻¹k that the registers hold, times three vectors of rows) set.
 // No templates of the standard library in here: their symbols would be shared between instruction sets.
+// Fused products are written out (fma) and contraction is off: no compiler changes a bit.
 
 #include "core/learn/covariance_kernels.h"
+
+#if TERRATACT_KERNEL_BYTES > 16
+#include <immintrin.h>
+#endif
 
 namespace terratact::TERRATACT_KERNEL_NAMESPACE {
 
 namespace {
 
-constexpr int kLanes = TERRATACT_KERNEL_LANES;
-typedef double Vec __attribute__((vector_size(8 * kLanes)));
-typedef long long Bits __attribute__((vector_size(8 * kLanes)));
+constexpr int kBytes = TERRATACT_KERNEL_BYTES;
+constexpr int kColumns = TERRATACT_KERNEL_COLUMNS;
+constexpr int kVectors = 3;
+constexpr int kSquareLanes = 16;  // partial sums per column, the same for every instruction set
 
-inline Vec load(const double* p)
+typedef double Doubles __attribute__((vector_size(kBytes)));
+typedef float Floats __attribute__((vector_size(kBytes)));
+typedef long long Bits __attribute__((vector_size(kBytes)));
+
+template <class T>
+struct VectorOf;
+template <>
+struct VectorOf<double> {
+    using type = Doubles;
+};
+template <>
+struct VectorOf<float> {
+    using type = Floats;
+};
+template <class T>
+using Vector = typename VectorOf<T>::type;
+template <class T>
+constexpr int kLanes = kBytes / static_cast<int>(sizeof(T));
+
+#if TERRATACT_KERNEL_BYTES == 64
+inline Doubles fma(Doubles a, Doubles b, Doubles c)
 {
-    return *reinterpret_cast<const Vec*>(p);
+    return (Doubles)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+}
+inline Floats fma(Floats a, Floats b, Floats c)
+{
+    return (Floats)_mm512_fmadd_ps((__m512)a, (__m512)b, (__m512)c);
+}
+#elif TERRATACT_KERNEL_BYTES == 32
+inline Doubles fma(Doubles a, Doubles b, Doubles c)
+{
+    return (Doubles)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+}
+inline Floats fma(Floats a, Floats b, Floats c)
+{
+    return (Floats)_mm256_fmadd_ps((__m256)a, (__m256)b, (__m256)c);
+}
+#else
+template <class V>
+inline V fma(V a, V b, V c)
+{
+    return a * b + c;
+}
+#endif
+
+template <class T>
+inline Vector<T> load(const T* p)
+{
+    return *reinterpret_cast<const Vector<T>*>(p);
 }
 
-inline void store(double* p, Vec v)
+template <class T>
+inline void store(T* p, Vector<T> v)
 {
-    *reinterpret_cast<Vec*>(p) = v;
+    *reinterpret_cast<Vector<T>*>(p) = v;
 }
 
-inline Vec spread(double x)
+template <class T>
+inline Vector<T> spread(T x)
 {
-    return x - Vec{};
+    return x - Vector<T>{};
+}
+
+inline void storeRounded(double* p, Doubles v)
+{
+    store<double>(p, v);
+}
+
+inline void storeRounded(float* p, Doubles v)
+{
+    typedef float Half __attribute__((vector_size(kBytes / 2)));
+    *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half);
 }
 
 /// e^x for x ≤ 0 by x = n ln 2 + r, Taylor to degree 13 on |r| ≤ ½ ln 2; below −708 it is e^−708.
-inline Vec expNegative(Vec x)
+inline Doubles expNegative(Doubles x)
 {
-    const Vec lowest = spread(-708.0);
+    const Doubles lowest = spread(-708.0);
     const Bits keep = x > lowest;
-    x = (Vec)(((Bits)x & keep) | ((Bits)lowest & ~keep));
-    const Vec shifter = spread(6755399441055744.0);  // 1.5 · 2^52: rounds to an integer in the low bits
-    const Vec shifted = x * spread(1.4426950408889634) + shifter;
-    const Vec n = shifted - shifter;
-    const Vec r = (x - n * spread(6.93147180369123816490e-01)) - n * spread(1.90821492927058770002e-10);
-    Vec p = spread(1.0 / 6227020800.0);
-    const double inverseFactorials[] = {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0,
-                                        1.0 / 40320.0,     1.0 / 5040.0,     1.0 / 720.0,     1.0 / 120.0,
-                                        1.0 / 24.0,        1.0 / 6.0,        0.5,             1.0,
+    x = (Doubles)(((Bits)x & keep) | ((Bits)lowest & ~keep));
+    const Doubles shifter =
+        spread(6755399441055744.0);  // 1.5 · 2^52: rounds to an integer in the low bits
+    const Doubles shifted = fma(x, spread(1.4426950408889634), shifter);
+    const Doubles n = shifted - shifter;
+    const Doubles r = fma(n, spread(-1.90821492927058770002e-10),
+                          fma(n, spread(-6.93147180369123816490e-01), x));
+    Doubles p = spread(1.0 / 6227020800.0);
+    const double inverseFactorials[] = {1.0 / 479001600.0,
+                                        1.0 / 39916800.0,
+                                        1.0 / 3628800.0,
+                                        1.0 / 362880.0,
+                                        1.0 / 40320.0,
+                                        1.0 / 5040.0,
+                                        1.0 / 720.0,
+                                        1.0 / 120.0,
+                                        1.0 / 24.0,
+                                        1.0 / 6.0,
+                                        0.5,
+                                        1.0,
                                         1.0};
-    for (const double c : inverseFactorials) p = p * r + spread(c);
-    return (Vec)((Bits)p + ((Bits)shifted << 52));
+#pragma GCC unroll 13
+    for (const double c : inverseFactorials) p = fma(p, r, spread(c));
+    return (Doubles)((Bits)p + ((Bits)shifted << 52));
 }
 
-void covariances(const double* X, const double* logWeight, const double* Z, int U, int m, int C, double signal2,
-                 double* K)
+/// Covariances of kRows training rows with one vector of columns.
+template <int kRows, class T>
+inline void covarianceRows(const CovarianceInput& in, const double* Z, int u, T* K, Doubles& mean)
 {
-    for (int c = 0; c < C; c += kLanes) {
-        for (int u = 0; u < U; ++u) {
-            Vec distance2 = spread(0.0);
-            const double* x = X + static_cast<long>(u) * m;
-            for (int j = 0; j < m; ++j) {
-                const Vec d = spread(x[j]) - load(Z + static_cast<long>(j) * C + c);
-                distance2 += d * d;
-            }
-            const Vec exponent = spread(logWeight[u]) - spread(0.5) * distance2;
-            store(K + static_cast<long>(u) * C + c, spread(signal2) * expNegative(exponent));
+    Doubles distance2[kRows] = {};
+    const double* x = in.X + static_cast<long>(u) * in.m;
+    for (int j = 0; j < in.m; ++j) {
+        const Doubles z = load(Z + static_cast<long>(j) * kGroup);
+#pragma GCC unroll 4
+        for (int r = 0; r < kRows; ++r) {
+            const Doubles d = z - spread(x[r * in.m + j]);
+            distance2[r] = fma(d, d, distance2[r]);
+        }
+    }
+#pragma GCC unroll 4
+    for (int r = 0; r < kRows; ++r) {
+        const Doubles exponent = fma(spread(-0.5), distance2[r], spread(in.logWeight[u + r]));
+        const Doubles k = spread(in.signal2) * expNegative(exponent);
+        storeRounded(K + static_cast<long>(u + r) * kGroup, k);
+        mean = fma(k, spread(in.alpha[u + r]), mean);
+    }
+}
+
+template <class T>
+void covariances(const CovarianceInput& in, const double* Z, T* K, double* mean)
+{
+    for (int c = 0; c < kGroup; c += kLanes<double>) {
+        Doubles sum{};
+        int u = 0;
+        for (; u + 4 <= in.U; u += 4) covarianceRows<4>(in, Z + c, u, K + c, sum);
+        for (; u < in.U; ++u) covarianceRows<1>(in, Z + c, u, K + c, sum);
+        store(mean + c, sum);
+    }
+}
+
+/// Adds columns from … to − 1 of the triangle times K, for the vectors of rows kFrom … kTo − 1.
+template <class T, int kFrom, int kTo>
+[[gnu::always_inline]] inline void multiply(const T* panel, const T* K, int from, int to,
+                                            Vector<T> (&product)[kVectors][kColumns])
+{
+    for (int j = from; j < to; ++j) {
+        Vector<T> t[kVectors];
+#pragma GCC unroll 3
+        for (int v = kFrom; v < kTo; ++v)
+            t[v] = load(panel + static_cast<long>(j) * kPanelRows<T> + v * kLanes<T>);
+#pragma GCC unroll 8
+        for (int c = 0; c < kColumns; ++c) {
+            const Vector<T> k = spread(K[static_cast<long>(j) * kGroup + c]);
+#pragma GCC unroll 3
+            for (int v = kFrom; v < kTo; ++v) product[v][c] = fma(t[v], k, product[v][c]);
         }
     }
 }
 
-/// kRows rows of one panel times kVectors · 8 columns; only the squares' sum leaves the registers.
-template <int kRows, int kVectors>
-inline void panelBlock(const double* panel, const double* K, int length, int C, double* out)
+/// Three vectors of rows of a panel, of which kUsed hold rows of the triangle, times kColumns columns; only
+/// sums of squares leave the registers.  first: the first vector's first row; row: likewise, in the panel.
+template <class T, int kUsed>
+[[gnu::always_inline]] inline void block(const T* panel, const T* K, int first, int row, T* squares)
 {
-    Vec product[kRows][kVectors];
-    for (int r = 0; r < kRows; ++r)
-        for (int v = 0; v < kVectors; ++v) product[r][v] = spread(0.0);
-    for (int j = 0; j < length; ++j) {
-        Vec k[kVectors];
-        for (int v = 0; v < kVectors; ++v) k[v] = load(K + static_cast<long>(j) * C + v * kLanes);
-        for (int r = 0; r < kRows; ++r)
-            for (int v = 0; v < kVectors; ++v) product[r][v] += spread(panel[j * kPanelRows + r]) * k[v];
-    }
-    for (int v = 0; v < kVectors; ++v) {
-        Vec sum = load(out + v * kLanes);
-        for (int r = 0; r < kRows; ++r) sum += product[r][v] * product[r][v];
-        store(out + v * kLanes, sum);
+    constexpr int L = kLanes<T>;
+    Vector<T> product[kVectors][kColumns];
+#pragma GCC unroll 3
+    for (int v = 0; v < kVectors; ++v)
+#pragma GCC unroll 8
+        for (int c = 0; c < kColumns; ++c) product[v][c] = Vector<T>{};
+    multiply<T, 0, kUsed>(panel + row, K, 0, first + L, product);
+    if constexpr (kUsed > 1)
+        multiply<T, 1, kUsed>(panel + row, K, first + L, first + 2 * L, product);
+    if constexpr (kUsed > 2)
+        multiply<T, 2, kUsed>(panel + row, K, first + 2 * L, first + 3 * L, product);
+#pragma GCC unroll 8
+    for (int c = 0; c < kColumns; ++c)
+#pragma GCC unroll 3
+        for (int v = 0; v < kUsed; ++v) {
+            T* sum = squares + c * kSquareLanes + (row + v * L) % kSquareLanes;
+            store(sum, fma(product[v][c], product[v][c], load(sum)));
+        }
+}
+
+template <class T>
+[[gnu::noinline]] void fullBlock(const T* panel, const T* K, int first, int row, T* squares)
+{
+    block<T, 3>(panel, K, first, row, squares);
+}
+
+/// Where U ends before the block does.
+template <class T>
+[[gnu::noinline]] void lastBlock(const T* panel, const T* K, int first, int row, int used, T* squares)
+{
+    if (used == 2)
+        block<T, 2>(panel, K, first, row, squares);
+    else
+        block<T, 1>(panel, K, first, row, squares);
+}
+
+/// One panel times the eight columns of a group.  squares: 8 × kSquareLanes, added to.
+template <class T>
+inline void multiplyPanel(const T* panel, const T* K, int first, int U, T* squares)
+{
+    constexpr int kRows = kVectors * kLanes<T>;
+    for (int row = 0; row < kPanelRows<T> && first + row < U; row += kRows) {
+        const int used = (U - first - row + kLanes<T> - 1) / kLanes<T>;
+        for (int c = 0; c < kGroup; c += kColumns) {
+            if (used >= kVectors)
+                fullBlock(panel, K + c, first + row, row, squares + c * kSquareLanes);
+            else
+                lastBlock(panel, K + c, first + row, row, used, squares + c * kSquareLanes);
+        }
     }
 }
 
-void sumsOfSquares(const double* panels, const double* K, int U, int C, double* out)
+constexpr int kMostGroups = 8;  // whose partial sums lie on the stack
+
+template <class T>
+void sumsOfSquaresOf(const T* panels, const T* K, int U, int groups, double* out)
 {
-    constexpr int kRows = TERRATACT_KERNEL_ROWS;
-    constexpr int kVectors = TERRATACT_KERNEL_VECTORS;
-    for (int c = 0; c < C; c += kLanes) store(out + c, spread(0.0));
-    const double* panel = panels;
-    for (int first = 0; first < U; first += kPanelRows) {  // a panel stays in the cache for all columns
-        const int length = first + kPanelRows;
-        for (int r = 0; r < kPanelRows; r += kRows) {
-            int c = 0;
-            for (; c + kVectors * kLanes <= C; c += kVectors * kLanes)
-                panelBlock<kRows, kVectors>(panel + r, K + c, length, C, out + c);
-            for (; c < C; c += kLanes) panelBlock<kRows, 1>(panel + r, K + c, length, C, out + c);
-        }
-        panel += static_cast<long>(kPanelRows) * length;
+    alignas(64) T squares[kMostGroups * kGroup * kSquareLanes] = {};
+    const long block = static_cast<long>(paddedRows(U)) * kGroup;
+    for (int first = 0; first < U; first += kPanelRows<T>)  // a panel stays in the cache for all groups
+        for (int g = 0; g < groups; ++g)
+            multiplyPanel(panels + panelStart<T>(first), K + g * block, first, U,
+                          squares + g * kGroup * kSquareLanes);
+    for (int c = 0; c < groups * kGroup; ++c) {
+        out[c] = 0.0;
+        for (int lane = 0; lane < kSquareLanes; ++lane)
+            out[c] += static_cast<double>(squares[c * kSquareLanes + lane]);
     }
+}
+
+template <class T>
+void sumsOfSquares(const T* panels, const T* K, int U, int groups, double* out)
+{
+    const long block = static_cast<long>(paddedRows(U)) * kGroup;
+    for (int g = 0; g < groups; g += kMostGroups)
+        sumsOfSquaresOf(panels, K + g * block, U, groups - g < kMostGroups ? groups - g : kMostGroups,
+                        out + g * kGroup);
 }
 
 }  // namespace
 
 extern const CovarianceKernels kKernels;
-const CovarianceKernels kKernels{TERRATACT_KERNEL_NAME, covariances, sumsOfSquares};
+const CovarianceKernels kKernels{TERRATACT_KERNEL_NAME, covariances<double>, covariances<float>,
+                                 sumsOfSquares<double>, sumsOfSquares<float>};
 
 }  // namespace terratact::TERRATACT_KERNEL_NAMESPACE

@@ -1,6 +1,5 @@
 #define TERRATACT_KERNEL_NAMESPACE kernels_avx2
 #define TERRATACT_KERNEL_NAME "AVX2"
-#define TERRATACT_KERNEL_LANES 4
-#define TERRATACT_KERNEL_ROWS 4
-#define TERRATACT_KERNEL_VECTORS 2
+#define TERRATACT_KERNEL_BYTES 32
+#define TERRATACT_KERNEL_COLUMNS 4
 #include "core/learn/covariance_kernels.inl"

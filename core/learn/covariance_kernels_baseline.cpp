@@ -1,6 +1,5 @@
 #define TERRATACT_KERNEL_NAMESPACE kernels_baseline
 #define TERRATACT_KERNEL_NAME "baseline"
-#define TERRATACT_KERNEL_LANES 2
-#define TERRATACT_KERNEL_ROWS 2
-#define TERRATACT_KERNEL_VECTORS 4
+#define TERRATACT_KERNEL_BYTES 16
+#define TERRATACT_KERNEL_COLUMNS 4
 #include "core/learn/covariance_kernels.inl"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -17,12 +16,9 @@ namespace terratact {
 
 namespace {
 
-constexpr int kLanes = 8;
-
-int padded(Eigen::Index n)
-{
-    return static_cast<int>((n + kLanes - 1) / kLanes * kLanes);
-}
+/// Single precision is used where its error is below this share of the noise variance, the least a variance
+/// can be: 0.1 % of a standard deviation.
+constexpr double kMostSingleError = 2e-3;
 
 std::size_t area(int a, int b)
 {
@@ -46,9 +42,9 @@ void checkArguments(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
 }
 
 /// X in length scales, row-major U × d.
-AlignedDoubles scaledRows(const Eigen::MatrixXd& X, const Eigen::VectorXd& lengthScale)
+AlignedArray<double> scaledRows(const Eigen::MatrixXd& X, const Eigen::VectorXd& lengthScale)
 {
-    AlignedDoubles scaled(static_cast<std::size_t>(X.size()));
+    AlignedArray<double> scaled(static_cast<std::size_t>(X.size()));
     double* out = scaled.data();
     for (Eigen::Index u = 0; u < X.rows(); ++u)
         for (Eigen::Index d = 0; d < X.cols(); ++d) *out++ = X(u, d) / lengthScale[d];
@@ -58,24 +54,28 @@ AlignedDoubles scaledRows(const Eigen::MatrixXd& X, const Eigen::VectorXd& lengt
 /// The signal part k(X, X), upper triangle (lower one not set), by blocks of columns.
 Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper)
 {
-    constexpr int kBlock = 64;
     const int U = static_cast<int>(X.rows());
     const int d = static_cast<int>(X.cols());
-    const AlignedDoubles rows = scaledRows(X, hyper.lengthScale);
-    const AlignedDoubles noWeight(static_cast<std::size_t>(U));
-    AlignedDoubles z(area(d, kBlock));
-    AlignedDoubles block(area(U, kBlock));
+    const AlignedArray<double> rows = scaledRows(X, hyper.lengthScale);
+    const AlignedArray<double> zeros(static_cast<std::size_t>(U));
+    AlignedArray<double> z(area(d, kGroup));
+    AlignedArray<double> block(area(U, kGroup));
+    AlignedArray<double> unused(kGroup);
     Eigen::MatrixXd K(U, U);
-    for (int first = 0; first < U; first += kBlock) {
-        const int columns = std::min(kBlock, U - first);
+    for (int first = 0; first < U; first += kGroup) {
+        const int columns = std::min(kGroup, U - first);
         for (int c = 0; c < columns; ++c)
-            for (int j = 0; j < d; ++j) z.data()[j * kBlock + c] = rows.data()[(first + c) * d + j];
+            for (int j = 0; j < d; ++j) z.data()[j * kGroup + c] = rows.data()[(first + c) * d + j];
         // Rows before the block are the upper triangle of its columns.
-        const int count = first + columns;
-        covarianceKernels().covariances(rows.data(), noWeight.data(), z.data(), count, d, kBlock,
-                                        hyper.signalSd * hyper.signalSd, block.data());
+        const CovarianceInput in{rows.data(),
+                                 zeros.data(),
+                                 zeros.data(),
+                                 first + columns,
+                                 d,
+                                 hyper.signalSd * hyper.signalSd};
+        covarianceKernels().covariances(in, z.data(), block.data(), unused.data());
         for (int c = 0; c < columns; ++c)
-            for (int u = 0; u <= first + c; ++u) K(u, first + c) = block.data()[u * kBlock + c];
+            for (int u = 0; u <= first + c; ++u) K(u, first + c) = block.data()[u * kGroup + c];
     }
     return K;
 }
@@ -102,49 +102,37 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& R, const Eigen::VectorXd& y)
     return alpha;
 }
 
-/// Rows of the lower triangle L⁻¹ = (R⁻¹)ᵀ in panels, zero above the diagonal and beyond the last row.
-AlignedDoubles packTriangle(const Eigen::MatrixXd& inverseR, int paddedRows)
+int groupsOf(Eigen::Index columns)
 {
-    std::size_t size = 0;
-    for (int first = 0; first < paddedRows; first += kPanelRows)
-        size += area(kPanelRows, first + kPanelRows);
-    AlignedDoubles panels(size);
-    double* out = panels.data();
-    const auto U = static_cast<int>(inverseR.rows());
-    for (int first = 0; first < paddedRows; first += kPanelRows)
-        for (int j = 0; j < first + kPanelRows; ++j)
-            for (int i = first; i < first + kPanelRows; ++i)
-                *out++ = (i < U && j <= i) ? inverseR(j, i) : 0.0;
-    return panels;
+    return static_cast<int>((columns + kGroup - 1) / kGroup);
 }
 
 }  // namespace
 
-double* AlignedDoubles::data()
-{
-    return const_cast<double*>(std::as_const(*this).data());
-}
-
-const double* AlignedDoubles::data() const
-{
-    const auto address = reinterpret_cast<std::uintptr_t>(values.data());
-    return values.data() + ((64 - address % 64) % 64) / sizeof(double);
-}
-
 GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
                                  double outputMean)
-    : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean),
-      paddedRows_(padded(X_.rows()))
+    : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean)
 {
     checkArguments(X_, y, hyper_);
     if (!std::isfinite(outputMean))
         throw std::invalid_argument("Gaussian process: the output mean must be finite");
+    Eigen::MatrixXd R = factor();
+    alpha_ = solve(R, y);
+    inverse_.emplace(std::move(R), [this] { return factor(); });
+}
+
+Eigen::MatrixXd GaussianProcess::factor() const
+{
     Eigen::MatrixXd K = signalCovariance(X_, hyper_);
     factorise(K, hyper_.noiseSd);
-    alpha_ = solve(K, y);
-    const auto n = static_cast<lapack_int>(K.rows());
-    LAPACKE_dtrtri(LAPACK_COL_MAJOR, 'U', 'N', n, K.data(), n);
-    panels_ = packTriangle(K, paddedRows_);
+    return K;
+}
+
+Precision GaussianProcess::usable(Precision wanted) const
+{
+    if (wanted == Precision::Double) return wanted;
+    const double most = kMostSingleError * hyper_.noiseSd * hyper_.noiseSd;
+    return inverse_->singleError() <= most ? Precision::Single : Precision::Double;
 }
 
 Normal GaussianProcess::predict(const Eigen::VectorXd& x) const
@@ -153,16 +141,22 @@ Normal GaussianProcess::predict(const Eigen::VectorXd& x) const
         throw std::invalid_argument(fmt::format("a prediction needs {} finite inputs", X_.cols()));
     Eigen::VectorXd mean;
     Eigen::VectorXd variance;
-    SceneConditional(*this, x, {}).predict(Eigen::MatrixXd(0, 1), mean, variance);
+    SceneConditional(*this, x, {}, Precision::Double)
+        .predict(Eigen::MatrixXd(0, 1), mean, variance);
     return {mean[0], variance[0]};
 }
 
 SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x,
-                                   std::vector<int> moving)
-    : gp_(gp), moving_(std::move(moving)),
-      scaledX_(area(gp.paddedRows_, static_cast<int>(moving_.size()))),
-      logWeight_(static_cast<std::size_t>(gp.paddedRows_))
+                                   std::vector<int> moving, Precision precision,
+                                   const CovarianceKernels& kernels)
+    : gp_(gp), kernels_(kernels), moving_(std::move(moving)),
+      scaledX_(static_cast<std::size_t>(gp.rows()) * moving_.size()),
+      logWeight_(static_cast<std::size_t>(gp.rows())), alpha_(static_cast<std::size_t>(gp.rows()))
 {
+    if (gp.usable(precision) == Precision::Single)
+        panelsSingle_ = gp.inverse_->panelsSingle();
+    else
+        panels_ = gp.inverse_->panels();
     const Eigen::VectorXd& scale = gp.hyper_.lengthScale;
     Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(gp.rows());
     for (int d = 0; d < gp.inputs(); ++d)
@@ -171,6 +165,7 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
     const auto m = static_cast<Eigen::Index>(moving_.size());
     for (Eigen::Index u = 0; u < gp.rows(); ++u) {
         logWeight_.data()[u] = -0.5 * distance2[u];
+        alpha_.data()[u] = gp.alpha_[u];
         for (Eigen::Index j = 0; j < m; ++j) {
             const int d = moving_[static_cast<std::size_t>(j)];
             scaledX_.data()[u * m + j] = gp.X_(u, d) / scale[d];
@@ -178,36 +173,69 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
     }
 }
 
+void SceneConditional::makeRoom(int groups)
+{
+    const auto columns = area(groups, kGroup);
+    if (mean_.size() >= columns) return;
+    const std::size_t covariances = area(paddedRows(static_cast<int>(gp_.rows())), 1) * columns;
+    scaledZ_ = AlignedArray<double>(std::max<std::size_t>(moving_.size(), 1) * columns);
+    if (panelsSingle_)
+        single_ = AlignedArray<float>(covariances);
+    else
+        double_ = AlignedArray<double>(covariances);
+    mean_ = AlignedArray<double>(columns);
+    squares_ = AlignedArray<double>(columns);
+}
+
+void SceneConditional::scaleInputs(const Eigen::MatrixXd& inputs)
+{
+    const auto m = static_cast<Eigen::Index>(moving_.size());
+    for (Eigen::Index j = 0; j < m; ++j) {
+        const double scale = gp_.hyper_.lengthScale[moving_[static_cast<std::size_t>(j)]];
+        for (Eigen::Index c = 0; c < inputs.cols(); ++c)
+            scaledZ_.data()[(c / kGroup * m + j) * kGroup + c % kGroup] = inputs(j, c) / scale;
+    }
+}
+
+void SceneConditional::meansAndSquares(int groups)
+{
+    const int U = static_cast<int>(gp_.rows());
+    const int m = static_cast<int>(moving_.size());
+    const CovarianceInput in{scaledX_.data(),
+                             logWeight_.data(),
+                             alpha_.data(),
+                             U,
+                             m,
+                             gp_.hyper_.signalSd * gp_.hyper_.signalSd};
+    const std::size_t block = area(paddedRows(U), kGroup);
+    for (int g = 0; g < groups; ++g) {
+        const std::size_t offset = static_cast<std::size_t>(g) * block;
+        const double* z = scaledZ_.data() + area(g * m, kGroup);
+        double* mean = mean_.data() + area(g, kGroup);
+        if (panelsSingle_)
+            kernels_.covariancesSingle(in, z, single_.data() + offset, mean);
+        else
+            kernels_.covariances(in, z, double_.data() + offset, mean);
+    }
+    if (panelsSingle_)
+        kernels_.sumsOfSquaresSingle(panelsSingle_, single_.data(), U, groups, squares_.data());
+    else
+        kernels_.sumsOfSquares(panels_, double_.data(), U, groups, squares_.data());
+}
+
 void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean,
                                Eigen::VectorXd& variance)
 {
-    const int U = gp_.paddedRows_;
-    const int rows = static_cast<int>(gp_.rows());
-    const int m = static_cast<int>(moving_.size());
-    const int n = static_cast<int>(inputs.cols());
-    const int C = padded(n);
-    if (covariance_.values.size() < static_cast<Eigen::Index>(area(U, C))) {
-        scaledZ_ = AlignedDoubles(area(std::max(m, 1), C));
-        covariance_ = AlignedDoubles(area(U, C));
-        squares_ = AlignedDoubles(static_cast<std::size_t>(C));
-    }
-    for (int j = 0; j < m; ++j) {
-        const double scale = gp_.hyper_.lengthScale[moving_[static_cast<std::size_t>(j)]];
-        for (int c = 0; c < n; ++c) scaledZ_.data()[j * C + c] = inputs(j, c) / scale;
-    }
-    const double signal2 = gp_.hyper_.signalSd * gp_.hyper_.signalSd;
-    const CovarianceKernels& kernels = covarianceKernels();
-    kernels.covariances(scaledX_.data(), logWeight_.data(), scaledZ_.data(), rows, m, C, signal2,
-                        covariance_.data());
-    kernels.sumsOfSquares(gp_.panels_.data(), covariance_.data(), U, C, squares_.data());
-
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::Map<const Rows> k(covariance_.data(), rows, C);
-    mean = (k.leftCols(n).transpose() * gp_.alpha_).array() + gp_.outputMean_;
-    const double prior = signal2 + gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;
-    const double floor =
-        gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;  // rounding must not go below the noise
-    variance = (prior - Eigen::Map<const Eigen::ArrayXd>(squares_.data(), n)).max(floor).matrix();
+    const Eigen::Index n = inputs.cols();
+    const int groups = groupsOf(n);
+    makeRoom(groups);
+    scaleInputs(inputs);
+    meansAndSquares(groups);
+    mean = Eigen::Map<const Eigen::ArrayXd>(mean_.data(), n) + gp_.outputMean_;
+    const double noise2 = gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;
+    const double prior = gp_.hyper_.signalSd * gp_.hyper_.signalSd + noise2;
+    // Rounding must not go below the noise.
+    variance = (prior - Eigen::Map<const Eigen::ArrayXd>(squares_.data(), n)).max(noise2).matrix();
 }
 
 Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "core/learn/aligned_array.h"
+#include "core/learn/covariance_kernels.h"
 #include "core/learn/hyperparameters.h"
+#include "core/learn/inverse_factor.h"
+#include "core/learn/precision.h"
 
 namespace terratact {
 
@@ -13,21 +18,10 @@ struct Normal {
     double variance = 0.0;
 };
 
-/// Doubles aligned for vector loads.
-struct AlignedDoubles {
-    explicit AlignedDoubles(std::size_t size = 0)
-        : values(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size) + 8))
-    {
-    }
-    double* data();
-    const double* data() const;
-    Eigen::VectorXd values;
-};
-
 /// Gaussian process regression with the kernel of Hyperparameters (Rasmussen & Williams 2006, ch. 2):
 ///   K = k(X, X) + σ_n² I = L Lᵀ,  α = K⁻¹ y
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
-/// Immutable once built; safe to share between threads.
+/// Immutable once built; safe to share between threads.  L⁻¹ is inverted and packed at the first prediction.
 class GaussianProcess {
 public:
     /// X: U × d standardised inputs; y: U outputs, centred; outputMean: ȳ, added to every prediction.
@@ -40,18 +34,23 @@ public:
     Eigen::Index inputs() const { return X_.cols(); }
     const Hyperparameters& hyperparameters() const { return hyper_; }
 
-    /// Of the height at a standardised input x: d.
+    /// The precision that a wish for `wanted` gets: single only where |L⁻¹ k★|² loses at most 0.2 % of σ_n² by it
+    /// (InverseFactor::singleError), so that no standard deviation is off by more than 0.1 %.
+    /// A process whose noise is next to nothing, or ill-conditioned, is thus computed in double.
+    Precision usable(Precision wanted) const;
+
+    /// Of the height at a standardised input x: d.  In double precision.
     Normal predict(const Eigen::VectorXd& x) const;
 
 private:
     friend class SceneConditional;
+    Eigen::MatrixXd factor() const;
 
     Eigen::MatrixXd X_;
     Hyperparameters hyper_;
     double outputMean_;
     Eigen::VectorXd alpha_;
-    int paddedRows_;
-    AlignedDoubles panels_;  // L⁻¹ in panels of kPanelRows rows, see CovarianceKernels
+    std::optional<InverseFactor> inverse_;
 };
 
 /// A Gaussian process at one scene: the inputs that stay fixed are folded into one log weight per
@@ -59,18 +58,29 @@ private:
 class SceneConditional {
 public:
     /// x: d standardised input; moving: indices of inputs that will be given anew for each prediction.
-    SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving);
+    /// precision: of the variance, where usable() grants it; the mean is double in both.
+    SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving,
+                     Precision precision, const CovarianceKernels& kernels = covarianceKernels());
 
-    /// Predicts for several settings of the moving inputs at once.
-    ///   inputs: moving.size() × n standardised; mean, variance: n.
+    /// Predicts for several settings of the moving inputs at once.  A column's result does not depend on
+    /// the others.  inputs: moving.size() × n standardised; mean, variance: n.
     void predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean, Eigen::VectorXd& variance);
 
 private:
+    void makeRoom(int groups);
+    void scaleInputs(const Eigen::MatrixXd& inputs);
+    void meansAndSquares(int groups);
+
     const GaussianProcess& gp_;
+    const CovarianceKernels& kernels_;
     std::vector<int> moving_;
-    AlignedDoubles scaledX_;    // U × m, row-major, in length scales
-    AlignedDoubles logWeight_;  // U
-    AlignedDoubles scaledZ_, covariance_, squares_;
+    AlignedArray<double> scaledX_;            // U × m, row-major, in length scales
+    AlignedArray<double> logWeight_, alpha_;  // U
+    AlignedArray<double> scaledZ_, mean_, squares_;
+    const double* panels_ = nullptr;       // of the precision that is used; the other one is null
+    const float* panelsSingle_ = nullptr;  // likewise
+    AlignedArray<double> double_;          // covariances, see CovarianceKernels
+    AlignedArray<float> single_;           // likewise
 };
 
 /// Value and gradient of the negative log marginal likelihood.

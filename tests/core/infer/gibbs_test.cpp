@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "tests/support/distributions.h"
 #include "tests/support/toy_model.h"
@@ -122,6 +126,69 @@ TEST(Gibbs, repeatsBitForBitAndChainsDoNotDependOnHowManyRun)
     }
     problem.seed = 2;
     EXPECT_NE(sampleHeights(models(), problem).draws[0], nine.draws[0]);
+}
+
+TEST(Gibbs, drawsTheSameInSeveralThreadsAndInAnyGroupsOfChains)
+{
+    GibbsProblem problem = problemWith({2, 7, 9});
+    problem.keptPerChain = 20;
+    problem.chains = 45;
+    for (const ScanOrder scan : {ScanOrder::Forward, ScanOrder::Random}) {
+        problem.scan = scan;
+        const GibbsDraws together = sampleHeights(models(), problem);
+        Watch watch;
+        int parts = 0;
+        watch.sideBySide = [&](int count, const std::function<void(int)>& work) {
+            parts = count;
+            std::vector<std::jthread> threads;
+            for (int i = 0; i < count; ++i) threads.emplace_back(work, i);
+        };
+        EXPECT_EQ(sampleHeights(models(), problem, watch).draws, together.draws);
+        EXPECT_GT(parts, 1);
+        GibbsProblem some = problem;
+        some.firstChain = 5;
+        some.chains = 13;
+        const GibbsDraws few = sampleHeights(models(), some);
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(few.draws[k], together.draws[k].middleCols(5, 13));
+    }
+}
+
+TEST(Gibbs, inSeveralThreadsIsCancelledAndReportsOneByOne)
+{
+    GibbsProblem problem = problemWith({1, 2});
+    problem.chains = 32;
+    problem.keptPerChain = 10;
+    Watch watch;
+    std::vector<double> shares;
+    watch.progress = [&](double share) { shares.push_back(share); };  // no lock needed
+    std::atomic<bool> cancelled{false};
+    watch.cancelled = [&] { return cancelled.load(); };
+    const auto inThreads = [&](int count, const std::function<void(int)>& work) {
+        std::atomic<int> stopped{0};
+        {
+            std::vector<std::jthread> threads;
+            for (int i = 0; i < count; ++i)
+                threads.emplace_back([&, i] {
+                    try {
+                        work(i);
+                    } catch (const Cancelled&) {
+                        ++stopped;
+                    }
+                });
+        }
+        if (stopped > 0) {
+            EXPECT_EQ(stopped, count);
+            throw Cancelled{};
+        }
+    };
+    watch.sideBySide = inThreads;
+    (void)sampleHeights(models(), problem, watch);
+    EXPECT_EQ(shares.size(), 4 * 20 + 1);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1.0);
+    cancelled = true;
+    EXPECT_THROW((void)sampleHeights(models(), problem, watch), Cancelled);
 }
 
 TEST(Gibbs, withNothingUnknownDrawsNothing)

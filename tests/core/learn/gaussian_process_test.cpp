@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace terratact {
 namespace {
@@ -89,7 +90,7 @@ TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
     std::normal_distribution<double> normal;
     Eigen::VectorXd x(6);
     for (double& v : x) v = normal(rng);
-    SceneConditional conditional(gp, x, {4, 1});
+    SceneConditional conditional(gp, x, {4, 1}, Precision::Double);
     Eigen::VectorXd mean;
     Eigen::VectorXd variance;
     for (const int n : {1, 3, 8, 17, 2}) {
@@ -106,6 +107,51 @@ TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
             EXPECT_NEAR(variance[c], expected.variance, 1e-13);
         }
     }
+}
+
+/// Predictions at random inputs in both precisions, 40 columns, all inputs moving.
+struct BothPrecisions {
+    explicit BothPrecisions(const GaussianProcess& gp)
+    {
+        std::mt19937_64 rng(9);
+        std::normal_distribution<double> normal;
+        std::vector<int> all(static_cast<std::size_t>(gp.inputs()));
+        for (std::size_t d = 0; d < all.size(); ++d) all[d] = static_cast<int>(d);
+        const Eigen::VectorXd x = Eigen::VectorXd::Zero(gp.inputs());
+        Eigen::MatrixXd inputs(gp.inputs(), 40);
+        for (double& v : inputs.reshaped()) v = normal(rng);
+        SceneConditional(gp, x, all, Precision::Single).predict(inputs, meanSingle, single);
+        SceneConditional(gp, x, all, Precision::Double).predict(inputs, mean, variance);
+    }
+    Eigen::VectorXd mean, variance, meanSingle, single;
+};
+
+TEST(SceneConditional, inSinglePrecisionHasTheSameMeanAndNearlyTheSameVariance)
+{
+    const Data data = someData(300, 4);
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    ASSERT_EQ(gp.usable(Precision::Single), Precision::Single);
+    EXPECT_EQ(gp.usable(Precision::Double), Precision::Double);
+    const BothPrecisions both(gp);
+    EXPECT_EQ(both.mean, both.meanSingle);
+    EXPECT_NE(both.variance, both.single);
+    EXPECT_LT((both.single.cwiseSqrt() - both.variance.cwiseSqrt()).cwiseAbs().maxCoeff(),
+              1e-3 * data.hyper.noiseSd);
+}
+
+TEST(SceneConditional, computesInDoubleWhereSinglePrecisionCannotTellTheVariance)
+{
+    Data data = someData(300, 2);  // dense in two dimensions: |L⁻¹k|² is σ_f² but for a millionth
+    data.hyper.noiseSd = 1e-4;
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    EXPECT_EQ(gp.usable(Precision::Single), Precision::Double);
+    const BothPrecisions both(gp);
+    EXPECT_EQ(both.variance, both.single);
+    EXPECT_GE(both.single.minCoeff(), 1e-8);
+    data.hyper.noiseSd = 0.0;
+    data.hyper.lengthScale.setConstant(1e-3);  // well-conditioned, yet no noise to compare with
+    EXPECT_EQ(GaussianProcess(data.X, data.y, data.hyper, 0.0).usable(Precision::Single),
+              Precision::Double);
 }
 
 TEST(GaussianProcess, refusesWhatItCannotAnswer)

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+
+namespace terratact {
+
+/// Numbers on a 64-byte boundary, zero at first.
+template <class T>
+class AlignedArray {
+public:
+    explicit AlignedArray(std::size_t size = 0)
+        : size_(size), values_(static_cast<T*>(::operator new(size * sizeof(T), kBoundary)))
+    {
+        for (std::size_t k = 0; k < size; ++k) values_[k] = T{};
+    }
+
+    std::size_t size() const { return size_; }
+    T* data() { return values_.get(); }
+    const T* data() const { return values_.get(); }
+
+private:
+    static constexpr std::align_val_t kBoundary{64};
+    struct Free {
+        void operator()(T* p) const { ::operator delete(p, kBoundary); }
+    };
+    std::size_t size_;
+    std::unique_ptr<T[], Free> values_;
+};
+
+}  // namespace terratact

@@ -1,0 +1,90 @@
+#include "core/learn/inverse_factor.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "core/learn/covariance_kernels.h"
+
+namespace terratact {
+namespace {
+
+/// R = Lᵀ of a covariance with neighbours alike; noise: what the diagonal gets in addition.
+Eigen::MatrixXd someFactor(int U, double noise)
+{
+    Eigen::MatrixXd K(U, U);
+    for (int i = 0; i < U; ++i)
+        for (int j = 0; j < U; ++j)
+            K(i, j) = std::exp(-0.5 * std::pow(0.2 * (i - j), 2)) + (i == j ? noise : 0.0);
+    return Eigen::LLT<Eigen::MatrixXd>(K).matrixU();
+}
+
+template <class T>
+T entry(const T* panels, int i, int j)
+{
+    const int first = i / kPanelRows<T> * kPanelRows<T>;
+    return panels[panelStart<T>(first) + j * kPanelRows<T> + i - first];
+}
+
+class InverseFactorOf : public testing::TestWithParam<int> {};
+
+TEST_P(InverseFactorOf, holdsTheInverseInBothPrecisionsWhicheverIsAskedForFirst)
+{
+    const int U = GetParam();
+    const Eigen::MatrixXd R = someFactor(U, 0.01);
+    const Eigen::MatrixXd inverse = R.transpose().inverse();
+    for (const bool singleFirst : {false, true}) {
+        int again = 0;
+        const InverseFactor factor(R, [&] {
+            ++again;
+            return R;
+        });
+        if (singleFirst) (void)factor.panelsSingle();
+        const double* panels = factor.panels();
+        const float* single = factor.panelsSingle();
+        EXPECT_EQ(again, 1);
+        for (int i = 0; i < U; ++i) {
+            for (int j = 0; j <= i; ++j) {
+                ASSERT_NEAR(entry(panels, i, j), inverse(i, j), 1e-9) << i << ", " << j;
+                ASSERT_EQ(entry(single, i, j), static_cast<float>(entry(panels, i, j)));
+            }
+            for (int j = i + 1; j < i / kPanelRows<double> * kPanelRows<double>; ++j)
+                ASSERT_EQ(entry(panels, i, j), 0.0);
+        }
+        EXPECT_EQ(factor.panels(), panels);
+        EXPECT_EQ(again, 1);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, InverseFactorOf, testing::Values(1, 2, 24, 47, 48, 49, 150));
+
+TEST(InverseFactor, knowsHowFarSinglePrecisionIsOff)
+{
+    const auto errorWith = [](double noise) {
+        return InverseFactor(someFactor(200, noise), [=] { return someFactor(200, noise); })
+            .singleError();
+    };
+    EXPECT_LT(errorWith(0.1), 1e-5);
+    EXPECT_GT(errorWith(1e-10), 1e-4);
+    EXPECT_GT(errorWith(1e-10), errorWith(1e-4));
+}
+
+TEST(InverseFactor, isPackedOnceForAllThreads)
+{
+    const Eigen::MatrixXd R = someFactor(60, 0.01);
+    const InverseFactor factor(R, [&] { return R; });
+    std::vector<const float*> seen(4);
+    {
+        std::vector<std::jthread> threads;
+        for (const float*& panels : seen)
+            threads.emplace_back([&factor, &panels] { panels = factor.panelsSingle(); });
+    }
+    for (const float* panels : seen) EXPECT_EQ(panels, factor.panelsSingle());
+}
+
+}  // namespace
+}  // namespace terratact
