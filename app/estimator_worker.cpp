@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/parallel.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
@@ -106,6 +107,9 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
         watch.cancelled = overtaken;
         watch.progress = [this, overtaken](double share) {
             if (!overtaken()) progress_ = share;
+        };
+        watch.sideBySide = [](int count, const std::function<void(int)>& work) {
+            parallelFor(count, work);
         };
         QElapsedTimer timer;
         timer.start();

@@ -1,5 +1,6 @@
 // Compiled once per instruction set with TERRATACT_KERNEL_NAMESPACE, _NAME, _BYTES (of a vector) and _COLUMNS
-// (of L⁻¹k that the registers hold, times three vectors of rows) set.
+// (of L⁻¹k that the registers hold, times three vectors of rows) and _AHEAD (columns of a panel to fetch before
+// they are needed: the hardware stops at every page; worth it where a panel is read once or twice) set.
 // No templates of the standard library in here: their symbols would be shared between instruction sets.
 // Fused products are written out (fma) and contraction is off: no compiler changes a bit.
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kBytes = TERRATACT_KERNEL_BYTES;
 constexpr int kColumns = TERRATACT_KERNEL_COLUMNS;
+constexpr int kAhead = TERRATACT_KERNEL_AHEAD;
 constexpr int kVectors = 3;
 constexpr int kSquareLanes = 16;  // partial sums per column, the same for every instruction set
 
@@ -158,12 +160,20 @@ void covariances(const CovarianceInput& in, const double* Z, T* K, double* mean)
     }
 }
 
+/// The three cache lines of one column of a panel.
+inline void prefetch(const void* column)
+{
+    for (int line = 0; line < 3; ++line)
+        __builtin_prefetch(static_cast<const char*>(column) + 64 * line);
+}
+
 /// Adds columns from … to − 1 of the triangle times K, for the vectors of rows kFrom … kTo − 1.
 template <class T, int kFrom, int kTo>
 [[gnu::always_inline]] inline void multiply(const T* panel, const T* K, int from, int to,
                                             Vector<T> (&product)[kVectors][kColumns])
 {
     for (int j = from; j < to; ++j) {
+        if constexpr (kAhead > 0) prefetch(panel + static_cast<long>(j + kAhead) * kPanelRows<T>);
         Vector<T> t[kVectors];
 #pragma GCC unroll 3
         for (int v = kFrom; v < kTo; ++v)

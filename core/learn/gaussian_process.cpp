@@ -16,8 +16,7 @@ namespace terratact {
 
 namespace {
 
-/// Single precision is used where its error is below this share of the noise variance, the least a variance
-/// can be: 0.1 % of a standard deviation.
+/// Of σ_n²: how far off single precision may be.
 constexpr double kMostSingleError = 2e-3;
 
 std::size_t area(int a, int b)
@@ -132,7 +131,7 @@ Precision GaussianProcess::usable(Precision wanted) const
 {
     if (wanted == Precision::Double) return wanted;
     const double most = kMostSingleError * hyper_.noiseSd * hyper_.noiseSd;
-    return inverse_->singleError() <= most ? Precision::Single : Precision::Double;
+    return singleError() <= most ? Precision::Single : Precision::Double;
 }
 
 Normal GaussianProcess::predict(const Eigen::VectorXd& x) const

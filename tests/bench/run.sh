@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# The sampler beside NumPy, in turns on one thread, and a table of what is aimed at and what was reached.
+#   tests/bench/run.sh [build directory] [rounds]       default: build/headless 3
+# The build directory holds an optimised build (presets headless, release).
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+build=${1:-build/headless}
+rounds=${2:-3}
+export OPENBLAS_NUM_THREADS=1
+
+cmake --build "$build" --target terratact-bench-sampler >/dev/null
+results=$(mktemp -d)
+trap 'rm -rf "$results"' EXIT
+for ((round = 1; round <= rounds; ++round)); do
+  "$build"/tests/terratact-bench-sampler --benchmark_format=json --benchmark_min_time=0.3 \
+    >"$results/ours-$round.json" 2>/dev/null
+  /usr/bin/python3 -B tests/bench/peer_numpy.py >"$results/numpy-$round.json" 2>"$results/ways"
+done
+/usr/bin/python3 -B tests/bench/table.py "$results"

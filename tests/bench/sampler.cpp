@@ -1,0 +1,236 @@
+// What limits the sampler: peak of the processor, quadratic form, sweeps, one scene, one draw.
+// tests/bench/run.sh runs it side by side with tests/bench/peer_numpy.py.
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/infer/gibbs.h"
+#include "core/infer/moving_inputs.h"
+#include "core/infer/reconstruct.h"
+#include "core/infer/reconstruct_clearance.h"
+#include "core/infer/truncated_normal.h"
+#include "core/learn/model_file.h"
+#include "core/terrain/body_ceiling.h"
+#include "tests/bench/fma_peak.h"
+#include "tests/support/toy_model.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kSweeps = 20;
+
+const ModelData& shippedModel()
+{
+    static const ModelData model = [] {
+        auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
+        if (!stored) throw std::runtime_error(stored.error().text);
+        return stored->data;
+    }();
+    return model;
+}
+
+const BinModels& shippedBins()
+{
+    static const BinModels models(shippedModel(), FeatureSet::Paf);
+    return models;
+}
+
+const Scene& someScene()
+{
+    static const Scene scene = someScenes(1, 7)[3];
+    return scene;
+}
+
+/// BinConditionals with the kernels of one instruction set.
+class KernelConditionals final : public Conditionals, public SceneConditionals {
+public:
+    KernelConditionals(const CovarianceKernels& kernels, Precision precision)
+        : kernels_(kernels), precision_(precision)
+    {
+    }
+    StartDraw start(int bin) const override
+    {
+        return {shippedBins().heightMean(bin), shippedBins().heightSd(bin)};
+    }
+    std::unique_ptr<SceneConditionals> at(const Heights& known,
+                                          const std::vector<int>& unknown) const override
+    {
+        auto scene = std::make_unique<KernelConditionals>(kernels_, precision_);
+        const Eigen::VectorXd s = features(FeatureSet::Paf, someScene().s);
+        for (const int i : unknown) {
+            scene->mean_.push_back(shippedBins().heightMean(i));
+            scene->sd_.push_back(shippedBins().heightSd(i));
+            scene->conditionals_.push_back(std::make_unique<SceneConditional>(
+                shippedBins().bin(i), shippedBins().input(i, known, s), movingInputs(unknown, i),
+                precision_, kernels_));
+        }
+        return scene;
+    }
+    void predict(std::size_t k, const Eigen::MatrixXd& states, Eigen::VectorXd& mean,
+                 Eigen::VectorXd& variance) override
+    {
+        standardiseOthers(k, states, mean_, sd_, inputs_);
+        conditionals_[k]->predict(inputs_, mean, variance);
+    }
+
+private:
+    const CovarianceKernels& kernels_;
+    Precision precision_;
+    std::vector<double> mean_, sd_;
+    std::vector<std::unique_ptr<SceneConditional>> conditionals_;
+    Eigen::MatrixXd inputs_;
+};
+
+/// Nine unknown bins under the robot's ceilings.
+GibbsProblem nineUnknown(int chains)
+{
+    const Scene& scene = someScene();
+    GibbsProblem problem;
+    problem.known[7] = scene.truth[7];
+    problem.known[8] = scene.truth[8];
+    problem.ceiling = bodyCeiling(absolem(), scene.s.pitch, scene.s.front, scene.s.rear);
+    problem.chains = chains;
+    problem.burnIn = 0;
+    problem.keptPerChain = kSweeps;
+    return problem;
+}
+
+/// Per chain-sweep, the setting up of a scene shared by kSweeps sweeps.
+void sweep(benchmark::State& state, const CovarianceKernels& kernels, Precision precision)
+{
+    const int chains = static_cast<int>(state.range(0));
+    const KernelConditionals conditionals(kernels, precision);
+    const GibbsProblem problem = nineUnknown(chains);
+    benchmark::DoNotOptimize(sampleStates(conditionals, problem));  // packs
+    for (auto _ : state) benchmark::DoNotOptimize(sampleStates(conditionals, problem));
+    state.counters["s_per_chain_sweep"] = benchmark::Counter(
+        static_cast<double>(chains) * kSweeps,
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+template <class T>
+void quadraticForm(benchmark::State& state, const CovarianceKernels& kernels)
+{
+    constexpr int U = 1400;
+    const int groups = static_cast<int>(state.range(0)) / kGroup;
+    AlignedArray<T> panels(static_cast<std::size_t>(panelStart<T>(paddedRows(U))));
+    AlignedArray<T> K(static_cast<std::size_t>(groups * paddedRows(U) * kGroup));
+    AlignedArray<double> out(static_cast<std::size_t>(groups * kGroup));
+    for (std::size_t k = 0; k < panels.size(); ++k) panels.data()[k] = T(0.01);
+    for (std::size_t k = 0; k < K.size(); ++k) K.data()[k] = T(0.01);
+    for (auto _ : state) {
+        if constexpr (sizeof(T) == sizeof(float))
+            kernels.sumsOfSquaresSingle(panels.data(), K.data(), U, groups, out.data());
+        else
+            kernels.sumsOfSquares(panels.data(), K.data(), U, groups, out.data());
+        benchmark::ClobberMemory();
+    }
+    state.counters["flops"] = benchmark::Counter(static_cast<double>(U) * (U + 1) * groups * kGroup,
+                                                 benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void peak(benchmark::State& state, double (*flops)(int))
+{
+    double total = 0.0;
+    for (auto _ : state) total += flops(10000);
+    state.counters["flops"] = benchmark::Counter(total, benchmark::Counter::kIsRate);
+}
+
+/// One scene: K = 1000 kept draws in 16 chains, burn-in 50 sweeps, nine unknown bins.
+void oneScene(benchmark::State& state, Precision precision)
+{
+    const RobotModel robot = absolem();
+    const Scene& scene = someScene();
+    Settings settings;
+    settings.method = Method::Pafc;
+    settings.precision = precision;
+    settings.forceThreshold = 1000.0;  // no contact: the two bins below are all that is known
+    const std::vector<ArmReading> known{{7, *scene.truth[7], 0.03}, {8, *scene.truth[8], 0.03}};
+    const auto run = [&] { return reconstruct(scene.s, known, robot, shippedBins(), settings); };
+    benchmark::DoNotOptimize(run());
+    for (auto _ : state) benchmark::DoNotOptimize(run());
+}
+
+void oneClearanceScene(benchmark::State& state)
+{
+    const RobotModel robot = absolem();
+    ClearanceTraining training = clearanceTraining(shippedModel(), robot);
+    ClearanceConditionalData data = clearanceConditionalData(shippedModel(), training);
+    const ClearanceConditionals models(std::move(training), std::move(data));
+    Settings settings;
+    settings.method = Method::Clearance;
+    const auto run = [&] {
+        return reconstructClearance(someScene().s, {}, robot, models, settings);
+    };
+    benchmark::DoNotOptimize(run());
+    for (auto _ : state) benchmark::DoNotOptimize(run());
+}
+BENCHMARK(oneClearanceScene)->Unit(benchmark::kMillisecond);
+
+/// One draw with the ceiling so many tenths of a deviation above the mean.
+void draw(benchmark::State& state)
+{
+    std::mt19937_64 rng(1);
+    const double ceiling = 0.1 * static_cast<double>(state.range(0));
+    for (auto _ : state) benchmark::DoNotOptimize(drawBelow(ceiling, 0.0, 1.0, rng));
+}
+BENCHMARK(draw)->Arg(60)->Arg(0)->Arg(-1)->Arg(-20)->Arg(-500);
+
+void likelihoodAndGradient(benchmark::State& state)
+{
+    const ModelData& model = shippedModel();
+    const Eigen::MatrixXd X = withoutBin(
+        standardised(rawInputs(model, FeatureSet::Paf), model.paf.mean, model.paf.sd), 5);
+    const Eigen::VectorXd y = model.heights.col(5).head(X.rows()).array() - model.paf.mean[5];
+    for (auto _ : state) benchmark::DoNotOptimize(negativeLogLikelihood(X, y, model.paf.bins[5]));
+}
+BENCHMARK(likelihoodAndGradient)->Unit(benchmark::kMillisecond);
+
+void add(const std::string& name, const std::function<void(benchmark::State&)>& run,
+         std::initializer_list<std::int64_t> arguments)
+{
+    auto* registered = benchmark::RegisterBenchmark(name.c_str(), run);
+    for (const std::int64_t argument : arguments) registered->Arg(argument);
+}
+
+void registerKernels(const CovarianceKernels& kernels)
+{
+    std::string suffix = "/";
+    suffix += kernels.name;
+    const FmaPeak& fma = fmaPeak(kernels.name);
+    add("peak" + suffix + "/f32", [&fma](benchmark::State& s) { peak(s, fma.single); }, {});
+    add("peak" + suffix + "/f64", [&fma](benchmark::State& s) { peak(s, fma.full); }, {});
+    add("quadratic" + suffix + "/f32",
+        [&kernels](benchmark::State& s) { quadraticForm<float>(s, kernels); }, {8, 16, 64});
+    add("quadratic" + suffix + "/f64",
+        [&kernels](benchmark::State& s) { quadraticForm<double>(s, kernels); }, {8, 16, 64});
+    add("sweep" + suffix + "/f32",
+        [&kernels](benchmark::State& s) { sweep(s, kernels, Precision::Single); }, {1, 8, 16, 64});
+    add("sweep" + suffix + "/f64",
+        [&kernels](benchmark::State& s) { sweep(s, kernels, Precision::Double); }, {1, 8, 16, 64});
+}
+
+void registerAll()
+{
+    int count = 0;
+    const auto* kernels = availableCovarianceKernels(count);
+    for (int k = 0; k < count; ++k) registerKernels(*kernels[k]);
+    add("oneScene/f32", [](benchmark::State& s) { oneScene(s, Precision::Single); }, {});
+    add("oneScene/f64", [](benchmark::State& s) { oneScene(s, Precision::Double); }, {});
+}
+
+}  // namespace
+}  // namespace terratact
+
+int main(int argc, char** argv)
+{
+    terratact::registerAll();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Ratios of one run of tests/bench/run.sh: medians over its rounds, CPU time."""
+import json
+import pathlib
+import statistics
+import sys
+
+
+def cpu_name():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return "unknown processor"
+
+
+UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+
+
+def measured(path):
+    """Name → CPU seconds, flops per second for peaks and products, seconds per chain-sweep for sweeps."""
+    rows = json.loads(path.read_text())["benchmarks"]
+    return {row["name"]: row.get("flops", row.get("s_per_chain_sweep",
+                                                  row["cpu_time"] * UNITS[row["time_unit"]]))
+            for row in rows}
+
+
+def medians(rounds):
+    return {name: statistics.median(r[name] for r in rounds)
+            for name in rounds[0] if not isinstance(rounds[0][name], str)}
+
+
+def main(folder):
+    ours = medians([measured(p) for p in sorted(folder.glob("ours-*.json"))])
+    files = [json.loads(p.read_text()) for p in sorted(folder.glob("numpy-*.json"))]
+    numpy = medians(files)
+    sets = [s for s in ("AVX-512", "AVX2", "baseline") if f"peak/{s}/f32" in ours]
+    best = sets[0]
+    rows = []
+
+    def row(what, target, reached, digits=2):
+        shown = "" if target is None else f"{target:.{digits}f}"
+        rows.append((what, shown, f"{reached:.{digits}f}"))
+
+    def sweep(kernels, precision, chains):
+        return ours[f"sweep/{kernels}/{precision}/{chains}"]
+
+    row("chain-sweep, 16 chains: batched NumPy / ours", 4.0, numpy["sweep/16"] / sweep(best, "f32", 16))
+    row("chain-sweep, 16 chains: single-chain NumPy / ours", 20.0, numpy["sweep/1"] / sweep(best, "f32", 16))
+    row("chain-sweep, 64 chains: batched NumPy / ours", 3.5, numpy["sweep/64"] / sweep(best, "f32", 64))
+    row("  the same, NumPy in float32", None, numpy["sweep/64/f32"] / sweep(best, "f32", 64))
+    row("  the same, ours in double", None, numpy["sweep/64"] / sweep(best, "f64", 64))
+    row("chain-sweep, 16 chains: NumPy in float32 / ours", None, numpy["sweep/16/f32"] / sweep(best, "f32", 16))
+    row("chain-sweep, 16 chains: batched NumPy / ours in double", None, numpy["sweep/16"] / sweep(best, "f64", 16))
+    row("one scene, K = 1000: NumPy with 16 chains / ours", 10.0, numpy["oneScene"] / ours["oneScene/f32"])
+    row("one scene, K = 1000: NumPy with one chain, 1050 sweeps / ours", 10.0,
+        1050 * numpy["sweep/1"] / ours["oneScene/f32"])
+    row("likelihood and gradient: ours / NumPy", 0.6, ours["likelihoodAndGradient"] / numpy["likelihoodAndGradient"])
+    for chains in (16, 64):
+        if "AVX2" in sets and best == "AVX-512":
+            row(f"chain-sweep, {chains} chains: AVX2's speed / AVX-512's", 0.6,
+                sweep(best, "f32", chains) / sweep("AVX2", "f32", chains))
+    for kernels in sets:
+        for precision in ("f32", "f64"):
+            peak = ours[f"peak/{kernels}/{precision}"]
+            for columns in (16, 64):
+                row(f"quadratic form, {columns} columns, {kernels} {precision}: share of {peak * 1e-9:.0f} GF/s",
+                    0.65 if columns == 64 else None, ours[f"quadratic/{kernels}/{precision}/{columns}"] / peak)
+    worst = max(seconds for name, seconds in ours.items() if name.startswith("draw/"))
+    row("truncated normal, slowest regime [ns a draw]", 150, worst * 1e9, 0)
+
+    print(f"{cpu_name()}; one thread; NumPy {files[0]['numpy']}; medians of {len(files)} rounds, CPU time")
+    width = max(len(r[0]) for r in rows)
+    for what, target, reached in [("", "target", "reached"), *rows]:
+        print(f"{what:<{width}}  {target:>7}  {reached:>7}")
+    print("\nms per chain-sweep" + "".join(f"{f'{c} chains':>12}" for c in (1, 8, 16, 64)))
+    for kernels in sets:
+        for precision in ("f32", "f64"):
+            print(f"{kernels + ' ' + precision:<18}" +
+                  "".join(f"{sweep(kernels, precision, c) * 1e3:12.3f}" for c in (1, 8, 16, 64)))
+    print(f"{'NumPy float64':<18}{numpy['sweep/1'] * 1e3:12.3f}{'':12}{numpy['sweep/16'] * 1e3:12.3f}{numpy['sweep/64'] * 1e3:12.3f}")
+    print(f"\nms per scene of 16 chains, K = 1000: {ours['oneScene/f32'] * 1e3:.0f} (f32), "
+          f"{ours['oneScene/f64'] * 1e3:.0f} (f64), clearances {ours['oneClearanceScene'] * 1e3:.0f}")
+
+
+main(pathlib.Path(sys.argv[1]))
