@@ -14,7 +14,11 @@ using Limits = std::numeric_limits<double>;
 /// exponential to within 1e-12.
 constexpr double kPlainExponential = 1e6;
 
-/// Uniform on (0, 1): the midpoints of 2⁵³ equal cells, so that log is always finite.
+/// An interval this wide [deviations] with the mean inside holds half the normal draws or more; of a narrower
+/// one half of it lies under the density.
+constexpr double kWide = 2.5;
+
+/// Uniform on (0, 1], never 0: the midpoints of 2⁵³ equal cells, so that log is always finite.
 double uniform(std::mt19937_64& rng)
 {
     return (static_cast<double>(rng() >> 11U) + 0.5) * 0x1p-53;
@@ -36,12 +40,39 @@ double gaussian(std::mt19937_64& rng)
     }
 }
 
-/// The mean lies at or below the ceiling: at least every second normal draw does, too.
-double drawWithMeanBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng)
+/// (a − b) / sigma: halved, the difference of two finite numbers cannot overflow.
+double deviations(double a, double b, double sigma)
+{
+    return 2.0 * ((0.5 * a - 0.5 * b) / sigma);
+}
+
+/// Bounds in a frame where the nearer one is the ceiling.
+struct Interval {
+    double floor, ceiling, mean, sigma;
+
+    double width() const { return deviations(ceiling, floor, sigma); }
+    double at(double share) const
+    {
+        return std::max(ceiling - 2.0 * (share * (0.5 * ceiling - 0.5 * floor)), floor);
+    }
+};
+
+/// The interval holds the mean: at least every second normal draw lies in it.
+double drawWideAroundMean(const Interval& i, std::mt19937_64& rng)
 {
     for (;;) {
-        const double h = mean - sigma * gaussian(rng);
-        if (h <= ceiling) return std::clamp(h, Limits::lowest(), Limits::max());
+        const double h = i.mean - i.sigma * gaussian(rng);
+        if (h <= i.ceiling && h >= i.floor) return std::clamp(h, Limits::lowest(), Limits::max());
+    }
+}
+
+/// The same where it is narrow: uniform, accepted with the density.
+double drawNarrowAroundMean(const Interval& i, std::mt19937_64& rng)
+{
+    for (;;) {
+        const double h = i.at(uniform(rng));
+        const double z = deviations(h, i.mean, i.sigma);
+        if (2.0 * exponential(rng) >= z * z) return h;
     }
 }
 
@@ -61,6 +92,43 @@ double drawExcess(double a, std::mt19937_64& rng)
     }
 }
 
+/// The same given that it exceeds a by at most `width`, as a share of the width.  Proposal: an exponential
+/// of rate λ = a + m cut off there, by inversion; accepted with probability exp(−(x − m)² / 2), where
+/// m = min(λ − a as above, width) keeps |x − m| ≤ 1 for the larger part.
+double drawShareOfExcess(double a, double width, std::mt19937_64& rng)
+{
+    const bool plain = a > kPlainExponential;
+    const double m = plain ? 0.0 : std::min(2.0 / (a + std::sqrt(a * a + 4.0)), width);
+    const double fall = (a + m) * width;  // of the log density over the interval
+    for (;;) {
+        const double u = uniform(rng);
+        const double share =
+            fall > 0.0 ? std::min(-std::log1p(u * std::expm1(-fall)) / fall, 1.0) : u;
+        const double d = share * width - m;
+        if (plain || 2.0 * exponential(rng) >= d * d) return share;
+    }
+}
+
+/// The mean lies above the ceiling.  The excess is taken off the ceiling, not off the mean: a thousandth of
+/// a deviation survives 1e12 deviations away.
+double drawBelowMean(const Interval& i, std::mt19937_64& rng)
+{
+    const double a = deviations(i.mean, i.ceiling, i.sigma);
+    const double width = i.width();
+    if (std::isfinite(a * width) && width < kWide) return i.at(drawShareOfExcess(a, width, rng));
+    for (;;) {
+        const double h = std::max(i.ceiling - i.sigma * drawExcess(a, rng), Limits::lowest());
+        if (h >= i.floor) return h;
+    }
+}
+
+double draw(const Interval& i, std::mt19937_64& rng)
+{
+    if (i.floor == i.ceiling) return i.floor;
+    if (i.mean > i.ceiling) return drawBelowMean(i, rng);
+    return i.width() < kWide ? drawNarrowAroundMean(i, rng) : drawWideAroundMean(i, rng);
+}
+
 void require(bool good, const char* text)
 {
     if (!good) throw std::invalid_argument(text);
@@ -70,16 +138,21 @@ void require(bool good, const char* text)
 
 double drawBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng)
 {
-    require(std::isfinite(mean), "drawBelow: the mean must be finite");
-    require(std::isfinite(sigma) && sigma > 0.0, "drawBelow: sigma must be finite and above 0");
-    require(ceiling > -Limits::infinity(),
-            "drawBelow: the ceiling must be a number above -infinity");
-    if (mean <= ceiling) return drawWithMeanBelow(ceiling, mean, sigma, rng);
+    return drawBetween(-Limits::infinity(), ceiling, mean, sigma, rng);
+}
 
-    // Halved, the difference of two finite numbers cannot overflow.  The excess is taken off the
-    // ceiling, not off the mean: a thousandth of a deviation survives at a = 1e12.
-    const double a = 2.0 * ((0.5 * mean - 0.5 * ceiling) / sigma);
-    return std::max(ceiling - sigma * drawExcess(a, rng), Limits::lowest());
+double drawBetween(double floor, double ceiling, double mean, double sigma, std::mt19937_64& rng)
+{
+    require(std::isfinite(mean), "a truncated normal's mean must be finite");
+    require(std::isfinite(sigma) && sigma > 0.0,
+            "a truncated normal's sigma must be finite and above 0");
+    require(ceiling > -Limits::infinity(),
+            "a truncated normal's ceiling must be a number above -infinity");
+    require(floor <= ceiling && floor < Limits::infinity(),
+            "a truncated normal's floor must be a number not above the ceiling");
+    if (0.5 * mean - 0.5 * floor < 0.5 * ceiling - 0.5 * mean)
+        return -draw({-ceiling, -floor, -mean, sigma}, rng);
+    return draw({floor, ceiling, mean, sigma}, rng);
 }
 
 }  // namespace terratact

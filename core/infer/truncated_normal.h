@@ -15,9 +15,19 @@ namespace terratact {
 /// number of the generator, Gaussians Marsaglia's polar method (the second of a pair is thrown away, so
 /// nothing is kept between calls), exponentials −log u.
 ///
+/// Effort: every proposal is accepted with probability ≥ 0.38, whatever the arguments, and takes two
+/// numbers of the generator: more than n are used with probability ≤ 0.62^⌊n/2⌋ (n = 100: 5e-11).
+///
 /// Throws std::invalid_argument unless sigma > 0, mean and sigma are finite, ceiling > −infinity.
 /// Source: Robert, "Simulation of truncated normal variables", Stat. Comput. 5 (1995); the ceiling is the
 /// kinematic constraint of Šalanský et al. §4.3.
 double drawBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng);
+
+/// The same cut off on both sides: p(h) ∝ exp(-(h - mean)² / 2σ²) for floor ≤ h ≤ ceiling.
+/// floor may be −infinity (then this is drawBelow) and ceiling +infinity; floor = ceiling returns it.
+/// The mirrored problem (−ceiling, −floor, −mean) gives the negative of the same draw, unless the bounds lie
+/// equally far from the mean.
+/// Throws std::invalid_argument as drawBelow, and unless floor ≤ ceiling, floor < +infinity.
+double drawBetween(double floor, double ceiling, double mean, double sigma, std::mt19937_64& rng);
 
 }  // namespace terratact

@@ -46,4 +46,15 @@ std::function<double(double)> truncatedCdf(double ceiling, double mean, double s
     };
 }
 
+std::function<double(double)> truncatedCdf(double floor, double ceiling, double mean, double sigma)
+{
+    if (mean < floor) {  // mirrored, so that the tail keeps its digits
+        const auto mirrored = truncatedCdf(-ceiling, -floor, -mean, sigma);
+        return [mirrored](double h) { return 1.0 - mirrored(-h); };
+    }
+    const auto below = truncatedCdf(ceiling, mean, sigma);
+    const double cut = below(floor);
+    return [below, cut](double h) { return (below(h) - cut) / (1.0 - cut); };
+}
+
 }  // namespace terratact

@@ -13,6 +13,10 @@ double kolmogorov(std::vector<double> sample, const std::function<double(double)
 /// of itself however far the ceiling lies below the mean.  Independent of the product's sampler.
 std::function<double(double)> truncatedCdf(double ceiling, double mean, double sigma);
 
+/// The same cut off below `floor`, too: floor ≤ ceiling, the interval no narrower than 1e-3 of the scale on which
+/// the density changes (the difference of two distribution functions must keep its digits).
+std::function<double(double)> truncatedCdf(double floor, double ceiling, double mean, double sigma);
+
 /// Mills ratio (1 − Φ(x)) / φ(x) of the standard normal, x ≥ 0.
 double millsRatio(double x);
 

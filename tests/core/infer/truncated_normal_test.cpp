@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "tests/support/distributions.h"
@@ -15,6 +19,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 struct Case {
     double ceiling, mean, sigma;
@@ -50,37 +55,126 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{-1e5, 0.0, 1.0}, Case{-0.999999e6, 0.0, 1.0},   // −1e5, below the switch
                     Case{-1.000001e6, 0.0, 1.0}, Case{0.0, 1e8, 1.0}));  // above it, −1e8
 
-struct Moments {
-    double a, excess, variance;  // of a standard normal variable above a; excess = mean − a
+struct Row {
+    double a, b;              // a standard normal variable between them
+    double excess, variance;  // excess = mean − a
 };
 
-class DrawBelowMoments : public testing::TestWithParam<Moments> {};
-
-TEST_P(DrawBelowMoments, matchTheReferenceOfEightyDigits)
+/// Mean and variance at 1e6 draws within 5 standard errors of the reference, 80 digits long.
+void expectMoments(const Row& row, std::vector<double> excess)
 {
-    const auto [a, excess, variance] = GetParam();
-    constexpr std::size_t n = 1000000;
-    const std::vector<double> h = sample({-a, 0.0, 1.0}, n);  // mirrored: ours is cut off above
+    const auto n = static_cast<double>(excess.size());
     double mean = 0.0;
-    for (const double x : h) mean += (-a - x) / n;
-    double spread = 0.0;
-    for (const double x : h) spread += (-a - x - mean) * (-a - x - mean) / n;
-    EXPECT_NEAR(mean, excess, 5.0 * std::sqrt(variance / n));
-    EXPECT_NEAR(spread, variance, 5.0 * variance * std::sqrt(8.0 / n));  // kurtosis ≤ 9
+    for (const double x : excess) mean += x / n;
+    double spread = 0.0, fourth = 0.0;
+    for (const double x : excess) {
+        const double square = (x - mean) * (x - mean);
+        spread += square / n;
+        fourth += square * square / n;
+    }
+    EXPECT_LT(std::abs(mean - row.excess), 5.0 * std::sqrt(row.variance / n));
+    EXPECT_LT(std::abs(spread - row.variance), 5.0 * std::sqrt((fourth - spread * spread) / n));
 }
 
-INSTANTIATE_TEST_SUITE_P(Mpmath, DrawBelowMoments,
-                         testing::Values(Moments{0, 0.79788456080286536, 0.36338022763241866},
-                                         Moments{1, 0.5251352761609812, 0.19909766557034879},
-                                         Moments{3, 0.2830986549304365, 0.070559186785268117},
-                                         Moments{5, 0.1865039671258421, 0.032696434617112225},
-                                         Moments{8, 0.1213681122361127, 0.01432488344334091},
-                                         Moments{10, 0.098093233962512, 0.0094453778256562612},
-                                         Moments{20, 0.049753068527851, 0.0024632616150521636},
-                                         Moments{37, 0.02698768612699, 0.00072727809887751334},
-                                         Moments{39, 0.025607419930108, 0.0006548827702932843},
-                                         Moments{100, 0.00999800099926, 9.994004994826345e-5},
-                                         Moments{1e5, 9.999999998e-6, 9.999999994e-11}));
+class DrawBetweenMoments : public testing::TestWithParam<Row> {};
+
+TEST_P(DrawBetweenMoments, matchTheReferenceOfEightyDigits)
+{
+    const Row& row = GetParam();
+    std::mt19937_64 rng(20150205);
+    std::vector<double> excess(1000000);
+    for (double& x : excess) x = drawBetween(row.a, row.b, 0.0, 1.0, rng) - row.a;
+    expectMoments(row, excess);
+}
+
+TEST_P(DrawBetweenMoments, matchTheReferenceInTheMirrorToo)
+{
+    const Row& row = GetParam();
+    std::mt19937_64 rng(20210601);
+    std::vector<double> excess(1000000);
+    for (double& x : excess) x = -row.a - drawBetween(-row.b, -row.a, 0.0, 1.0, rng);
+    expectMoments(row, excess);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mpmath, DrawBetweenMoments,
+    testing::Values(Row{0, kInfinity, 0.79788456080286536, 0.36338022763241866},
+                    Row{1, kInfinity, 0.5251352761609812, 0.19909766557034879},
+                    Row{3, kInfinity, 0.2830986549304365, 0.070559186785268117},
+                    Row{5, kInfinity, 0.1865039671258421, 0.032696434617112225},
+                    Row{8, kInfinity, 0.1213681122361127, 0.01432488344334091},
+                    Row{10, kInfinity, 0.098093233962512, 0.0094453778256562612},
+                    Row{20, kInfinity, 0.049753068527851, 0.0024632616150521636},
+                    Row{37, kInfinity, 0.02698768612699, 0.00072727809887751334},
+                    Row{39, kInfinity, 0.025607419930108, 0.0006548827702932843},
+                    Row{100, kInfinity, 0.00999800099926, 9.994004994826345e-5},
+                    Row{1e5, kInfinity, 9.999999998e-6, 9.999999994e-11},
+                    Row{10, 11, 0.098068374933019, 0.0094207719023364951},
+                    Row{-1, 3, 1.28278611072715401, 0.6161417353578293},
+                    Row{-2, -1, 0.6168309533684472, 0.072742886100601289},
+                    Row{8, 8.3, 0.0943516704006742, 0.0056881250439280846}));
+
+struct Interval {
+    double floor, ceiling, mean, sigma;
+};
+
+std::vector<double> sampleBetween(const Interval& i, std::size_t n, unsigned seed = 20150205)
+{
+    std::mt19937_64 rng(seed);
+    std::vector<double> h(n);
+    for (double& x : h) x = drawBetween(i.floor, i.ceiling, i.mean, i.sigma, rng);
+    return h;
+}
+
+class DrawBetween : public testing::TestWithParam<Interval> {};
+
+TEST_P(DrawBetween, matchesTheAnalyticDistribution)
+{
+    const auto [floor, ceiling, mean, sigma] = GetParam();
+    const std::vector<double> h = sampleBetween(GetParam(), 20000);
+    EXPECT_LE(*std::max_element(h.begin(), h.end()), ceiling);
+    EXPECT_GE(*std::min_element(h.begin(), h.end()), floor);
+    EXPECT_LT(kolmogorov(h, truncatedCdf(floor, ceiling, mean, sigma)), 2.23);
+}
+
+TEST_P(DrawBetween, mirroredGivesTheNegativeOfTheSameDraws)
+{
+    const auto [floor, ceiling, mean, sigma] = GetParam();
+    const std::vector<double> h = sampleBetween(GetParam(), 2000);
+    std::vector<double> mirrored = sampleBetween(Interval{-ceiling, -floor, -mean, sigma}, 2000);
+    for (double& x : mirrored) x = -x;
+    EXPECT_EQ(h, mirrored);
+}
+
+double above(double x)
+{
+    return std::nextafter(x, kInfinity);
+}
+double below(double x)
+{
+    return std::nextafter(x, -kInfinity);
+}
+
+// Every regime, and one unit in the last place on either side of where one takes over from another:
+// mean on a bound, width 2.5 deviations, far tail from 1e6 deviations.
+INSTANTIATE_TEST_SUITE_P(
+    Regimes, DrawBetween,
+    testing::Values(
+        Interval{-0.5, 6.0, 0.0, 1.0}, Interval{-3.0, 0.5, 0.0, 1.0},     // wide around the mean
+        Interval{-0.3, 0.4, 0.0, 1.0}, Interval{-0.2, -0.1, -0.16, 7.0},  // narrow around it
+        Interval{0.5, 9.0, 0.0, 1.0}, Interval{2.0, 2.7, 0.0, 1.0},       // beside it
+        Interval{30.0, 30.001, 0.0, 1.0}, Interval{1e5, 1e5 + 1e-5, 0.0, 1.0},
+        Interval{0.0, 3e-8, -1e7, 1.0}, Interval{0.0, 1.0, -1e7, 1.0},  // far beside it
+        Interval{-9.0, 0.0, above(0.0), 1.0}, Interval{-9.0, 0.0, 0.0, 1.0},
+        Interval{-9.0, 0.0, below(0.0), 1.0}, Interval{-1.0, 0.0, above(0.0), 1.0},
+        Interval{-1.0, 0.0, 0.0, 1.0}, Interval{-1.0, 0.0, below(0.0), 1.0},
+        Interval{-2.0, above(0.5), 0.0, 1.0}, Interval{-2.0, 0.5, 0.0, 1.0},
+        Interval{-2.0, below(0.5), 0.0, 1.0}, Interval{1.0, above(3.5), 0.0, 1.0},
+        Interval{1.0, 3.5, 0.0, 1.0}, Interval{1.0, below(3.5), 0.0, 1.0},
+        Interval{-1e-6, 0.0, above(1e6), 1.0}, Interval{-1e-6, 0.0, 1e6, 1.0},
+        Interval{-1e-6, 0.0, below(1e6), 1.0}, Interval{-kInfinity, 0.0, above(1e6), 1.0},
+        Interval{-kInfinity, 0.0, 1e6, 1.0}, Interval{-kInfinity, 0.0, below(1e6), 1.0},
+        Interval{0.0, kInfinity, -2.0, 1.0}));
 
 class DrawBelowExtreme : public testing::TestWithParam<Case> {};
 
@@ -101,6 +195,23 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{-kLargest, 0.0, kLargest}, Case{kInfinity, kLargest, kLargest},
                     Case{kInfinity, -kLargest, kLargest}, Case{kLargest, kLargest, kLargest},
                     Case{0.0, 1e154, 1.0}, Case{0.0, 1e155, 1.0}, Case{-1e8, 0.0, 1.0}));
+
+TEST(DrawBetween, isFiniteAndInsideItsBoundsAtEveryCornerOfTheDoubles)
+{
+    const std::vector<double> corners{-kLargest, -1e300, -1e154, -1.0,  -1e-300, -kLeast, 0.0,
+                                      kLeast,    1e-300, 1.0,    1e154, 1e300,   kLargest};
+    std::mt19937_64 rng(1);
+    for (const double a : corners)
+        for (const double b : corners)
+            for (const double mean : corners)
+                for (const double sigma : {kLeast, 1e-300, 1e-8, 1.0, 1e300, kLargest})
+                    for (int k = 0; k < 3; ++k) {
+                        const double floor = k == 2 ? -kInfinity : std::min(a, b);
+                        const double h = drawBetween(floor, std::max(a, b), mean, sigma, rng);
+                        ASSERT_TRUE(std::isfinite(h) && h >= floor && h <= std::max(a, b))
+                            << floor << ' ' << std::max(a, b) << ' ' << mean << ' ' << sigma;
+                    }
+}
 
 TEST(DrawBelowFarTail, isAnExponentialOfRateAOverSigma)
 {
@@ -136,16 +247,71 @@ TEST(DrawBelowArguments, thatMeanNothingAreRefused)
             << c.ceiling << ' ' << c.mean << ' ' << c.sigma;
 }
 
-TEST(DrawBelowEffort, isAFewRandomNumbersHoweverFarTheCeiling)
+TEST(DrawBetweenArguments, thatMeanNothingAreRefused)
 {
-    for (const double ceiling : {6.0, 0.0, -0.1, -2.0, -38.0, -1e5, -1e300}) {
-        std::mt19937_64 rng(1);
-        std::mt19937_64 counted(1);
-        for (int i = 0; i < 500; ++i) drawBelow(ceiling, 0.0, 1.0, rng);
-        int used = 0;
-        for (; counted != rng && used < 10000; ++used) counted();
-        EXPECT_LT(used, 500 * 6) << ceiling;
+    std::mt19937_64 rng(1);
+    for (const Interval& i :
+         {Interval{1, 0, 0, 1}, Interval{kNan, 0, 0, 1}, Interval{0, kNan, 0, 1},
+          Interval{kInfinity, kInfinity, 0, 1}, Interval{-kInfinity, -kInfinity, 0, 1},
+          Interval{0, 1, kNan, 1}, Interval{0, 1, kInfinity, 1}, Interval{0, 1, 0, 0},
+          Interval{0, 1, 0, kNan}, Interval{0, 1, 0, kInfinity}})
+        EXPECT_THROW(drawBetween(i.floor, i.ceiling, i.mean, i.sigma, rng), std::invalid_argument)
+            << i.floor << ' ' << i.ceiling << ' ' << i.mean << ' ' << i.sigma;
+}
+
+/// The numbers of the generator that one draw takes, at most 1000.
+int numbersUsed(const Interval& i, std::mt19937_64& rng)
+{
+    std::mt19937_64 before = rng;
+    drawBetween(i.floor, i.ceiling, i.mean, i.sigma, rng);
+    int used = 0;
+    for (; before != rng && used < 1000; ++used) before();
+    return used;
+}
+
+TEST(DrawBetweenEffort, isAFewRandomNumbersHoweverFarAndNarrowTheInterval)
+{
+    for (const double ceiling : {6.0, 1.25, 0.0, -0.1, -2.0, -38.0, -1e5, -1e300})
+        for (const double width : {1e-12, 0.1, 1.0, 2.4, 2.6, 40.0, kInfinity}) {
+            std::mt19937_64 rng(1);
+            int all = 0, most = 0;
+            for (int k = 0; k < 500; ++k) {
+                const int used = numbersUsed({ceiling - width, ceiling, 0.0, 1.0}, rng);
+                all += used;
+                most = std::max(most, used);
+            }
+            EXPECT_LT(all, 500 * 6) << ceiling << ", width " << width;
+            EXPECT_LT(most, 70) << ceiling << ", width " << width;  // 1e-4 by the header's bound
+        }
+}
+
+/// 0 or ±10^e with e uniform: reaches every regime.
+double anyDeviations(double least, double most, std::mt19937_64& rng)
+{
+    const double share = static_cast<double>(rng() >> 11U) * 0x1p-53;
+    const double x = std::pow(10.0, least + (most - least) * share);
+    const auto bits = rng();
+    return (bits & 7U) == 0 ? 0.0 : (bits & 8U) ? x : -x;
+}
+
+/// TERRATACT_DRAWS=1000000000 runs the long form, about two minutes.
+TEST(DrawBetween, isFiniteAndInsideItsBoundsInEveryOneOfManyDraws)
+{
+    const char* const wanted = std::getenv("TERRATACT_DRAWS");
+    const std::int64_t draws = wanted ? std::stoll(wanted) : 300000;
+    constexpr int kEach = 100;
+    std::mt19937_64 rng(20150205);
+    std::int64_t wrong = 0;
+    for (std::int64_t k = 0; k < draws; k += kEach) {
+        const double ceiling = anyDeviations(-10.0, 8.0, rng);
+        const bool open = (rng() & 3U) == 0;
+        const double floor = open ? -kInfinity : ceiling - std::abs(anyDeviations(-12.0, 9.0, rng));
+        for (int e = 0; e < kEach; ++e) {
+            const double h = drawBetween(floor, ceiling, 0.0, 1.0, rng);
+            wrong += !(std::isfinite(h) && h >= floor && h <= ceiling);
+        }
     }
+    EXPECT_EQ(wrong, 0) << "of " << draws << " draws";
 }
 
 }  // namespace
