@@ -18,6 +18,7 @@ namespace {
 
 /// Of σ_n²: how far off single precision may be.
 constexpr double kMostSingleError = 2e-3;
+constexpr int kColumnsPerPoll = 8 * kGroup;
 
 std::size_t area(int a, int b)
 {
@@ -47,11 +48,14 @@ AlignedArray<double> scaledRows(const Eigen::MatrixXd& X, const Eigen::VectorXd&
     double* out = scaled.data();
     for (Eigen::Index u = 0; u < X.rows(); ++u)
         for (Eigen::Index d = 0; d < X.cols(); ++d) *out++ = X(u, d) / lengthScale[d];
+    if (!std::all_of(scaled.data(), out, [](double z) { return std::isfinite(z); }))
+        throw std::invalid_argument("Gaussian process: an input overflows in length scales");
     return scaled;
 }
 
 /// The signal part k(X, X), upper triangle (lower one not set), by blocks of columns.
-Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper)
+Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
+                                 const Poll& poll = {})
 {
     const int U = static_cast<int>(X.rows());
     const int d = static_cast<int>(X.cols());
@@ -63,6 +67,7 @@ Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters
     Eigen::MatrixXd K(U, U);
     for (int first = 0; first < U; first += kGroup) {
         const int columns = std::min(kGroup, U - first);
+        if (poll && first % kColumnsPerPoll == 0) poll();
         for (int c = 0; c < columns; ++c)
             for (int j = 0; j < d; ++j) z.data()[j * kGroup + c] = rows.data()[(first + c) * d + j];
         // Rows before the block are the upper triangle of its columns.
@@ -80,16 +85,60 @@ Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters
 }
 
 /// Adds the noise and factorises in place: upper triangle becomes R with K = Rᵀ R (R = Lᵀ).
+/// The smallest pivot over the largest, squared, is never below the reciprocal condition number.
 void factorise(Eigen::MatrixXd& K, double noiseSd)
 {
+    constexpr double kRounding = 1e-14;
     K.diagonal().array() += noiseSd * noiseSd;
     const auto n = static_cast<lapack_int>(K.rows());
     const lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', n, K.data(), n);
-    if (info != 0 || !K.diagonal().allFinite())
+    const bool finite = info == 0 && K.diagonal().allFinite();
+    const double ratio = finite ? K.diagonal().minCoeff() / K.diagonal().maxCoeff() : 0.0;
+    if (!(ratio * ratio >= kRounding))
         throw std::invalid_argument(
             fmt::format("Gaussian process: the covariance of {} rows is not positive definite "
                         "(doubled rows, noise sd {:.3g} m)",
                         K.rows(), noiseSd));
+}
+
+struct Factor {
+    Eigen::MatrixXd R;  // upper triangle, K + jitter = Rᵀ R
+    double jitter = 0.0, rcond = 0.0;
+};
+
+/// K + jitter (σ_f² + σ_n²) I with the noise in it, upper triangle.
+Eigen::MatrixXd noisyCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
+                                double jitter, const Poll& poll)
+{
+    const double noise2 = hyper.noiseSd * hyper.noiseSd;
+    const double prior = hyper.signalSd * hyper.signalSd + noise2;
+    Eigen::MatrixXd K = signalCovariance(X, hyper, poll);
+    K.diagonal().array() += noise2 + jitter * prior;
+    return K;
+}
+
+/// rcond 0 where it is not positive definite.
+Factor tryFactor(const Eigen::MatrixXd& X, const Hyperparameters& hyper, double jitter,
+                 const Poll& poll)
+{
+    Factor factor{noisyCovariance(X, hyper, jitter, poll), jitter, 0.0};
+    const double norm = symmetricNorm(factor.R);
+    if (choleskyUpper(factor.R, poll)) factor.rcond = reciprocalCondition(factor.R, norm, poll);
+    return factor;
+}
+
+/// With the least jitter that makes K well enough conditioned.
+Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper, const Poll& poll)
+{
+    for (const double jitter : {0.0, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6}) {
+        Factor factor = tryFactor(X, hyper, jitter, poll);
+        if (factor.rcond >= kLeastRcond) return factor;
+    }
+    throw std::invalid_argument(
+        fmt::format("Gaussian process: the covariance of {} rows is singular (reciprocal condition "
+                    "number below "
+                    "{:.0e}) with every jitter up to 1e-6; signal sd {:.3g} m, noise sd {:.3g} m",
+                    X.rows(), kLeastRcond, hyper.signalSd, hyper.noiseSd));
 }
 
 /// α = K⁻¹ y from the factor.
@@ -109,35 +158,38 @@ int groupsOf(Eigen::Index columns)
 }  // namespace
 
 GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
-                                 double outputMean)
+                                 double outputMean, const Poll& poll)
     : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean)
 {
     checkArguments(X_, y, hyper_);
     if (!std::isfinite(outputMean))
         throw std::invalid_argument("Gaussian process: the output mean must be finite");
-    Eigen::MatrixXd R = factor();
-    alpha_ = solve(R, y);
-    inverse_.emplace(std::move(R), [this] { return factor(); });
+    Factor found = factorWithJitter(X_, hyper_, poll);
+    jitter_ = found.jitter;
+    rcond_ = found.rcond;
+    alpha_ = solve(found.R, y);
+    const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
+    if (!std::isfinite(largestMean))
+        throw std::invalid_argument("Gaussian process: the outputs overflow in units of the noise");
+    inverse_.emplace(std::move(found.R), [this](const Poll& again) { return factor(again); });
 }
 
-Eigen::MatrixXd GaussianProcess::factor() const
+Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const
 {
-    Eigen::MatrixXd K = signalCovariance(X_, hyper_);
-    factorise(K, hyper_.noiseSd);
+    Eigen::MatrixXd K = noisyCovariance(X_, hyper_, jitter_, poll);
+    choleskyUpper(K, poll);  // as it did when this process was built
     return K;
 }
 
-Precision GaussianProcess::usable(Precision wanted) const
+Precision GaussianProcess::usable(Precision wanted, const Poll& poll) const
 {
     if (wanted == Precision::Double) return wanted;
     const double most = kMostSingleError * hyper_.noiseSd * hyper_.noiseSd;
-    return singleError() <= most ? Precision::Single : Precision::Double;
+    return singleError(poll) <= most ? Precision::Single : Precision::Double;
 }
 
 Normal GaussianProcess::predict(const Eigen::VectorXd& x) const
 {
-    if (x.size() != X_.cols() || !x.allFinite())
-        throw std::invalid_argument(fmt::format("a prediction needs {} finite inputs", X_.cols()));
     Eigen::VectorXd mean;
     Eigen::VectorXd variance;
     SceneConditional(*this, x, {}, Precision::Double)
@@ -147,15 +199,18 @@ Normal GaussianProcess::predict(const Eigen::VectorXd& x) const
 
 SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x,
                                    std::vector<int> moving, Precision precision,
-                                   const CovarianceKernels& kernels)
+                                   const Poll& poll, const CovarianceKernels& kernels)
     : gp_(gp), kernels_(kernels), moving_(std::move(moving)),
       scaledX_(static_cast<std::size_t>(gp.rows()) * moving_.size()),
       logWeight_(static_cast<std::size_t>(gp.rows())), alpha_(static_cast<std::size_t>(gp.rows()))
 {
-    if (gp.usable(precision) == Precision::Single)
-        panelsSingle_ = gp.inverse_->panelsSingle();
+    if (x.size() != gp.inputs() || !x.allFinite())
+        throw std::invalid_argument(
+            fmt::format("a prediction needs {} finite inputs", gp.inputs()));
+    if (gp.usable(precision, poll) == Precision::Single)
+        panelsSingle_ = gp.inverse_->panelsSingle(poll);
     else
-        panels_ = gp.inverse_->panels();
+        panels_ = gp.inverse_->panels(poll);
     const Eigen::VectorXd& scale = gp.hyper_.lengthScale;
     Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(gp.rows());
     for (int d = 0; d < gp.inputs(); ++d)
@@ -225,6 +280,7 @@ void SceneConditional::meansAndSquares(int groups)
 void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean,
                                Eigen::VectorXd& variance)
 {
+    if (!inputs.allFinite()) throw std::invalid_argument("a prediction needs finite inputs");
     const Eigen::Index n = inputs.cols();
     const int groups = groupsOf(n);
     makeRoom(groups);
@@ -233,8 +289,9 @@ void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& m
     mean = Eigen::Map<const Eigen::ArrayXd>(mean_.data(), n) + gp_.outputMean_;
     const double noise2 = gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;
     const double prior = gp_.hyper_.signalSd * gp_.hyper_.signalSd + noise2;
-    // Rounding must not go below the noise.
-    variance = (prior - Eigen::Map<const Eigen::ArrayXd>(squares_.data(), n)).max(noise2).matrix();
+    // Rounding must not go below the noise, nor to 0 where there is none.
+    const double least = std::max(noise2, kLeastVariance * prior);
+    variance = (prior - Eigen::Map<const Eigen::ArrayXd>(squares_.data(), n)).max(least).matrix();
 }
 
 Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
@@ -270,6 +327,8 @@ Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd
         result.gradient[k] = rowSums.dot(Z.col(k).cwiseAbs2()) - Z.col(k).dot(MZ.col(k));
     result.gradient[d] = rowSums.sum();
     result.gradient[d + 1] = hyper.noiseSd * hyper.noiseSd * trace;
+    if (!std::isfinite(result.negativeLog) || !result.gradient.allFinite())
+        throw std::invalid_argument("Gaussian process: the likelihood overflows");
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/learn/aligned_array.h"
+#include "core/learn/cholesky.h"
 #include "core/learn/covariance_kernels.h"
 #include "core/learn/hyperparameters.h"
 #include "core/learn/inverse_factor.h"
@@ -18,41 +19,58 @@ struct Normal {
     double variance = 0.0;
 };
 
+/// A covariance whose reciprocal condition number is below this is not trusted.
+inline constexpr double kLeastRcond = 1e-12;
+/// Share of the prior's variance below which rounding leaves nothing of a predicted one.
+inline constexpr double kLeastVariance = 1e-15;
+
 /// Gaussian process regression with the kernel of Hyperparameters (Rasmussen & Williams 2006, ch. 2):
 ///   K = k(X, X) + σ_n² I = L Lᵀ,  α = K⁻¹ y
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
+/// Where K is singular to working precision (doubled rows without noise, length scales beyond the data),
+/// K + jitter (σ_f² + σ_n²) I takes its place, with the least jitter of 1e-10, 1e-9 … 1e-6 that mends it.
+/// Mean and variance (in double precision) are right to max(1e-9, 4e-15 U / rcond()) of max |y| and of
+/// σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
 /// Immutable once built; safe to share between threads.  L⁻¹ is inverted and packed at the first prediction.
 class GaussianProcess {
 public:
     /// X: U × d standardised inputs; y: U outputs, centred; outputMean: ȳ, added to every prediction.
+    /// poll: called every few milliseconds; what it throws comes out of here, and nothing is built.
     /// Throws std::invalid_argument if sizes disagree, a number is not finite, a length scale is not
-    /// positive, or K is not positive definite (doubled rows without noise).
+    /// positive, or rcond() would be below kLeastRcond with every jitter.
     GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
-                    double outputMean);
+                    double outputMean, const Poll& poll = {});
 
     Eigen::Index rows() const { return X_.rows(); }
     Eigen::Index inputs() const { return X_.cols(); }
     const Hyperparameters& hyperparameters() const { return hyper_; }
 
+    /// Added to K's diagonal, as a share of σ_f² + σ_n²; 0 where K needed none.
+    double jitter() const { return jitter_; }
+    /// Estimated reciprocal condition number of K with its jitter, 1-norm.
+    double rcond() const { return rcond_; }
+
     /// InverseFactor::singleError of this process [m²].  Elsewhere a variance was seen to be off by up to three
     /// times as much, and a standard deviation of the shipped model by up to 6e-6 m (heights).
-    double singleError() const { return inverse_->singleError(); }
+    double singleError(const Poll& poll = {}) const { return inverse_->singleError(poll); }
 
     /// The precision that a wish for `wanted` gets: single only where singleError is at most 0.2 % of σ_n², the
     /// least a variance can be, which is 0.1 % of a standard deviation.  A process with next to no noise, or
-    /// ill-conditioned, is computed in double.
-    Precision usable(Precision wanted) const;
+    /// ill-conditioned, is computed in double.  poll: while L⁻¹ is inverted and packed, see InverseFactor.
+    Precision usable(Precision wanted, const Poll& poll = {}) const;
 
     /// Of the height at a standardised input x: d.  In double precision.
     Normal predict(const Eigen::VectorXd& x) const;
 
 private:
     friend class SceneConditional;
-    Eigen::MatrixXd factor() const;
+    Eigen::MatrixXd factor(const Poll& poll) const;
 
     Eigen::MatrixXd X_;
     Hyperparameters hyper_;
     double outputMean_;
+    double jitter_ = 0.0;
+    double rcond_ = 1.0;
     Eigen::VectorXd alpha_;
     std::optional<InverseFactor> inverse_;
 };
@@ -62,12 +80,15 @@ private:
 class SceneConditional {
 public:
     /// x: d standardised input; moving: indices of inputs that will be given anew for each prediction.
-    /// precision: of the variance, where usable() grants it; the mean is double in both.
+    /// precision: of the variance, where usable() grants it; the mean is double in both.  poll: likewise.
+    /// Throws std::invalid_argument for another size or a value of x that is not finite.
     SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving,
-                     Precision precision, const CovarianceKernels& kernels = covarianceKernels());
+                     Precision precision, const Poll& poll = {},
+                     const CovarianceKernels& kernels = covarianceKernels());
 
     /// Predicts for several settings of the moving inputs at once.  A column's result does not depend on
     /// the others.  inputs: moving.size() × n standardised; mean, variance: n.
+    /// Throws std::invalid_argument for an input that is not finite.
     void predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean, Eigen::VectorXd& variance);
 
 private:
@@ -95,7 +116,8 @@ struct Likelihood {
 
 /// −log p(y | X) = ½ yᵀ α + Σ log L_ii + ½ U log 2π (eq. 2.30) and its gradient
 /// ½ tr((K⁻¹ − α αᵀ) ∂K/∂θ) (eq. 5.9).  Memory: 2 U² doubles.
-/// Throws as the constructor of GaussianProcess.
+/// Throws std::invalid_argument for the arguments that GaussianProcess refuses, and where K is singular to
+/// working precision or the value overflows: no jitter here, the search shall see where it leads.
 Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                  const Hyperparameters& hyper);
 

@@ -1,7 +1,6 @@
 #include "core/learn/inverse_factor.h"
 
 #include <cblas.h>
-#include <lapacke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,22 +15,16 @@ namespace {
 
 constexpr int kProbes = 2 * kGroup;  // columns that singleError looks at
 
-/// R⁻¹ in place, upper triangle.
-void invert(Eigen::MatrixXd& R)
-{
-    const auto n = static_cast<lapack_int>(R.rows());
-    LAPACKE_dtrtri(LAPACK_COL_MAJOR, 'U', 'N', n, R.data(), n);
-}
-
 /// Rows of the lower triangle L⁻¹ = (R⁻¹)ᵀ in panels.
 template <class T>
-AlignedArray<T> pack(const Eigen::MatrixXd& inverseR)
+AlignedArray<T> pack(const Eigen::MatrixXd& inverseR, const Poll& poll)
 {
     constexpr int kRows = kPanelRows<T>;
     const auto U = static_cast<int>(inverseR.rows());
     AlignedArray<T> panels(static_cast<std::size_t>(panelStart<T>(paddedRows(U))));
     for (int i = 0; i < U; ++i) {
         const int first = i / kRows * kRows;
+        if (poll && i == first) poll();
         T* out = panels.data() + panelStart<T>(first) + (i - first);
         const double* row = inverseR.data() + static_cast<Eigen::Index>(i) * U;
         for (int j = 0; j <= i; ++j) out[static_cast<long>(j) * kRows] = static_cast<T>(row[j]);
@@ -82,52 +75,52 @@ double errorAt(const Eigen::MatrixXd& columns, const AlignedArray<float>& panels
 
 }  // namespace
 
-InverseFactor::InverseFactor(Eigen::MatrixXd R, std::function<Eigen::MatrixXd()> again)
+InverseFactor::InverseFactor(Eigen::MatrixXd R, std::function<Eigen::MatrixXd(const Poll&)> again)
     : rows_(static_cast<int>(R.rows())), again_(std::move(again)), R_(std::move(R))
 {
 }
 
-Eigen::MatrixXd InverseFactor::takeFactor() const
+Eigen::MatrixXd InverseFactor::takeFactor(const Poll& poll) const
 {
-    if (!R_) return again_();
+    if (!R_) return again_(poll);
     Eigen::MatrixXd R = std::move(*R_);
     R_.reset();
     return R;
 }
 
-const double* InverseFactor::panels() const
+const double* InverseFactor::panels(const Poll& poll) const
 {
     const std::scoped_lock lock(mutex_);
     if (!double_) {
-        Eigen::MatrixXd R = takeFactor();
-        invert(R);
-        double_ = pack<double>(R);
+        Eigen::MatrixXd R = takeFactor(poll);
+        invertUpper(R, poll);
+        double_ = pack<double>(R, poll);
     }
     return double_->data();
 }
 
-const InverseFactor::Single& InverseFactor::single() const
+const InverseFactor::Single& InverseFactor::single(const Poll& poll) const
 {
     const std::scoped_lock lock(mutex_);
     if (!single_) {
-        Eigen::MatrixXd R = takeFactor();
+        Eigen::MatrixXd R = takeFactor(poll);
         const Eigen::MatrixXd columns = probeColumns(R);
-        invert(R);
-        AlignedArray<float> panels = pack<float>(R);
+        invertUpper(R, poll);
+        AlignedArray<float> panels = pack<float>(R, poll);
         const double error = errorAt(columns, panels);
         single_ = Single{std::move(panels), error};
     }
     return *single_;
 }
 
-const float* InverseFactor::panelsSingle() const
+const float* InverseFactor::panelsSingle(const Poll& poll) const
 {
-    return single().panels.data();
+    return single(poll).panels.data();
 }
 
-double InverseFactor::singleError() const
+double InverseFactor::singleError(const Poll& poll) const
 {
-    return single().error;
+    return single(poll).error;
 }
 
 }  // namespace terratact

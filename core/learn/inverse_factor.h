@@ -6,12 +6,14 @@
 #include <optional>
 
 #include "core/learn/aligned_array.h"
+#include "core/learn/cholesky.h"
 #include "core/learn/precision.h"
 
 namespace terratact {
 
 /// L⁻¹ of K = L Lᵀ, U × U, packed in panels for CovarianceKernels when it is first needed, in the precision that
-/// is needed: U² / 2 numbers each.  Safe to share between threads.
+/// is needed: U² / 2 numbers each.  Safe to share between threads; one that waits for another's packing does not
+/// poll.  What a poll throws leaves the packing to the next caller.
 ///
 /// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8, and the products grow with
 /// the condition of K.  The error is therefore measured, at columns of K itself, where |L⁻¹ K e_i|² = K_ii is
@@ -19,26 +21,26 @@ namespace terratact {
 class InverseFactor {
 public:
     /// R = Lᵀ, upper triangle (the lower one is not read); `again` makes the same R once more, for R is given
-    /// up when the first panels are packed.  `again` is called with a precision's first use at the latest.
-    InverseFactor(Eigen::MatrixXd R, std::function<Eigen::MatrixXd()> again);
+    /// up when panels are packed.
+    InverseFactor(Eigen::MatrixXd R, std::function<Eigen::MatrixXd(const Poll&)> again);
 
     int rows() const { return rows_; }
-    const double* panels() const;
-    const float* panelsSingle() const;
+    const double* panels(const Poll& poll = {}) const;
+    const float* panelsSingle(const Poll& poll = {}) const;
 
     /// Largest | |L⁻¹ K e_i|² − K_ii | in single precision over 16 rows i from the first to the last.
-    double singleError() const;
+    double singleError(const Poll& poll = {}) const;
 
 private:
     struct Single {
         AlignedArray<float> panels;
         double error = 0.0;
     };
-    const Single& single() const;
-    Eigen::MatrixXd takeFactor() const;
+    const Single& single(const Poll& poll) const;
+    Eigen::MatrixXd takeFactor(const Poll& poll) const;
 
     int rows_;
-    std::function<Eigen::MatrixXd()> again_;
+    std::function<Eigen::MatrixXd(const Poll&)> again_;
     mutable std::mutex mutex_;  // of everything below; the values never change once there
     mutable std::optional<Eigen::MatrixXd> R_;
     mutable std::optional<AlignedArray<double>> double_;

@@ -67,7 +67,7 @@ public:
             scene->sd_.push_back(shippedBins().heightSd(i));
             scene->conditionals_.push_back(std::make_unique<SceneConditional>(
                 shippedBins().bin(i), shippedBins().input(i, known, s), movingInputs(unknown, i),
-                precision_, kernels_));
+                precision_, Poll{}, kernels_));
         }
         return scene;
     }

@@ -169,10 +169,6 @@ TEST(GaussianProcess, refusesWhatItCannotAnswer)
     bad = good;
     bad.hyper.lengthScale[0] = 0.0;
     EXPECT_THROW(build(bad), std::invalid_argument);
-    bad = good;  // doubled rows without noise: the covariance is singular
-    bad.X.row(1) = bad.X.row(0);
-    bad.hyper.noiseSd = 0.0;
-    EXPECT_THROW(build(bad), std::invalid_argument);
     const GaussianProcess gp = build(good);
     EXPECT_THROW((void)gp.predict(Eigen::Vector2d(0.0, std::nan(""))), std::invalid_argument);
     EXPECT_THROW((void)gp.predict(Eigen::Vector3d(0.0, 0.0, 0.0)), std::invalid_argument);

@@ -39,7 +39,7 @@ TEST_P(InverseFactorOf, holdsTheInverseInBothPrecisionsWhicheverIsAskedForFirst)
     const Eigen::MatrixXd inverse = R.transpose().inverse();
     for (const bool singleFirst : {false, true}) {
         int again = 0;
-        const InverseFactor factor(R, [&] {
+        const InverseFactor factor(R, [&](const Poll&) {
             ++again;
             return R;
         });
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, InverseFactorOf, testing::Values(1, 2, 24, 47, 48
 TEST(InverseFactor, knowsHowFarSinglePrecisionIsOff)
 {
     const auto errorWith = [](double noise) {
-        return InverseFactor(someFactor(200, noise), [=] { return someFactor(200, noise); })
+        return InverseFactor(someFactor(200, noise), [=](const Poll&) { return someFactor(200, noise); })
             .singleError();
     };
     EXPECT_LT(errorWith(0.1), 1e-5);
@@ -76,7 +76,7 @@ TEST(InverseFactor, knowsHowFarSinglePrecisionIsOff)
 TEST(InverseFactor, isPackedOnceForAllThreads)
 {
     const Eigen::MatrixXd R = someFactor(60, 0.01);
-    const InverseFactor factor(R, [&] { return R; });
+    const InverseFactor factor(R, [&](const Poll&) { return R; });
     std::vector<const float*> seen(4);
     {
         std::vector<std::jthread> threads;
@@ -84,6 +84,29 @@ TEST(InverseFactor, isPackedOnceForAllThreads)
             threads.emplace_back([&factor, &panels] { panels = factor.panelsSingle(); });
     }
     for (const float* panels : seen) EXPECT_EQ(panels, factor.panelsSingle());
+}
+
+TEST(InverseFactor, isPackedByTheNextCallerWhereOneWasStopped)
+{
+    struct Stop {};
+    const Eigen::MatrixXd R = someFactor(300, 0.01);
+    const auto again = [&](const Poll& poll) {
+        poll();
+        return R;
+    };
+    const InverseFactor whole(R, again);
+    int polls = 0;
+    (void)whole.panelsSingle([&] { ++polls; });
+    EXPECT_GT(polls, 9);  // of the inversion, and one for each of seven panels
+    const InverseFactor factor(R, again);
+    for (int last = 1; last <= polls; last += 2) {
+        int left = last;
+        EXPECT_THROW((void)factor.panelsSingle([&] {
+            if (--left == 0) throw Stop{};
+        }),
+                     Stop);
+    }
+    EXPECT_EQ(entry(factor.panelsSingle([] {}), 299, 5), entry(whole.panelsSingle(), 299, 5));
 }
 
 }  // namespace
