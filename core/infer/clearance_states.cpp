@@ -55,9 +55,10 @@ private:
 }  // namespace
 
 ClearanceStates::ClearanceStates(const ClearanceConditionals& models, const Heights& ceiling,
-                                 Eigen::VectorXd s, Measured measured, Precision precision)
+                                 Eigen::VectorXd s, Measured measured, Precision precision,
+                                 Poll poll)
     : models_(models), ceiling_(ceiling), s_(std::move(s)), measured_(measured),
-      precision_(precision)
+      precision_(precision), poll_(std::move(poll))
 {
 }
 
@@ -79,9 +80,9 @@ std::unique_ptr<SceneConditionals> ClearanceStates::at(const Heights& known,
     auto scene = std::make_unique<ClearanceScene>();
     for (const int i : unknown) {
         const auto bin = static_cast<std::size_t>(i);
-        scene->add(std::make_unique<SceneConditional>(models_.gp(i, regimeOf(ceiling_[bin])),
+        scene->add(std::make_unique<SceneConditional>(models_.gp(i, regimeOf(ceiling_[bin]), poll_),
                                                       models_.input(i, known, ceiling_, s_),
-                                                      movingInputs(unknown, i), precision_),
+                                                      movingInputs(unknown, i), precision_, poll_),
                    measured_[bin], scale(i));
     }
     return scene;

@@ -18,9 +18,9 @@ public:
     /// Measurements of states; empty: none.
     using Measured = std::array<std::optional<Normal>, kBins>;
 
-    /// s: 11 raw features, order of featureNames(Paf).
+    /// s: 11 raw features, order of featureNames(Paf).  poll: while models are factorised and packed, see BinModels::bin.
     ClearanceStates(const ClearanceConditionals& models, const Heights& ceiling, Eigen::VectorXd s,
-                    Measured measured, Precision precision);
+                    Measured measured, Precision precision, Poll poll = {});
 
     StartDraw start(int bin) const override;
     /// Throws std::invalid_argument where a bin's regime was not trained.
@@ -35,6 +35,7 @@ private:
     Eigen::VectorXd s_;
     Measured measured_;
     Precision precision_;
+    Poll poll_;
 };
 
 /// A height z with its sd as a measurement of the state.  Open: exact.  Covered, by the delta method:

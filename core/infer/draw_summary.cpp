@@ -27,6 +27,14 @@ void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& d
     estimate.ess[i] = bulkEss(draws);
 }
 
+void warnIfMended(TerrainEstimate& estimate, int bin, const GaussianProcess& model)
+{
+    if (model.jitter() > 0.0)
+        estimate.warnings.push_back(fmt::format(
+            "the model of bin {:+.1f} m is singular: {:.0e} of its variance was added as noise",
+            binCentre(bin), model.jitter()));
+}
+
 std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known)
 {
     Heights start{};

@@ -16,6 +16,9 @@ enum class Centre : std::uint8_t { Mean, Median };
 void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& draws, Origin origin,
                     Centre centre);
 
+/// Warns where the bin's model needed a jitter.
+void warnIfMended(TerrainEstimate& estimate, int bin, const GaussianProcess& model);
+
 /// The chains' draws one after the other; known bins stand still at their heights.
 std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known);
 

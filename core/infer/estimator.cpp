@@ -29,6 +29,7 @@ TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmRead
                                 const RobotModel& robot, const Models& models,
                                 const Settings& settings, const Watch& watch)
 {
+    stopIfCancelled(watch);
     if (isClosedForm(settings.method))
         return reconstructClosedForm(s, arm, robot, models.clearance, settings);
     if (settings.method == Method::Clearance)

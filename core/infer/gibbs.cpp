@@ -68,6 +68,32 @@ private:
     std::vector<std::size_t> order_;
 };
 
+/// Speaks to the watch for all threads.
+class Reporter {
+public:
+    Reporter(const Watch& watch, int total) : watch_(watch), total_(total) {}
+
+    void stopIfCancelled()
+    {
+        const std::scoped_lock lock(mutex_);
+        terratact::stopIfCancelled(watch_);
+    }
+
+    /// Before each sweep and after the last one.
+    void step()
+    {
+        const std::scoped_lock lock(mutex_);
+        if (watch_.progress) watch_.progress(static_cast<double>(done_) / total_);
+        ++done_;
+    }
+
+private:
+    const Watch& watch_;
+    int total_;
+    std::mutex mutex_;
+    int done_ = 0;
+};
+
 /// The state of some of the chains.
 class Sampler {
 public:
@@ -89,9 +115,10 @@ public:
     /// |I| × chains.
     const Eigen::MatrixXd& states() const { return states_; }
 
-    void sweep()
+    void sweep(Reporter& reporter)
     {
         for (const std::size_t k : order_.next(bins_.size())) {
+            reporter.stopIfCancelled();
             conditionals_->predict(k, states_, mean_, variance_);
             for (std::size_t c = 0; c < rng_.size(); ++c) {
                 const auto column = static_cast<Eigen::Index>(c);
@@ -128,35 +155,14 @@ private:
     Eigen::VectorXd mean_, variance_;
 };
 
-/// Speaks to the watch for all threads.
-class Reporter {
-public:
-    Reporter(const Watch& watch, int total) : watch_(watch), total_(total) {}
-
-    /// Before each sweep and after the last one.
-    void step()
-    {
-        const std::scoped_lock lock(mutex_);
-        if (watch_.cancelled && watch_.cancelled()) throw Cancelled{};
-        if (watch_.progress) watch_.progress(static_cast<double>(done_) / total_);
-        ++done_;
-    }
-
-private:
-    const Watch& watch_;
-    int total_;
-    std::mutex mutex_;
-    int done_ = 0;
-};
-
-/// Runs `count` chains from `first` on and writes their columns of the draws.
-void runChains(const Conditionals& conditionals, const GibbsProblem& problem, int first, int count,
-               Reporter& reporter, GibbsDraws& result)
+/// Runs some chains to the end; their columns of the draws start at `first`.
+void runChains(Sampler& sampler, const GibbsProblem& problem, int first, Reporter& reporter,
+               GibbsDraws& result)
 {
-    Sampler sampler(conditionals, problem, first, count);
+    const Eigen::Index count = sampler.states().cols();
     for (int sweep = -problem.burnIn; sweep < problem.keptPerChain; ++sweep) {
         reporter.step();
-        sampler.sweep();
+        sampler.sweep(reporter);
         if (sweep < 0) continue;
         for (std::size_t k = 0; k < result.bins.size(); ++k)
             result.draws[k].row(sweep).segment(first, count) =
@@ -206,15 +212,19 @@ GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& pr
     if (result.bins.empty()) return result;
 
     result.draws.assign(result.bins.size(), Eigen::MatrixXd(problem.keptPerChain, problem.chains));
+    stopIfCancelled(watch);
     const int each = chainsPerPart(problem, watch);
-    const int parts = (problem.chains + each - 1) / each;
-    Reporter reporter(watch, parts * (problem.burnIn + problem.keptPerChain));
+    std::vector<std::unique_ptr<Sampler>> parts;  // made here, so that one thread polls
+    for (int first = 0; first < problem.chains; first += each)
+        parts.push_back(std::make_unique<Sampler>(conditionals, problem, first,
+                                                  std::min(each, problem.chains - first)));
+    const auto count = static_cast<int>(parts.size());
+    Reporter reporter(watch, count * (problem.burnIn + problem.keptPerChain));
     const auto run = [&](int part) {
-        runChains(conditionals, problem, part * each, std::min(each, problem.chains - part * each),
-                  reporter, result);
+        runChains(*parts[static_cast<std::size_t>(part)], problem, part * each, reporter, result);
     };
-    if (parts > 1)
-        watch.sideBySide(parts, run);
+    if (count > 1)
+        watch.sideBySide(count, run);
     else
         run(0);
     reporter.step();
@@ -223,7 +233,9 @@ GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& pr
 
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)
 {
-    return sampleStates(BinConditionals(models, problem.s, problem.precision), problem, watch);
+    const Poll poll = [&watch] { stopIfCancelled(watch); };
+    return sampleStates(BinConditionals(models, problem.s, problem.precision, poll), problem,
+                        watch);
 }
 
 }  // namespace terratact

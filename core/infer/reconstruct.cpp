@@ -68,8 +68,11 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
     }
 
     const GibbsDraws draws = sampleHeights(models, problem, watch);
-    for (std::size_t k = 0; k < draws.bins.size(); ++k)
+    for (std::size_t k = 0; k < draws.bins.size(); ++k) {
+        stopIfCancelled(watch);
         summariseDraws(estimate, draws.bins[k], draws.draws[k], Origin::Sampled, Centre::Mean);
+        warnIfMended(estimate, draws.bins[k], models.bin(draws.bins[k]));
+    }
     estimate.draws = jointDraws(draws, problem.known);
     judgeConvergence(estimate, draws.bins);
     return estimate;

@@ -60,12 +60,17 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
     problem.ceiling.fill(std::numeric_limits<double>::infinity());
     problem.rule = CeilingRule::None;  // the states keep below the ceiling by themselves
     const ClearanceStates conditionals(models, estimate.ceiling, x,
-                                       states(measured, estimate.ceiling), settings.precision);
+                                       states(measured, estimate.ceiling), settings.precision,
+                                       [&watch] { stopIfCancelled(watch); });
     GibbsDraws draws = sampleStates(conditionals, problem, watch);
     toHeights(draws, estimate.ceiling);
-    for (std::size_t i = 0; i < kBins; ++i)
+    for (std::size_t i = 0; i < kBins; ++i) {
+        stopIfCancelled(watch);
         summariseDraws(estimate, draws.bins[i], draws.draws[i],
                        measured.bin[i] ? measured.bin[i]->origin : Origin::Sampled, Centre::Median);
+        warnIfMended(estimate, draws.bins[i],
+                     models.gp(draws.bins[i], regimeOf(estimate.ceiling[i])));
+    }
     estimate.draws = jointDraws(draws, {});
     judgeConvergence(estimate, draws.bins);
     return estimate;

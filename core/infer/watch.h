@@ -18,4 +18,10 @@ struct Watch {
 /// Thrown by a computation whose Watch said "cancelled".
 struct Cancelled {};
 
+/// Throws Cancelled if the watch says so.
+inline void stopIfCancelled(const Watch& watch)
+{
+    if (watch.cancelled && watch.cancelled()) throw Cancelled{};
+}
+
 }  // namespace terratact

@@ -39,17 +39,18 @@ int BinModels::inputSize() const
     return static_cast<int>(standardised_.cols()) - 1;
 }
 
-const GaussianProcess& BinModels::bin(int i) const
+const GaussianProcess& BinModels::bin(int i, const Poll& poll) const
 {
     if (i < 0 || i >= kBins) throw std::invalid_argument("bins are numbered 0 to 10");
     Lazy& lazy = lazy_[static_cast<std::size_t>(i)];
-    std::call_once(lazy.once, [&] {
+    const std::scoped_lock lock(lazy.mutex);
+    if (!lazy.gp) {
         const double mean = data_.mean[i];
-        lazy.gp = std::make_unique<GaussianProcess>(withoutBin(standardised_, i),
-                                                    heights_.col(i).array() - mean,
-                                                    data_.bins[static_cast<std::size_t>(i)], mean);
+        lazy.gp = std::make_unique<GaussianProcess>(
+            withoutBin(standardised_, i), heights_.col(i).array() - mean,
+            data_.bins[static_cast<std::size_t>(i)], mean, poll);
         factorised_ |= 1UL << static_cast<unsigned>(i);
-    });
+    }
     return *lazy.gp;
 }
 

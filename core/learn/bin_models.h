@@ -31,8 +31,9 @@ public:
     int inputSize() const;  ///< 10 + number of features
     const BinModelData& data() const { return data_; }
 
-    /// The Gaussian process of a bin; factorises it at the first call.
-    const GaussianProcess& bin(int i) const;
+    /// The Gaussian process of a bin; factorises it at the first call.  poll: as for GaussianProcess; what it
+    /// throws leaves the bin to the next caller.  A thread that waits for another one's factorisation does not poll.
+    const GaussianProcess& bin(int i, const Poll& poll = {}) const;
 
     /// The bins whose Gaussian process has been asked for, and so factorised.
     BinSet factorised() const { return factorised_.load(); }
@@ -45,7 +46,7 @@ public:
 
 private:
     struct Lazy {
-        std::once_flag once;
+        std::mutex mutex;
         std::unique_ptr<GaussianProcess> gp;
     };
     BinModelData data_;

@@ -258,7 +258,7 @@ ClearanceConditionals::ClearanceConditionals(ClearanceTraining training,
                     "conditionals over clearances: standardised with other training rows");
 }
 
-const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime) const
+const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, const Poll& poll) const
 {
     requireEnoughRows(data_, bin, regime);
     const ClearanceRegimeData& own = data_.at(bin, regime);
@@ -266,11 +266,13 @@ const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime) const
         throw std::invalid_argument(
             fmt::format("bin {:+.1f} m {} has not been trained", binCentre(bin), words(regime)));
     Lazy& lazy = lazy_[static_cast<std::size_t>(bin)][static_cast<std::size_t>(regime)];
-    std::call_once(lazy.once, [&] {
+    const std::scoped_lock lock(lazy.mutex);
+    if (!lazy.gp) {
         Rows rows = rowsFor(training_, data_, bin, regime);
-        lazy.gp = std::make_unique<GaussianProcess>(std::move(rows.X), rows.y, own.hyper, own.mean);
+        lazy.gp =
+            std::make_unique<GaussianProcess>(std::move(rows.X), rows.y, own.hyper, own.mean, poll);
         factorised_[static_cast<std::size_t>(regime)] |= 1UL << static_cast<unsigned>(bin);
-    });
+    }
     return *lazy.gp;
 }
 

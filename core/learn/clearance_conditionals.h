@@ -100,8 +100,9 @@ public:
     const ClearanceConditionalData& data() const { return data_; }
 
     /// Of y of one bin in one regime; factorises it at the first call.  Throws std::invalid_argument, a sentence,
-    /// where the regime has fewer than kFewestTrainingRows training rows or was not trained.
-    const GaussianProcess& gp(int bin, Regime regime) const;
+    /// where the regime has fewer than kFewestTrainingRows training rows or was not trained.  poll: as
+    /// BinModels::bin.
+    const GaussianProcess& gp(int bin, Regime regime, const Poll& poll = {}) const;
 
     /// The bins whose Gaussian process in that regime has been asked for, and so factorised.
     BinSet factorised(Regime regime) const
@@ -117,7 +118,7 @@ public:
 
 private:
     struct Lazy {
-        std::once_flag once;
+        std::mutex mutex;
         std::unique_ptr<GaussianProcess> gp;
     };
     ClearanceTraining training_;

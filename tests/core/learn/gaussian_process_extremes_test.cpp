@@ -236,7 +236,7 @@ TEST(GaussianProcess, isBuiltOnlyIfEveryPollReturns)
     const Data data = dataOf(Kind::Plain, 200, 1.0, 0.3, 0.1);
     int polls = 0;
     const GaussianProcess whole(data.X, data.y, data.hyper, 0.0, [&] { ++polls; });
-    EXPECT_GT(polls, 30);
+    EXPECT_GT(polls, 10);
     for (int last = 1; last <= polls; last += 7) {
         int left = last;
         EXPECT_THROW(GaussianProcess(data.X, data.y, data.hyper, 0.0,
