@@ -9,6 +9,9 @@ inline constexpr int kGroup = 8;
 template <class T>
 inline constexpr int kPanelRows = 192 / static_cast<int>(sizeof(T));
 
+/// In units of signal²: what is less counts as 0 in single precision, lest it were subnormal.
+inline constexpr double kLeastSingleCovariance = 1e-30;
+
 /// Covariances with the training rows at one setting of 8 columns, and what they are multiplied with.
 struct CovarianceInput {
     const double* X = nullptr;          ///< U × m, row-major, in length scales
@@ -25,8 +28,8 @@ struct CovarianceInput {
 struct CovarianceKernels {
     const char* name;  ///< "AVX-512", "AVX2", "baseline"
 
-    /// K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·8 + c])²), u < U, c < 8;
-    /// mean[c] = Σ_u K[u·8 + c] alpha[u].  Z: m × 8 in length scales.
+    /// K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·8 + c])²), u < U, c < 8,
+    /// the exponent at least −300; mean[c] = Σ_u K[u·8 + c] alpha[u].  Z: m × 8 in length scales.
     void (*covariances)(const CovarianceInput& in, const double* Z, double* K, double* mean);
     /// The same, K rounded to float; the mean is summed before that.
     void (*covariancesSingle)(const CovarianceInput& in, const double* Z, float* K, double* mean);

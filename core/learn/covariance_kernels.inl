@@ -83,21 +83,25 @@ inline Vector<T> spread(T x)
     return x - Vector<T>{};
 }
 
-inline void storeRounded(double* p, Doubles v)
+inline void storeRounded(double* p, Doubles v, double)
 {
     store<double>(p, v);
 }
 
-inline void storeRounded(float* p, Doubles v)
+/// What is below `least` becomes 0.
+inline void storeRounded(float* p, Doubles v, double least)
 {
+    const Bits keep = v > spread(least);
+    v = (Doubles)((Bits)v & keep);
     typedef float Half __attribute__((vector_size(kBytes / 2)));
     *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half);
 }
 
-/// e^x for x ≤ 0 by x = n ln 2 + r, Taylor to degree 13 on |r| ≤ ½ ln 2; below −708 it is e^−708.
+/// e^x for x ≤ 0 by x = n ln 2 + r, Taylor to degree 13 on |r| ≤ ½ ln 2; below −300 it is e^−300,
+/// whose square is still a normal number: processors take many times as long over subnormal ones.
 inline Doubles expNegative(Doubles x)
 {
-    const Doubles lowest = spread(-708.0);
+    const Doubles lowest = spread(-300.0);
     const Bits keep = x > lowest;
     x = (Doubles)(((Bits)x & keep) | ((Bits)lowest & ~keep));
     const Doubles shifter =
@@ -143,7 +147,7 @@ inline void covarianceRows(const CovarianceInput& in, const double* Z, int u, T*
     for (int r = 0; r < kRows; ++r) {
         const Doubles exponent = fma(spread(-0.5), distance2[r], spread(in.logWeight[u + r]));
         const Doubles k = spread(in.signal2) * expNegative(exponent);
-        storeRounded(K + static_cast<long>(u + r) * kGroup, k);
+        storeRounded(K + static_cast<long>(u + r) * kGroup, k, in.signal2 * kLeastSingleCovariance);
         mean = fma(k, spread(in.alpha[u + r]), mean);
     }
 }

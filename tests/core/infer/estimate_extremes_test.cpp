@@ -1,0 +1,312 @@
+// Estimates of scenes no robot should be in: right or refused with a text, never a NaN, never a hang.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/infer/convergence.h"
+#include "core/infer/estimator.h"
+#include "core/infer/gibbs.h"
+#include "core/terrain/kinematic_reconstruction.h"
+#include "tests/support/toy_clearance.h"
+#include "tests/support/toy_model.h"
+
+namespace terratact {
+namespace {
+
+const RobotModel& robot()
+{
+    static const RobotModel model = absolem();
+    return model;
+}
+
+/// toyModel with hyper-parameters for the conditionals over clearances, too.
+ModelData modelFor(int runs, std::uint64_t seed)
+{
+    ModelData model = toyModel(runs, seed);
+    const auto data = plausibleConditionals(clearanceTraining(model, robot()));
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        model.clearance.conditionalOpen[i] = data.at(bin, Regime::Open).hyper;
+        model.clearance.conditionalCovered[i] = data.at(bin, Regime::Covered).hyper;
+    }
+    return model;
+}
+
+const Models& models()
+{
+    static const Models toy(modelFor(12, 1), robot());
+    return toy;
+}
+
+Scene someScene()
+{
+    static const Scene scene = someScenes(2, 99).front();
+    return scene;
+}
+
+std::vector<double> numbersOf(const TerrainEstimate& e)
+{
+    std::vector<double> all{e.novelty};
+    for (const Heights& h : {e.mean, e.sd, e.q10, e.q90, e.height, e.rhat, e.ess})
+        all.insert(all.end(), h.begin(), h.end());
+    for (const Heights& h : e.draws) all.insert(all.end(), h.begin(), h.end());
+    return all;
+}
+
+void expectSound(const TerrainEstimate& e, const std::string& what)
+{
+    for (const double x : numbersOf(e)) ASSERT_TRUE(std::isfinite(x)) << what;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        EXPECT_LE(e.q10[i], e.q90[i]) << what << ", bin " << i;
+        EXPECT_GE(e.sd[i], 0.0) << what << ", bin " << i;
+        EXPECT_FALSE(std::isnan(e.ceiling[i])) << what << ", bin " << i;
+        if (usesCeiling(e.settings.method) && e.origin[i] == Origin::Sampled
+            && e.settings.ceiling != CeilingRule::None) {
+            EXPECT_LE(e.q90[i], e.ceiling[i]) << what << ", bin " << i;
+        }
+    }
+}
+
+struct Asked {
+    Scene scene = someScene();
+    std::vector<ArmReading> arm;
+    Settings settings;
+};
+
+TerrainEstimate estimateOf(const Asked& asked, const Watch& watch = {})
+{
+    return estimateTerrain(asked.scene.s, asked.arm, robot(), models(), asked.settings, watch);
+}
+
+class EveryMethod : public testing::TestWithParam<Method> {
+protected:
+    Asked asked()
+    {
+        Asked a;
+        a.settings.method = GetParam();
+        a.settings.draws = 200;
+        a.settings.burnIn = 10;
+        return a;
+    }
+    std::string what() { return std::string(name(GetParam())); }
+};
+
+TEST_P(EveryMethod, answersWithNoBinUnknown)
+{
+    Asked all = asked();
+    for (int bin = 0; bin < kBins; ++bin)
+        all.arm.push_back({bin, *all.scene.truth[static_cast<std::size_t>(bin)], 0.03});
+    const TerrainEstimate e = estimateOf(all);
+    expectSound(e, what());
+    for (std::size_t i = 0; i < kBins; ++i) {
+        EXPECT_EQ(e.origin[i], Origin::Arm);
+        EXPECT_NEAR(e.mean[i], *all.scene.truth[i], 0.1) << what() << ", bin " << i;
+    }
+}
+
+TEST_P(EveryMethod, answersWithEveryBinUnknown)
+{
+    Asked nothing = asked();
+    nothing.settings.contacts = ContactRule::None;
+    const TerrainEstimate e = estimateOf(nothing);
+    expectSound(e, what());
+    EXPECT_EQ(std::count(e.origin.begin(), e.origin.end(), Origin::Sampled), kBins);
+}
+
+TEST_P(EveryMethod, answersWithOneDrawAndOneChainAndClaimsNoConvergence)
+{
+    for (const int draws : {1, 2, 3, 5}) {
+        Asked one = asked();
+        one.settings.draws = draws;
+        one.settings.chains = 1;
+        one.settings.burnIn = 0;
+        const TerrainEstimate e = estimateOf(one);
+        expectSound(e, what());
+        EXPECT_EQ(e.draws.size(), static_cast<std::size_t>(draws));
+        if (!isClosedForm(GetParam())) {
+            EXPECT_FALSE(e.converged) << draws;
+        }
+    }
+}
+
+TEST_P(EveryMethod, answersContradictoryContactsAndSaysSo)
+{
+    Asked odd = asked();
+    odd.settings.contacts = ContactRule::Any;
+    odd.scene.s.force.fill(150.0);
+    odd.scene.s.front = 1.2;  // an upright flipper with every element loaded
+    const auto contacts = reconstructContacts(robot(), odd.scene.s, 2.0, false).contacts;
+    ASSERT_GT(contacts.size(), 1U);
+    odd.arm.push_back({contacts.front().bin, -1.0, 0.03});
+    if (GetParam() == Method::Clearance) {  // training never saw the ground so far ahead uncovered
+        EXPECT_THROW((void)estimateOf(odd), NotLearnt);
+        return;
+    }
+    const TerrainEstimate e = estimateOf(odd);
+    expectSound(e, what());
+    EXPECT_EQ(e.origin[static_cast<std::size_t>(contacts.front().bin)], Origin::Arm);
+    if (usesForces(GetParam())) {
+        EXPECT_TRUE(std::any_of(e.warnings.begin(), e.warnings.end(), [](const std::string& w) {
+            return w.find("contact and arm disagree") != std::string::npos;
+        })) << what();
+    }
+}
+
+TEST_P(EveryMethod, takesAProbeTenDeviationsOutsideItsPrior)
+{
+    const TerrainEstimate before = estimateOf(asked());
+    for (const int bin : {0, 5, 10})
+        for (const double sds : {-10.0, 10.0, -1000.0}) {
+            const auto i = static_cast<std::size_t>(bin);
+            Asked probed = asked();
+            probed.arm.push_back({bin, before.mean[i] + sds * std::max(before.sd[i], 0.02), 0.03});
+            const TerrainEstimate e = estimateOf(probed);
+            expectSound(e, what() + ", bin " + std::to_string(bin));
+            EXPECT_EQ(e.origin[i], Origin::Arm);
+        }
+}
+
+TEST_P(EveryMethod, answersOrRefusesEveryPose)
+{
+    for (const double pitch : {-89.0, -45.0, 45.0, 89.0})
+        for (const double front : {-180.0, -90.0, 0.0, 180.0})
+            for (const double rear : {-180.0, 90.0}) {
+                Asked odd = asked();
+                odd.settings.draws = 16;
+                odd.settings.burnIn = 2;
+                odd.scene.s.pitch = pitch / 57.29577951308232;
+                odd.scene.s.front = front / 57.29577951308232;
+                odd.scene.s.rear = rear / 57.29577951308232;
+                try {
+                    expectSound(estimateOf(odd), what() + " at " + std::to_string(pitch) + ", "
+                                                     + std::to_string(front));
+                } catch (const std::invalid_argument& refused) {
+                    EXPECT_GT(std::string(refused.what()).size(), 20U);
+                }
+            }
+}
+
+TEST_P(EveryMethod, refusesWhatIsNotANumber)
+{
+    for (double Proprioception::*field :
+         {&Proprioception::pitch, &Proprioception::front, &Proprioception::rear})
+        for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+            Asked odd = asked();
+            odd.scene.s.*field = bad;
+            EXPECT_THROW((void)estimateOf(odd), std::invalid_argument) << what();
+        }
+    Asked odd = asked();
+    odd.scene.s.force[2] = std::nan("");
+    if (usesForces(GetParam())) {
+        EXPECT_THROW((void)estimateOf(odd), std::invalid_argument) << what();
+    }
+    odd = asked();
+    odd.arm.push_back({4, std::nan(""), 0.03});
+    EXPECT_THROW((void)estimateOf(odd), std::invalid_argument) << what();
+}
+
+TEST_P(EveryMethod, canBeCancelledAtEveryQuestionAndAnswersTheSameAfterwards)
+{
+    Asked quick = asked();
+    quick.settings.draws = 16;
+    quick.settings.burnIn = 1;
+    const TerrainEstimate expected = estimateOf(quick);
+    const Models fresh(modelFor(12, 1), robot());
+    int asking = 0;
+    const auto run = [&](int last) {
+        int left = last;
+        Watch watch;
+        watch.cancelled = [&] {
+            ++asking;
+            return --left == 0;
+        };
+        return estimateTerrain(quick.scene.s, {}, robot(), fresh, quick.settings, watch);
+    };
+    // Cold models: every cancelled run leaves them to the next one.
+    for (const int last : {1, 2, 3, 5, 8, 13, 21, 34, 55}) {
+        if (isClosedForm(GetParam()) && last > 1) break;
+        EXPECT_THROW((void)run(last), Cancelled) << last;
+    }
+    EXPECT_EQ(run(-1), expected);
+    asking = 0;
+    EXPECT_EQ(run(-1), expected);
+    const int all = asking;
+    for (int last = 1; last < all; last += 5) {
+        if (isClosedForm(GetParam()) && last > 1) break;
+        EXPECT_THROW((void)run(last), Cancelled) << last << " of " << all;
+    }
+    EXPECT_EQ(run(-1), expected);
+}
+
+GibbsProblem paperProblem(double ceiling, CeilingRule rule)
+{
+    GibbsProblem problem;
+    problem.s = features(FeatureSet::Paf, someScene().s);
+    problem.ceiling.fill(ceiling);
+    problem.rule = rule;
+    problem.chains = 4;
+    problem.burnIn = 3;
+    problem.keptPerChain = 25;
+    return problem;
+}
+
+TEST(Sampler, keepsBelowCeilingsThatLieBelowEveryTrainingHeight)
+{
+    for (const double ceiling : {-0.9, -10.0, -1e6, -1e300}) {
+        const GibbsDraws draws =
+            sampleHeights(models().paf, paperProblem(ceiling, CeilingRule::Truncate));
+        ASSERT_EQ(draws.bins.size(), static_cast<std::size_t>(kBins));
+        for (const Eigen::MatrixXd& bin : draws.draws) {
+            EXPECT_TRUE(bin.allFinite()) << ceiling;
+            EXPECT_LE(bin.maxCoeff(), ceiling);
+        }
+    }
+}
+
+TEST(Sampler, clampedFarBelowStandsStillWhichConvergenceCallsPerfect)
+{
+    const GibbsDraws draws = sampleHeights(models().paf, paperProblem(-10.0, CeilingRule::Clamp));
+    for (const Eigen::MatrixXd& bin : draws.draws) {
+        EXPECT_EQ(bin.minCoeff(), -10.0);
+        EXPECT_EQ(rankNormalisedRhat(bin), 1.0);
+        EXPECT_EQ(bulkEss(bin), 100.0);
+    }
+}
+
+TEST(Sampler, withoutAnyFreeBinIsEmpty)
+{
+    GibbsProblem problem = paperProblem(1.0, CeilingRule::Truncate);
+    problem.known = someScene().truth;
+    EXPECT_TRUE(sampleHeights(models().paf, problem).bins.empty());
+}
+
+TEST(Sampler, saysWhereAModelNeededAJitter)
+{
+    ModelData data = modelFor(12, 1);
+    data.paf.bins[4].noiseSd = 0.0;
+    data.paf.bins[4].lengthScale.setConstant(1e4);
+    const Models singular(data, robot());
+    Asked asked;
+    asked.settings.method = Method::Pafc;
+    asked.settings.contacts = ContactRule::None;
+    asked.settings.draws = 16;
+    const TerrainEstimate e = estimateTerrain(asked.scene.s, {}, robot(), singular, asked.settings);
+    expectSound(e, "singular model");
+    EXPECT_EQ(std::count_if(e.warnings.begin(), e.warnings.end(),
+                            [](const std::string& w) {
+                                return w.find("model of bin +0.1 m is singular")
+                                    != std::string::npos;
+                            }),
+              1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(kMethods),
+                         [](const auto& method) { return std::string(name(method.param)); });
+
+}  // namespace
+}  // namespace terratact
