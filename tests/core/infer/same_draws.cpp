@@ -1,0 +1,141 @@
+// Prints a hash of every bit of: truncated normal draws, the sampler's states, an estimate's numbers.
+// same_draws_test.py builds this with several compilers and optimisations and compares what they print.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "core/infer/draw_summary.h"
+#include "core/infer/gibbs.h"
+#include "core/infer/truncated_normal.h"
+
+namespace terratact {
+namespace {
+
+/// FNV-1a over the bytes of doubles.
+class Hash {
+public:
+    void add(const double* values, std::size_t count)
+    {
+        for (std::size_t k = 0; k < count; ++k) {
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, values + k, sizeof bits);
+            for (int shift = 0; shift < 64; shift += 8)
+                value_ = (value_ ^ ((bits >> shift) & 0xffU)) * 1099511628211U;
+        }
+    }
+    void add(const Heights& h) { add(h.data(), h.size()); }
+    void add(const Eigen::MatrixXd& m) { add(m.data(), static_cast<std::size_t>(m.size())); }
+    bool operator==(const Hash&) const = default;
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 14695981039346656037U;
+};
+
+double uniform(std::mt19937_64& rng)
+{
+    return static_cast<double>(rng() >> 11U) * 0x1p-53;
+}
+
+Hash hashOfDraws()
+{
+    const double infinity = std::numeric_limits<double>::infinity();
+    std::mt19937_64 rng(7);
+    Hash hash;
+    for (const double ceiling : {infinity, 3.0, 0.3, 0.0, -0.2, -2.0, -9.0, -38.0, -1e5, -1e9})
+        for (const double width : {infinity, 6.0, 1.0, 1e-3})
+            for (int k = 0; k < 2000; ++k) {
+                const double floor = width < infinity ? std::min(ceiling, 5.0) - width : -infinity;
+                const double h = drawBetween(floor, ceiling, 0.01, 0.7, rng);
+                hash.add(&h, 1);
+            }
+    return hash;
+}
+
+/// A made-up model of 300 rows on pitch and flipper angles.
+ModelData someModel()
+{
+    constexpr int kRows = 300;
+    std::mt19937_64 rng(1);
+    ModelData model;
+    model.scannedHeights.resize(kRows, kBins);
+    model.features.resize(kRows, 3);
+    for (double& x : model.features.reshaped()) x = uniform(rng) - 0.5;
+    for (int u = 0; u < kRows; ++u)
+        for (int i = 0; i < kBins; ++i)
+            model.scannedHeights(u, i) = 0.1 * model.features(u, i % 3) - 0.3 + 0.05 * uniform(rng);
+    model.heights = model.scannedHeights;
+    model.pa.set = FeatureSet::Pa;
+    model.pa.mean = Eigen::VectorXd::Constant(kBins + 3, -0.3);
+    model.pa.mean.tail(3).setZero();
+    model.pa.sd = Eigen::VectorXd::Constant(kBins + 3, 0.3);
+    for (std::size_t i = 0; i < kBins; ++i)
+        model.pa.bins[i] = {Eigen::VectorXd::Constant(kBins + 2, 1.5), 0.05, 0.02};
+    return model;
+}
+
+struct Hashes {
+    Hash states, estimate;
+    bool operator==(const Hashes&) const = default;
+};
+
+Hashes hashesOf(const BinModels& models)
+{
+    GibbsProblem problem;
+    problem.s = Eigen::Vector3d(0.1, -0.2, 0.3);
+    problem.known[3] = -0.28;
+    problem.ceiling.fill(-0.27);
+    problem.scan = ScanOrder::Random;
+    problem.chains = 8;
+    problem.burnIn = 5;
+    problem.keptPerChain = 60;
+    const GibbsDraws draws = sampleHeights(models, problem);
+    Hashes hashes;
+    TerrainEstimate estimate;
+    for (std::size_t k = 0; k < draws.bins.size(); ++k) {
+        hashes.states.add(draws.draws[k]);
+        summariseDraws(estimate, draws.bins[k], draws.draws[k], Origin::Sampled, Centre::Median);
+    }
+    for (const Heights& h : {estimate.mean, estimate.sd, estimate.q10, estimate.q90,
+                             estimate.height, estimate.rhat, estimate.ess})
+        hashes.estimate.add(h);
+    return hashes;
+}
+
+/// The same scene in several threads that share the models.
+Hashes hashesIn(int threads)
+{
+    const BinModels models(someModel(), FeatureSet::Pa);
+    std::vector<Hashes> hashes(static_cast<std::size_t>(threads));
+    {
+        std::vector<std::jthread> pool;
+        for (Hashes& own : hashes) pool.emplace_back([&] { own = hashesOf(models); });
+    }
+    for (const Hashes& h : hashes)
+        if (!(h == hashes.front())) std::puts("threads of one program differ");
+    return hashes.front();
+}
+
+void print(const char* what, const Hash& hash)
+{
+    std::printf("%s %016llx\n", what, static_cast<unsigned long long>(hash.value()));
+}
+
+}  // namespace
+}  // namespace terratact
+
+/// same_draws <threads>
+int main(int argc, char** argv)
+{
+    using namespace terratact;
+    print("draws", hashOfDraws());
+    const Hashes hashes = hashesIn(argc > 1 ? std::atoi(argv[1]) : 1);
+    print("states", hashes.states);
+    print("estimate", hashes.estimate);
+    return 0;
+}
