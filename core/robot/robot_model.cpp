@@ -219,7 +219,8 @@ RobotModel robotOf(Section& file)
 
 double FlipperGeometry::taper() const
 {
-    return std::asin((pivotRadius - tipRadius) / axleDistance);
+    const double fall = pivotRadius - tipRadius;
+    return axleDistance > std::abs(fall) ? std::asin(fall / axleDistance) : 0.0;
 }
 
 double FlipperGeometry::edgeLength() const

@@ -31,7 +31,8 @@ struct FlipperGeometry {
     double mass = 0.0;          ///< [kg] both flippers of the axle
     double comDistance = 0.0;   ///< [m] pivot to centre of mass, along the flipper
 
-    /// Half the taper's opening angle: asin((pivotRadius − tipRadius) / axleDistance) [rad].
+    /// Half the taper's opening angle: asin((pivotRadius − tipRadius) / axleDistance) [rad]; 0 where one circle
+    /// holds the other: such a flipper is a disc.
     double taper() const;
     /// Length of the straight lower edge between the two circles [m]: axleDistance cos(taper).
     double edgeLength() const;

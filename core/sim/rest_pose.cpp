@@ -244,6 +244,11 @@ double startAngle(const FlipperDrive& drive)
     return std::get<PressTorque>(drive).startAngle;
 }
 
+bool isFinite(const FlipperDrive& drive)
+{
+    return std::isfinite(startAngle(drive)) && std::isfinite(torqueOf(drive));
+}
+
 bool isPressed(const FlipperDrive& drive)
 {
     return std::holds_alternative<PressTorque>(drive);
@@ -326,14 +331,16 @@ Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain
                           const FlipperDrive& front, const FlipperDrive& rear, double startPitch,
                           const GroundOptions& ground)
 {
-    if (!std::isfinite(x) || !std::isfinite(startPitch))
-        throw std::invalid_argument("a rest pose needs a finite position and start pitch");
+    if (!std::isfinite(x) || !std::isfinite(startPitch) || !isFinite(front) || !isFinite(rear))
+        throw std::invalid_argument(
+            "a rest pose needs a finite position, start pitch, angles and torques");
     const Pose high{{x, 0.0}, startPitch, startAngle(front), startAngle(rear)};
     RestPose rest = settle(robot, terrain, high, front, rear, ground, Start::Above);
     if (isPressed(front) && rest.pose.front < kLowestFlipper)
         rest = heldAtLowest(robot, terrain, rest, ground);
     for (int axle = 0; axle < 2; ++axle)
         rest = yielded(robot, terrain, rest, ground);  // one may overload the other
+    if (!std::isfinite(rest.energy)) return Error{"no rest pose: the search diverges", 0};
     if (std::abs(rest.pose.pitch) > kMaxPitch) return Error{"no rest pose: the robot tips over", 0};
     if (std::max(std::abs(rest.pose.front), std::abs(rest.pose.rear)) > kMaxFlipper)
         return Error{"no rest pose: the flippers' motors cannot hold the robot", 0};

@@ -32,19 +32,22 @@ std::optional<Penetration> inCircle(Vec2 centre, double radius, Vec2 q)
 
 SkinHull::SkinHull(const TaperedHull& hull, double skin)
     : hull_{hull.a, hull.b, hull.ra + skin, hull.rb + skin}, axis_(minus(hull.b, hull.a)),
-      length_(std::hypot(axis_.x, axis_.z)), sine_((hull.ra - hull.rb) / length_),
-      cosine_(std::sqrt(1.0 - sine_ * sine_)),
+      length_(std::hypot(axis_.x, axis_.z)), disc_(length_ <= std::abs(hull.ra - hull.rb)),
+      sine_(disc_ ? 0.0 : (hull.ra - hull.rb) / length_), cosine_(std::sqrt(1.0 - sine_ * sine_)),
       xBegin_(std::min(hull.a.x - hull_.ra, hull.b.x - hull_.rb)),
       xEnd_(std::max(hull.a.x + hull_.ra, hull.b.x + hull_.rb)),
       zBegin_(std::min(hull.a.z - hull_.ra, hull.b.z - hull_.rb))
 {
-    axis_ = {axis_.x / length_, axis_.z / length_};
+    if (!disc_) axis_ = {axis_.x / length_, axis_.z / length_};
 }
 
 /// By the straight side where the point projects onto it, else by the nearer end's circle.
 std::optional<Penetration> SkinHull::penetration(Vec2 p) const
 {
     if (p.z < zBegin_) return std::nullopt;
+    if (disc_)
+        return hull_.ra >= hull_.rb ? inCircle(hull_.a, hull_.ra, p)
+                                    : inCircle(hull_.b, hull_.rb, p);
     const Vec2 r = minus(p, hull_.a);
     const double along = dot(r, axis_);
     const double across = r.z * axis_.x - r.x * axis_.z;
@@ -74,6 +77,7 @@ SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec2 e = minus(polygon[(i + 1) % polygon.size()], polygon[i]);
         const double length = std::hypot(e.x, e.z);
+        if (length == 0.0) continue;
         Vec2 normal{e.z / length, -e.x / length};
         if (dot(normal, minus(centre, polygon[i])) > 0.0) normal = {-normal.x, -normal.z};
         edges_.push_back({polygon[i], normal});
@@ -82,7 +86,7 @@ SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
 
 std::optional<Penetration> SkinPolygon::penetration(Vec2 p) const
 {
-    if (p.z < zBegin_) return std::nullopt;
+    if (p.z < zBegin_ || edges_.empty()) return std::nullopt;
     Penetration nearest{{}, std::numeric_limits<double>::infinity()};
     for (const Edge& edge : edges_) {
         const double depth = skin_ - dot(edge.normal, minus(p, edge.corner));

@@ -13,7 +13,8 @@ struct Penetration {
     double depth = 0.0;  ///< [m] distance to that point, > 0
 };
 
-/// A part of the robot grown by a skin [m], prepared for many queries.
+/// A part of the robot grown by a skin [m], prepared for many queries.  Where one circle holds the other it is
+/// a disc.
 class SkinHull {
 public:
     SkinHull(const TaperedHull& hull, double skin);
@@ -26,6 +27,7 @@ private:
     TaperedHull hull_;  // radii grown by the skin
     Vec2 axis_;         // unit, a to b
     double length_;     // |b − a|
+    bool disc_;
     double sine_,
         cosine_;  // of the taper: normal of a straight side = (sine, ±cosine) in the axis frame
     double xBegin_, xEnd_, zBegin_;
@@ -33,7 +35,7 @@ private:
 
 class SkinPolygon {
 public:
-    /// polygon: convex, at least three corners, either way round.
+    /// polygon: convex, at least three corners, either way round.  Corners that are all the same touch nothing.
     SkinPolygon(const std::vector<Vec2>& polygon, double skin);
     double xBegin() const { return xBegin_; }
     double xEnd() const { return xEnd_; }

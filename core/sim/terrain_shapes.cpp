@@ -68,14 +68,15 @@ TerrainProfile roughTerrain(double sd, double correlation, double length, std::m
 TerrainProfile sum(const TerrainProfile& a, const TerrainProfile& b)
 {
     // a's own points keep its vertical faces: there b adds one height to both ends of the face.
+    const auto before = [](Vec2 p, Vec2 q) { return p.x < q.x; };
     std::vector<Vec2> points;
     for (const Vec2 p : a.points()) points.push_back({p.x, p.z + b.heightAt(p.x)});
     for (const Vec2 p : b.points()) {
         const auto& own = a.points();
-        const bool shared = std::any_of(own.begin(), own.end(), [&](Vec2 q) { return q.x == p.x; });
-        if (!shared) points.push_back({p.x, p.z + a.heightAt(p.x)});
+        if (!std::binary_search(own.begin(), own.end(), p, before))
+            points.push_back({p.x, p.z + a.heightAt(p.x)});
     }
-    std::stable_sort(points.begin(), points.end(), [](Vec2 p, Vec2 q) { return p.x < q.x; });
+    std::stable_sort(points.begin(), points.end(), before);
     return TerrainProfile(std::move(points));
 }
 

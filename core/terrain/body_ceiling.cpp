@@ -18,7 +18,11 @@ std::vector<std::array<double, 2>> outlineOf(const TaperedHull& hull)
     constexpr int kArcPoints = 24;
     const double direction = std::atan2(hull.b.z - hull.a.z, hull.b.x - hull.a.x);
     const double distance = std::hypot(hull.b.x - hull.a.x, hull.b.z - hull.a.z);
-    const double phi = std::acos((hull.ra - hull.rb) / distance);
+    // Where one circle holds the other, the arc of the larger one is whole.
+    const double fall = hull.ra - hull.rb;
+    const double phi = distance > std::abs(fall) ? std::acos(fall / distance)
+                     : fall >= 0.0               ? 0.0
+                                                 : std::numbers::pi;
     std::vector<std::array<double, 2>> points;
     const auto arc = [&](Vec2 centre, double radius, double from, double to) {
         for (int k = 0; k <= kArcPoints; ++k) {

@@ -8,6 +8,8 @@ namespace terratact {
 
 namespace {
 
+constexpr double kMostSamples = 1e7;
+
 double between(Vec2 p, Vec2 q, double x)
 {
     return q.x > p.x ? p.z + (q.z - p.z) * (x - p.x) / (q.x - p.x) : std::max(p.z, q.z);
@@ -19,8 +21,9 @@ TerrainProfile::TerrainProfile(std::vector<Vec2> points) : points_(std::move(poi
 {
     if (points_.empty()) throw std::invalid_argument("a terrain profile needs at least one point");
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (!std::isfinite(points_[i].x) || !std::isfinite(points_[i].z))
-            throw std::invalid_argument("a terrain profile's points must be finite");
+        if (!(std::abs(points_[i].x) <= kFarthest && std::abs(points_[i].z) <= kFarthest))
+            throw std::invalid_argument(
+                "a terrain profile's points must be numbers within 1000 km of 0");
         if (i > 0 && points_[i].x < points_[i - 1].x)
             throw std::invalid_argument("a terrain profile's x must not decrease");
     }
@@ -88,12 +91,17 @@ std::vector<Vec2> TerrainProfile::sampled(double a, double b, double spacing) co
     corners.push_back({b, heightAt(b)});
 
     std::vector<Vec2> line{corners.front()};
+    double count = 0.0;
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const Vec2 p = corners[i - 1];
         const Vec2 q = corners[i];
         const double longest = std::max(q.x - p.x, std::abs(q.z - p.z));
-        const int pieces = std::max(1, static_cast<int>(std::ceil(longest / spacing - 1e-9)));
         if (longest == 0.0) continue;
+        const double wanted = std::max(1.0, std::ceil(longest / spacing - 1e-9));
+        count += wanted;
+        if (!(count <= kMostSamples))
+            throw std::invalid_argument("a terrain sampled this finely would have too many points");
+        const int pieces = static_cast<int>(wanted);
         for (int k = 1; k <= pieces; ++k) {
             const double t = static_cast<double>(k) / pieces;
             line.push_back({p.x + t * (q.x - p.x), p.z + t * (q.z - p.z)});

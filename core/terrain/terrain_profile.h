@@ -7,11 +7,14 @@
 
 namespace terratact {
 
+/// No coordinate of a terrain is further from 0 [m].
+inline constexpr double kFarthest = 1e6;
+
 /// Ground under a drive: a line through points with x never decreasing, steps included as two points at
 /// the same x.  Beyond its ends the ground goes on level.
 class TerrainProfile {
 public:
-    /// points: at least one, finite, x non-decreasing, else std::invalid_argument.
+    /// points: at least one, x non-decreasing, all within kFarthest, else std::invalid_argument.
     explicit TerrainProfile(std::vector<Vec2> points);
 
     /// Heights [m] at equal steps [m], joined by straight lines, or as flat-topped blocks with
@@ -29,6 +32,7 @@ public:
     double meanOver(double a, double b) const;
 
     /// The line between a and b with no segment longer than `spacing` in x or z (vertical faces kept).
+    /// Throws std::invalid_argument unless a < b, spacing > 0, and where that would be more than 1e7 points.
     std::vector<Vec2> sampled(double a, double b, double spacing) const;
 
 private:
