@@ -19,6 +19,10 @@ public:
     std::size_t size() const { return size_; }
     T* data() { return values_.get(); }
     const T* data() const { return values_.get(); }
+    void setZero()
+    {
+        for (std::size_t k = 0; k < size_; ++k) values_[k] = T{};
+    }
 
 private:
     static constexpr std::align_val_t kBoundary{64};

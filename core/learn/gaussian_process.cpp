@@ -1,12 +1,10 @@
 #include "core/learn/gaussian_process.h"
 
-#include <cblas.h>
 #include <fmt/format.h>
 #include <lapacke.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -23,22 +21,6 @@ constexpr int kColumnsPerPoll = 8 * kGroup;
 std::size_t area(int a, int b)
 {
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
-}
-
-void checkArguments(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                    const Hyperparameters& hyper)
-{
-    if (X.rows() < 1 || X.rows() != y.size() || X.cols() != hyper.lengthScale.size())
-        throw std::invalid_argument(fmt::format(
-            "Gaussian process: {} × {} inputs do not fit {} outputs and {} length scales", X.rows(),
-            X.cols(), y.size(), hyper.lengthScale.size()));
-    if (!X.allFinite() || !y.allFinite())
-        throw std::invalid_argument("Gaussian process: every input and output must be finite");
-    if (!hyper.lengthScale.allFinite() || !(hyper.lengthScale.array() > 0.0).all()
-        || !(hyper.signalSd > 0.0) || !std::isfinite(hyper.signalSd) || !(hyper.noiseSd >= 0.0)
-        || !std::isfinite(hyper.noiseSd))
-        throw std::invalid_argument("Gaussian process: length scales and signal sd must be "
-                                    "positive and the noise sd 0 or more");
 }
 
 /// X in length scales, row-major U × d.
@@ -82,23 +64,6 @@ Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters
             for (int u = 0; u <= first + c; ++u) K(u, first + c) = block.data()[u * kGroup + c];
     }
     return K;
-}
-
-/// Adds the noise and factorises in place: upper triangle becomes R with K = Rᵀ R (R = Lᵀ).
-/// The smallest pivot over the largest, squared, is never below the reciprocal condition number.
-void factorise(Eigen::MatrixXd& K, double noiseSd)
-{
-    constexpr double kRounding = 1e-14;
-    K.diagonal().array() += noiseSd * noiseSd;
-    const auto n = static_cast<lapack_int>(K.rows());
-    const lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', n, K.data(), n);
-    const bool finite = info == 0 && K.diagonal().allFinite();
-    const double ratio = finite ? K.diagonal().minCoeff() / K.diagonal().maxCoeff() : 0.0;
-    if (!(ratio * ratio >= kRounding))
-        throw std::invalid_argument(
-            fmt::format("Gaussian process: the covariance of {} rows is not positive definite "
-                        "(doubled rows, noise sd {:.3g} m)",
-                        K.rows(), noiseSd));
 }
 
 struct Factor {
@@ -157,11 +122,27 @@ int groupsOf(Eigen::Index columns)
 
 }  // namespace
 
+void requireTrainable(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                      const Hyperparameters& hyper)
+{
+    if (X.rows() < 1 || X.rows() != y.size() || X.cols() != hyper.lengthScale.size())
+        throw std::invalid_argument(fmt::format(
+            "Gaussian process: {} × {} inputs do not fit {} outputs and {} length scales", X.rows(),
+            X.cols(), y.size(), hyper.lengthScale.size()));
+    if (!X.allFinite() || !y.allFinite())
+        throw std::invalid_argument("Gaussian process: every input and output must be finite");
+    if (!hyper.lengthScale.allFinite() || !(hyper.lengthScale.array() > 0.0).all()
+        || !(hyper.signalSd > 0.0) || !std::isfinite(hyper.signalSd) || !(hyper.noiseSd >= 0.0)
+        || !std::isfinite(hyper.noiseSd))
+        throw std::invalid_argument("Gaussian process: length scales and signal sd must be "
+                                    "positive and the noise sd 0 or more");
+}
+
 GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
                                  double outputMean, const Poll& poll)
     : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean)
 {
-    checkArguments(X_, y, hyper_);
+    requireTrainable(X_, y, hyper_);
     if (!std::isfinite(outputMean))
         throw std::invalid_argument("Gaussian process: the output mean must be finite");
     Factor found = factorWithJitter(X_, hyper_, poll);
@@ -198,8 +179,8 @@ Normal GaussianProcess::predict(const Eigen::VectorXd& x) const
 }
 
 SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x,
-                                   std::vector<int> moving, Precision precision,
-                                   const Poll& poll, const CovarianceKernels& kernels)
+                                   std::vector<int> moving, Precision precision, const Poll& poll,
+                                   const CovarianceKernels& kernels)
     : gp_(gp), kernels_(kernels), moving_(std::move(moving)),
       scaledX_(static_cast<std::size_t>(gp.rows()) * moving_.size()),
       logWeight_(static_cast<std::size_t>(gp.rows())), alpha_(static_cast<std::size_t>(gp.rows()))
@@ -292,44 +273,6 @@ void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& m
     // Rounding must not go below the noise, nor to 0 where there is none.
     const double least = std::max(noise2, kLeastVariance * prior);
     variance = (prior - Eigen::Map<const Eigen::ArrayXd>(squares_.data(), n)).max(least).matrix();
-}
-
-Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                                 const Hyperparameters& hyper)
-{
-    checkArguments(X, y, hyper);
-    const Eigen::Index U = X.rows();
-    const Eigen::Index d = X.cols();
-    const auto n = static_cast<lapack_int>(U);
-    const Eigen::MatrixXd signal = signalCovariance(X, hyper);
-    Eigen::MatrixXd W = signal;
-    factorise(W, hyper.noiseSd);
-    const Eigen::VectorXd alpha = solve(W, y);
-    Likelihood result;
-    result.negativeLog = 0.5 * y.dot(alpha) + W.diagonal().array().log().sum()
-                       + 0.5 * static_cast<double>(U) * std::log(2.0 * std::numbers::pi);
-
-    LAPACKE_dpotri(LAPACK_COL_MAJOR, 'U', n, W.data(), n);
-    W.triangularView<Eigen::Upper>() -= alpha * alpha.transpose();  // K⁻¹ − α αᵀ
-    const double trace = W.diagonal().sum();
-    W.triangularView<Eigen::Upper>() = W.cwiseProduct(signal);  // M: ∘ k(X, X)
-
-    // ½ Σ M_ij (z_i − z_j)² = Σ_i r_i z_i² − zᵀ M z with z = x_d / ℓ_d and row sums r.
-    const Eigen::MatrixXd Z = X * hyper.lengthScale.cwiseInverse().asDiagonal();
-    Eigen::MatrixXd ZandOne(U, d + 1);
-    ZandOne << Z, Eigen::VectorXd::Ones(U);
-    Eigen::MatrixXd MZ(U, d + 1);
-    cblas_dsymm(CblasColMajor, CblasLeft, CblasUpper, n, static_cast<int>(d + 1), 1.0, W.data(), n,
-                ZandOne.data(), n, 0.0, MZ.data(), n);
-    const Eigen::VectorXd rowSums = MZ.col(d);
-    result.gradient.resize(d + 2);
-    for (Eigen::Index k = 0; k < d; ++k)
-        result.gradient[k] = rowSums.dot(Z.col(k).cwiseAbs2()) - Z.col(k).dot(MZ.col(k));
-    result.gradient[d] = rowSums.sum();
-    result.gradient[d + 1] = hyper.noiseSd * hyper.noiseSd * trace;
-    if (!std::isfinite(result.negativeLog) || !result.gradient.allFinite())
-        throw std::invalid_argument("Gaussian process: the likelihood overflows");
-    return result;
 }
 
 }  // namespace terratact

@@ -108,17 +108,9 @@ private:
     AlignedArray<float> single_;           // likewise
 };
 
-/// Value and gradient of the negative log marginal likelihood.
-struct Likelihood {
-    double negativeLog = 0.0;
-    Eigen::VectorXd gradient;  ///< d + 2: by log ℓ_1 … log ℓ_d, log σ_f, log σ_n
-};
-
-/// −log p(y | X) = ½ yᵀ α + Σ log L_ii + ½ U log 2π (eq. 2.30) and its gradient
-/// ½ tr((K⁻¹ − α αᵀ) ∂K/∂θ) (eq. 5.9).  Memory: 2 U² doubles.
-/// Throws std::invalid_argument for the arguments that GaussianProcess refuses, and where K is singular to
-/// working precision or the value overflows: no jitter here, the search shall see where it leads.
-Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                                 const Hyperparameters& hyper);
+/// Throws std::invalid_argument, a sentence, unless X: U × d, y: U and hyper fit each other, U ≥ 1 and every
+/// number is in the range that GaussianProcess asks for.
+void requireTrainable(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                      const Hyperparameters& hyper);
 
 }  // namespace terratact

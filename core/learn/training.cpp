@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "core/learn/bin_models.h"
+#include "core/learn/likelihood.h"
 
 namespace terratact {
 

@@ -14,6 +14,7 @@
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
 #include "core/infer/truncated_normal.h"
+#include "core/learn/likelihood.h"
 #include "core/learn/model_file.h"
 #include "core/terrain/body_ceiling.h"
 #include "tests/bench/fma_peak.h"

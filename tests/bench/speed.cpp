@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/infer/reconstruct.h"
+#include "core/learn/likelihood.h"
 #include "core/learn/model_file.h"
 #include "core/sim/rest_pose.h"
 #include "tests/support/toy_model.h"

@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -183,39 +182,6 @@ TEST(GaussianProcess, withTinyLengthScalesIsTheNoisyDataItself)
     const double signal2 = 0.81;
     const double noise2 = 0.0225;
     EXPECT_NEAR(at.mean, data.y[5] * signal2 / (signal2 + noise2), 1e-12);
-    const Likelihood l = negativeLogLikelihood(data.X, data.y, data.hyper);
-    const double each = 0.5 * std::log(2.0 * std::numbers::pi * (signal2 + noise2));
-    EXPECT_NEAR(l.negativeLog, 30.0 * each + 0.5 * data.y.squaredNorm() / (signal2 + noise2), 1e-9);
-}
-
-TEST(Likelihood, isTheLogDensityOfTheOutputs)
-{
-    const Data data = someData(40, 3);
-    const Eigen::MatrixXd K = covariance(data);
-    const Eigen::LLT<Eigen::MatrixXd> llt(K);
-    const Eigen::MatrixXd L = llt.matrixL();
-    const double expected = 0.5 * data.y.dot(llt.solve(data.y)) + L.diagonal().array().log().sum()
-                          + 20.0 * std::log(2.0 * std::numbers::pi);
-    EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, expected,
-                1e-10 * std::abs(expected));
-}
-
-TEST(Likelihood, gradientIsTheSlopeOfTheValue)
-{
-    const Data data = someData(50, 4);
-    const Likelihood at = negativeLogLikelihood(data.X, data.y, data.hyper);
-    ASSERT_EQ(at.gradient.size(), 6);
-    constexpr double h = 1e-5;
-    for (Eigen::Index k = 0; k < 6; ++k) {
-        const auto shifted = [&](double by) {
-            Hyperparameters p = data.hyper;
-            double& value = k < 4 ? p.lengthScale[k] : (k == 4 ? p.signalSd : p.noiseSd);
-            value *= std::exp(by);
-            return negativeLogLikelihood(data.X, data.y, p).negativeLog;
-        };
-        const double slope = (shifted(h) - shifted(-h)) / (2.0 * h);
-        EXPECT_NEAR(at.gradient[k], slope, 1e-6 * (1.0 + std::abs(slope))) << "parameter " << k;
-    }
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "core/learn/gaussian_process.h"
+#include "core/learn/likelihood.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {

@@ -1,0 +1,153 @@
+#include "core/learn/likelihood.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "core/learn/aligned_array.h"
+#include "core/learn/covariance_kernels.h"
+#include "core/learn/gaussian_process.h"
+#include "core/learn/likelihood_kernels.h"
+#include "core/learn/symmetric_panels.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kColumns = SymmetricPanels::kPanelColumns;
+constexpr int kRows = 64;  // of covariances at a time: they stay in the cache
+
+std::size_t area(int a, int b)
+{
+    return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
+}
+
+/// Inputs in length scales, and the signal covariance k(X, X) between them, panel by panel.
+class SignalCovariance {
+public:
+    SignalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper)
+        : U_(static_cast<int>(X.rows())), d_(static_cast<int>(X.cols())),
+          signal2_(hyper.signalSd * hyper.signalSd), rows_(area(U_, d_)),
+          columns_(area(d_, kColumns)), groups_(area(d_, kColumns))
+    {
+        double* out = rows_.data();
+        for (int u = 0; u < U_; ++u)
+            for (int j = 0; j < d_; ++j) *out++ = X(u, j) / hyper.lengthScale[j];
+    }
+
+    int inputs() const { return d_; }
+    const double* row(int u) const { return rows_.data() + static_cast<long>(u) * d_; }
+    const double* columns() const { return columns_.data(); }  ///< d × kColumns, of the panel
+
+    void setPanel(int panel)
+    {
+        const int first = panel * kColumns;
+        for (int c = 0; c < kColumns; ++c)
+            for (int j = 0; j < d_; ++j) {
+                const double x = first + c < U_ ? row(first + c)[j] : 0.0;
+                columns_.data()[j * kColumns + c] = x;
+                groups_.data()[(c / kGroup * d_ + j) * kGroup + c % kGroup] = x;
+            }
+    }
+
+    /// k of `count` ≤ kRows rows from u on with the panel's columns: count × kColumns.
+    void rows(int u, int count, double* out)
+    {
+        const CovarianceInput in{row(u), zeros_.data(), zeros_.data(), count, d_, signal2_};
+        for (int c = 0; c < kColumns; c += kGroup) {
+            covarianceKernels().covariances(in, groups_.data() + static_cast<long>(c) * d_,
+                                            block_.data(), unused_.data());
+            for (int r = 0; r < count; ++r)
+                std::copy_n(block_.data() + static_cast<long>(r) * kGroup, kGroup,
+                            out + static_cast<long>(r) * kColumns + c);
+        }
+    }
+
+private:
+    int U_, d_;
+    double signal2_;
+    AlignedArray<double> rows_;              // U × d
+    AlignedArray<double> columns_, groups_;  // the panel's: d × kColumns; d × kGroup by groups
+    AlignedArray<double> zeros_{kRows};
+    AlignedArray<double> block_{area(kRows, kGroup)}, unused_{kGroup};
+};
+
+void fill(SymmetricPanels& K, SignalCovariance& signal, double noiseSd)
+{
+    for (int panel = 0; panel < K.panels(); ++panel) {
+        const int first = panel * kColumns;
+        if (first >= K.size()) break;
+        signal.setPanel(panel);
+        for (int u = first; u < K.size(); u += kRows)
+            signal.rows(u, std::min(kRows, K.size() - u), K.row(panel, u));
+        for (int u = first; u < std::min(K.size(), first + kColumns); ++u)
+            K.row(panel, u)[u - first] += noiseSd * noiseSd;
+    }
+}
+
+/// Σ over i > j of G_ij (z_id − z_jd)² for every input d, then of G_ij:
+///   G = (K⁻¹ − α αᵀ) ∘ k(X, X), z inputs in length scales.  K: −K⁻¹.
+Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& signal,
+                                const Eigen::VectorXd& alpha)
+{
+    const int d = signal.inputs();
+    AlignedArray<double> sums(area(d + 1, kGroup));
+    AlignedArray<double> block(area(kRows, kColumns));
+    AlignedArray<double> alphaOfPanel(kColumns);
+    for (int first = 0; first < K.size(); first += kColumns) {
+        const int panel = first / kColumns;
+        signal.setPanel(panel);
+        const int own = std::min(kColumns, K.size() - first);
+        std::copy_n(alpha.data() + first, own, alphaOfPanel.data());
+        for (int u = first; u < K.size(); ++u) {
+            const int r = (u - first) % kRows;
+            if (r == 0) signal.rows(u, std::min(kRows, K.size() - u), block.data());
+            double* S = block.data() + area(r, kColumns);
+            const int left = std::min(kColumns, u - first);  // of the diagonal
+            const int columns = (left + kGroup - 1) / kGroup * kGroup;
+            std::fill(S + left, S + columns, 0.0);
+            likelihoodKernels().addWeightedSquares(K.row(panel, u), S, alpha[u],
+                                                   alphaOfPanel.data(), columns, signal.row(u),
+                                                   signal.columns(), kColumns, d, sums.data());
+        }
+    }
+    const Eigen::Map<const Eigen::MatrixXd> parts(sums.data(), kGroup, d + 1);
+    return parts.colwise().sum().transpose();
+}
+
+}  // namespace
+
+Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                                 const Hyperparameters& hyper)
+{
+    requireTrainable(X, y, hyper);
+    const auto U = static_cast<int>(X.rows());
+    const Eigen::Index d = X.cols();
+    SignalCovariance signal(X, hyper);
+    SymmetricPanels K(U);
+    fill(K, signal, hyper.noiseSd);
+    Eigen::VectorXd alpha = y;
+    SymmetricPanels::Factors factors;
+    if (!K.invert(alpha, factors))
+        throw std::invalid_argument(
+            fmt::format("Gaussian process: the covariance of {} rows is not positive definite "
+                        "(doubled rows, noise sd {:.3g} m)",
+                        U, hyper.noiseSd));
+    Likelihood result;
+    result.negativeLog =
+        0.5 * (factors.quadratic + factors.logDeterminant + U * std::log(2.0 * std::numbers::pi));
+
+    const Eigen::VectorXd sums = weightedSquares(K, signal, alpha);
+    double trace = -alpha.squaredNorm();  // of K⁻¹ − α αᵀ
+    for (int u = 0; u < U; ++u) trace -= K.row(u / kColumns, u)[u % kColumns];
+    result.gradient.resize(d + 2);
+    result.gradient.head(d) = sums.head(d);
+    result.gradient[d] = 2.0 * sums[d] + hyper.signalSd * hyper.signalSd * trace;
+    result.gradient[d + 1] = hyper.noiseSd * hyper.noiseSd * trace;
+    return result;
+}
+
+}  // namespace terratact

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/learn/hyperparameters.h"
+
+namespace terratact {
+
+/// Value and gradient of the negative log marginal likelihood.
+struct Likelihood {
+    double negativeLog = 0.0;
+    Eigen::VectorXd gradient;  ///< d + 2: by log ℓ_1 … log ℓ_d, log σ_f, log σ_n
+};
+
+/// −log p(y | X) = ½ yᵀ α + ½ log det K + ½ U log 2π and its gradient ½ tr((K⁻¹ − α αᵀ) ∂K/∂θ)
+/// (Rasmussen & Williams 2006, eq. 2.30 and 5.9; K and α as in GaussianProcess).
+/// U³ multiplications and additions; memory: ½ U² + (270 + d) U doubles (SymmetricPanels).
+/// Throws as the constructor of GaussianProcess.
+Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                                 const Hyperparameters& hyper);
+
+}  // namespace terratact

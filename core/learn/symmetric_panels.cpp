@@ -1,0 +1,227 @@
+#include "core/learn/symmetric_panels.h"
+
+#include <lapacke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "core/learn/likelihood_kernels.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kColumns = SymmetricPanels::kPanelColumns;
+constexpr long kStride = long{kColumns} * kGroup;  // of a packed group
+constexpr int kTileGroups = kTileColumns / kGroup;
+constexpr int kCachedRows = 512;  // their packed groups stay in a core's own cache
+
+int roundUp(int n, int multiple)
+{
+    return (n + multiple - 1) / multiple * multiple;
+}
+
+std::size_t count(long n)
+{
+    return static_cast<std::size_t>(n);
+}
+
+/// Room for the groups of n rows, and for the last tile's excess.
+AlignedArray<double> packedRows(int n)
+{
+    return AlignedArray<double>(count((roundUp(n, kTileColumns) / kGroup) * kStride));
+}
+
+/// The pivot block's L⁻¹, packed by rows and by columns.
+struct PivotInverse {
+    AlignedArray<double> rows = packedRows(kColumns);
+    AlignedArray<double> columns = packedRows(kColumns);
+};
+
+void pack(const Eigen::MatrixXd& inverseL, PivotInverse& pivot)
+{
+    pivot.rows.setZero();
+    pivot.columns.setZero();
+    for (long i = 0; i < inverseL.rows(); ++i)
+        for (long k = 0; k <= i; ++k) {
+            pivot.rows.data()[i / kGroup * kStride + k * kGroup + i % kGroup] = inverseL(i, k);
+            pivot.columns.data()[k / kGroup * kStride + i * kGroup + k % kGroup] = inverseL(i, k);
+        }
+}
+
+/// One matrix being inverted: the steps of SymmetricPanels::invert for one pivot block after the other.
+class Sweep {
+public:
+    Sweep(SymmetricPanels& A, Eigen::VectorXd& y)
+        : A_(A), y_(y), n_(A.paddedSize()), V_(packedRows(n_)), W_(packedRows(n_))
+    {
+    }
+
+    bool pivot(int panel, SymmetricPanels::Factors& factors)
+    {
+        panel_ = panel;
+        first_ = panel * kColumns;
+        width_ = std::min(kColumns, n_ - first_);
+        if (!invertPivot(factors)) return false;
+        packColumns();
+        multiply();
+        sweepOutput(factors);
+        for (int from = 0; from < n_; from += kCachedRows)
+            update(from, std::min(n_, from + kCachedRows));
+        replaceColumns();
+        return true;
+    }
+
+private:
+    bool isPivot(int row) const { return row >= first_ && row < first_ + width_; }
+    double* group(AlignedArray<double>& packed, int row) const
+    {
+        return packed.data() + row / kGroup * kStride;
+    }
+
+    bool invertPivot(SymmetricPanels::Factors& factors)
+    {
+        Eigen::MatrixXd L = Eigen::MatrixXd::Zero(width_, width_);
+        for (int i = 0; i < width_; ++i)
+            for (int j = 0; j <= i; ++j) L(i, j) = A_.row(panel_, first_ + i)[j];
+        if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', width_, L.data(), width_) != 0) return false;
+        if (!L.diagonal().allFinite()) return false;
+        factors.logDeterminant += 2.0 * L.diagonal().array().log().sum();
+        LAPACKE_dtrtri(LAPACK_COL_MAJOR, 'L', 'N', width_, L.data(), width_);
+        pack(L, inverse_);
+        return true;
+    }
+
+    /// V = A_·k, packed; the pivot's own rows are not written and not read.
+    void packColumns()
+    {
+        for (int left = 0; left < panel_; ++left)
+            for (int k = 0; k < width_; ++k) {
+                const double* from = A_.row(left, first_ + k);
+                for (int i = 0; i < kColumns; ++i)
+                    group(V_, left * kColumns + i)[k * kGroup + i % kGroup] = from[i];
+            }
+        for (int i = first_ + width_; i < n_; ++i) {
+            const double* from = A_.row(panel_, i);
+            double* to = group(V_, i) + i % kGroup;
+            for (int k = 0; k < width_; ++k) to[static_cast<long>(k) * kGroup] = from[k];
+        }
+    }
+
+    /// W = −V L⁻ᵀ; the sign cancels wherever W is used.
+    void multiply()
+    {
+        const auto subtract = likelihoodKernels().subtractProducts;
+        W_.setZero();
+        for (int i = 0; i < n_; i += kTileColumns) {
+            if (isPivot(i)) continue;
+            for (int j = 0; j < width_; j += kGroup)
+                subtract(group(inverse_.rows, j), group(V_, i), kStride, j + kGroup,
+                         group(W_, i) + static_cast<long>(j) * kGroup, kGroup, kStride);
+        }
+    }
+
+    /// y as one more row of A.
+    void sweepOutput(SymmetricPanels::Factors& factors)
+    {
+        Eigen::VectorXd w = Eigen::VectorXd::Zero(width_);
+        for (int j = 0; j < width_; ++j)
+            for (int k = 0; k <= j; ++k)
+                w[j] -= y_[first_ + k] * group(inverse_.rows, j)[k * kGroup + j % kGroup];
+        factors.quadratic += w.squaredNorm();
+        for (int i = 0; i < n_; i += kGroup) {
+            if (isPivot(i)) continue;
+            const Eigen::Map<const Eigen::Matrix<double, kGroup, Eigen::Dynamic>> W(group(W_, i),
+                                                                                    kGroup, width_);
+            y_.segment<kGroup>(i).noalias() -= W * w;
+        }
+        for (int k = 0; k < width_; ++k) {
+            double sum = 0.0;
+            for (int j = k; j < width_; ++j)
+                sum -= w[j] * group(inverse_.rows, j)[k * kGroup + j % kGroup];
+            y_[first_ + k] = sum;
+        }
+    }
+
+    /// A_ij −= W_i W_jᵀ for rows from … to of the lower triangle.
+    void update(int from, int to)
+    {
+        const auto subtract = likelihoodKernels().subtractProducts;
+        for (int j = 0; j < to; j += kTileColumns) {
+            if (isPivot(j)) continue;
+            const int panel = j / kColumns;
+            for (int i = std::max(from, j); i < to; i += kGroup)
+                if (!isPivot(i))
+                    subtract(group(W_, i), group(W_, j), kStride, width_,
+                             A_.row(panel, i) + j % kColumns, kColumns, kGroup);
+        }
+    }
+
+    /// A_·k = W L⁻¹ and A_kk = −L⁻ᵀ L⁻¹.
+    void replaceColumns()
+    {
+        const auto subtract = likelihoodKernels().subtractProducts;
+        const auto tile = [&](const double* a, const double* b, int k, double* C) {
+            for (int r = 0; r < kGroup; ++r) std::fill_n(C + long{r} * kColumns, kTileColumns, 0.0);
+            const long skipped = static_cast<long>(k) * kGroup;  // zeros of the triangle
+            subtract(a + skipped, b + skipped, kStride, width_ - k, C, kColumns, kGroup);
+        };
+        for (int k = 0; k < width_; k += kGroup)
+            for (int j = 0; j < first_; j += kTileColumns)
+                tile(group(inverse_.columns, k), group(W_, j), k,
+                     A_.row(j / kColumns, first_ + k) + j % kColumns);
+        for (int k = 0; k < width_; k += kTileColumns)
+            for (int i = first_; i < n_; i += kGroup)
+                tile(isPivot(i) ? group(inverse_.columns, i - first_) : group(W_, i),
+                     group(inverse_.columns, k), k, A_.row(panel_, i) + k);
+    }
+
+    SymmetricPanels& A_;
+    Eigen::VectorXd& y_;
+    int n_;
+    int panel_ = 0, first_ = 0, width_ = 0;
+    AlignedArray<double> V_, W_;
+    PivotInverse inverse_;
+};
+
+}  // namespace
+
+SymmetricPanels::SymmetricPanels(int n)
+    : n_(n), padded_(roundUp(n, kGroup)), values_(count(offset(panels(), panels() * kPanelColumns)))
+{
+    for (int u = n_; u < padded_; ++u) row(u / kPanelColumns, u)[u % kPanelColumns] = 1.0;
+}
+
+long SymmetricPanels::offset(int panel, int u) const
+{
+    const long first = static_cast<long>(panel) * kPanelColumns;
+    const long before = panel * static_cast<long>(padded_)
+                      - kPanelColumns * (static_cast<long>(panel) * (panel - 1) / 2);
+    return (before + u - first) * kPanelColumns;
+}
+
+double* SymmetricPanels::row(int panel, int u)
+{
+    return values_.data() + offset(panel, u);
+}
+
+const double* SymmetricPanels::row(int panel, int u) const
+{
+    return values_.data() + offset(panel, u);
+}
+
+bool SymmetricPanels::invert(Eigen::VectorXd& y, Factors& factors)
+{
+    factors = {};
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(padded_);
+    solution.head(n_) = y;
+    Sweep sweep(*this, solution);
+    for (int panel = 0; panel < panels(); ++panel)
+        if (!sweep.pivot(panel, factors)) return false;
+    y = solution.head(n_);
+    return true;
+}
+
+}  // namespace terratact
