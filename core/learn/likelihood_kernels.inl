@@ -4,6 +4,13 @@
 
 #include "core/learn/likelihood_kernels.h"
 
+// Arrays of vectors live in registers only where the loops over them are unrolled early.
+#ifdef __clang__
+#define TERRATACT_UNROLL _Pragma("unroll")
+#else
+#define TERRATACT_UNROLL _Pragma("GCC unroll 8")
+#endif
+
 namespace terratact::TERRATACT_KERNEL_NAMESPACE {
 
 namespace {
@@ -39,17 +46,25 @@ inline void block(const double* A, const double* B, long stride, int length, dou
                   long groupStride, int c)
 {
     Vec product[kRows][kVectors];
+    TERRATACT_UNROLL
     for (int r = 0; r < kRows; ++r)
+        TERRATACT_UNROLL
         for (int v = 0; v < kVectors; ++v) product[r][v] = spread(0.0);
     const double* b[kVectors];
+    TERRATACT_UNROLL
     for (int v = 0; v < kVectors; ++v) b[v] = B + column(c + v * kLanes, stride);
     for (long k = 0; k < length; ++k) {
         Vec columns[kVectors];
+        TERRATACT_UNROLL
         for (int v = 0; v < kVectors; ++v) columns[v] = load(b[v] + k * kGroup);
+        TERRATACT_UNROLL
         for (int r = 0; r < kRows; ++r)
+            TERRATACT_UNROLL
             for (int v = 0; v < kVectors; ++v) product[r][v] += spread(A[k * kGroup + r]) * columns[v];
     }
+    TERRATACT_UNROLL
     for (int r = 0; r < kRows; ++r)
+        TERRATACT_UNROLL
         for (int v = 0; v < kVectors; ++v) {
             double* to = C + r * rowStride + column(c + v * kLanes, groupStride);
             store(to, load(to) - product[r][v]);
@@ -74,6 +89,7 @@ inline void addSquares(const double* G, int columns, const double* x, const doub
     for (int d = 0; d < kInputs; ++d) sum[d] = load(sums + d * 8);
     for (int c = 0; c < columns; c += kLanes) {
         const Vec g = load(G + c);
+        TERRATACT_UNROLL
         for (int d = 0; d < kInputs; ++d) {
             const Vec difference = spread(x[d]) - load(Z + d * stride + c);
             sum[d] += g * difference * difference;

@@ -100,13 +100,15 @@ private:
         for (int left = 0; left < panel_; ++left)
             for (int k = 0; k < width_; ++k) {
                 const double* from = A_.row(left, first_ + k);
-                for (int i = 0; i < kColumns; ++i)
-                    group(V_, left * kColumns + i)[k * kGroup + i % kGroup] = from[i];
+                double* to = group(V_, left * kColumns) + static_cast<long>(k) * kGroup;
+                for (int i = 0; i < kColumns; i += kGroup, to += kStride)
+                    std::copy_n(from + i, kGroup, to);
             }
-        for (int i = first_ + width_; i < n_; ++i) {
+        for (int i = first_ + width_; i < n_; i += kGroup) {
             const double* from = A_.row(panel_, i);
-            double* to = group(V_, i) + i % kGroup;
-            for (int k = 0; k < width_; ++k) to[static_cast<long>(k) * kGroup] = from[k];
+            double* to = group(V_, i);
+            for (int k = 0; k < width_; ++k)
+                for (int r = 0; r < kGroup; ++r) *to++ = from[r * kColumns + k];
         }
     }
 
