@@ -36,6 +36,8 @@ public:
         double* out = rows_.data();
         for (int u = 0; u < U_; ++u)
             for (int j = 0; j < d_; ++j) *out++ = X(u, j) / hyper.lengthScale[j];
+        if (!std::all_of(rows_.data(), out, [](double z) { return std::isfinite(z); }))
+            throw std::invalid_argument("Gaussian process: an input overflows in length scales");
     }
 
     int inputs() const { return d_; }
@@ -88,6 +90,14 @@ void fill(SymmetricPanels& K, SignalCovariance& signal, double noiseSd)
     }
 }
 
+/// To working precision.
+bool isSingular(const SymmetricPanels::Factors& factors)
+{
+    constexpr double kRounding = 1e-14;
+    const double ratio = factors.leastPivot / factors.mostPivot;
+    return !(ratio * ratio >= kRounding);
+}
+
 /// Σ over i > j of G_ij (z_id − z_jd)² for every input d, then of G_ij:
 ///   G = (K⁻¹ − α αᵀ) ∘ k(X, X), z inputs in length scales.  K: −K⁻¹.
 Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& signal,
@@ -131,7 +141,7 @@ Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd
     fill(K, signal, hyper.noiseSd);
     Eigen::VectorXd alpha = y;
     SymmetricPanels::Factors factors;
-    if (!K.invert(alpha, factors))
+    if (!K.invert(alpha, factors) || isSingular(factors))
         throw std::invalid_argument(
             fmt::format("Gaussian process: the covariance of {} rows is not positive definite "
                         "(doubled rows, noise sd {:.3g} m)",
@@ -147,6 +157,8 @@ Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd
     result.gradient.head(d) = sums.head(d);
     result.gradient[d] = 2.0 * sums[d] + hyper.signalSd * hyper.signalSd * trace;
     result.gradient[d + 1] = hyper.noiseSd * hyper.noiseSd * trace;
+    if (!std::isfinite(result.negativeLog) || !result.gradient.allFinite())
+        throw std::invalid_argument("Gaussian process: the likelihood overflows");
     return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "core/learn/aligned_array.h"
 
@@ -26,10 +27,12 @@ public:
     double* row(int panel, int u);
     const double* row(int panel, int u) const;
 
-    /// What inverting tells: log det A and yᵀ A⁻¹ y.
+    /// What inverting tells: log det A, yᵀ A⁻¹ y, and the least and largest entry of the Cholesky factor's
+    /// diagonal, the square of whose quotient is never below A's reciprocal condition number.
     struct Factors {
         double logDeterminant = 0.0;
         double quadratic = 0.0;
+        double leastPivot = std::numeric_limits<double>::infinity(), mostPivot = 0.0;
     };
 
     /// A becomes −A⁻¹ and y becomes A⁻¹ y; rows beyond n must be the identity's.

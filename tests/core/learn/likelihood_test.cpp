@@ -79,5 +79,72 @@ TEST(Likelihood, gradientIsTheSlopeOfTheValue)
     }
 }
 
+TEST(Likelihood, gradientKeepsItsDigitsWhereLengthScalesAreLong)
+{
+    Data data = someData(110, 2);  // more than one panel
+    data.hyper.lengthScale << 1e7, 0.8;
+    const Likelihood at = negativeLogLikelihood(data.X, data.y, data.hyper);
+    // ∂/∂log ℓ = ½ Σ G_ij (x_i − x_j)² / ℓ²: all of it tiny.
+    EXPECT_GT(std::abs(at.gradient[0]), 0.0);
+    EXPECT_LT(std::abs(at.gradient[0]), 1e-6);
+    Data ten = data;
+    ten.hyper.lengthScale[0] = 1e6;
+    const double larger = negativeLogLikelihood(ten.X, ten.y, ten.hyper).gradient[0];
+    EXPECT_NEAR(larger / at.gradient[0], 100.0, 1e-6);
+}
+
+TEST(Likelihood, withTinyLengthScalesIsThatOfIndependentOutputs)
+{
+    Data data = someData(30, 2);
+    data.hyper.lengthScale.setConstant(1e-8);
+    const double variance = 0.81 + 0.0225;
+    const Likelihood l = negativeLogLikelihood(data.X, data.y, data.hyper);
+    const double each = 0.5 * std::log(2.0 * std::numbers::pi * variance);
+    EXPECT_NEAR(l.negativeLog, 30.0 * each + 0.5 * data.y.squaredNorm() / variance, 1e-9);
+}
+
+TEST(Likelihood, refusesWhatHasNone)
+{
+    Data data = someData(20, 2);
+    EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y.head(19), data.hyper),
+                 std::invalid_argument);
+    Data doubled = data;
+    doubled.X.row(1) = doubled.X.row(0);
+    doubled.hyper.noiseSd = 0.0;
+    EXPECT_THROW((void)negativeLogLikelihood(doubled.X, doubled.y, doubled.hyper),
+                 std::invalid_argument);
+    Data large = data;
+    large.y.setConstant(1e200);
+    EXPECT_THROW((void)negativeLogLikelihood(large.X, large.y, large.hyper), std::invalid_argument);
+    Data far = data;
+    far.X(3, 0) = 1e200;
+    far.hyper.lengthScale[0] = 1e-200;
+    EXPECT_THROW((void)negativeLogLikelihood(far.X, far.y, far.hyper), std::invalid_argument);
+}
+
+/// Kilobytes from /proc/self/status.
+long status(const std::string& key)
+{
+    std::ifstream file("/proc/self/status");
+    std::string word;
+    long value = -1;
+    while (file >> word)
+        if (word == key) file >> value;
+    return value;
+}
+
+TEST(Likelihood, needsLessThanFourTimesItsRowsSquared)
+{
+    const Data data = someData(1200, 22);
+    (void)negativeLogLikelihood(data.X.topRows(100), data.y.head(100), data.hyper);
+    if (!(std::ofstream("/proc/self/clear_refs") << "5" << std::flush))
+        GTEST_SKIP() << "the kernel does not reset a process's largest size";
+    const long before = status("VmRSS:");
+    (void)negativeLogLikelihood(data.X, data.y, data.hyper);
+    const double doubles = static_cast<double>(status("VmHWM:") - before) * 128.0;
+    EXPECT_LT(doubles, 4.0 * 1200.0 * 1200.0);
+    EXPECT_GT(doubles, 0.4 * 1200.0 * 1200.0);  // it was measured at all
+}
+
 }  // namespace
 }  // namespace terratact
