@@ -17,8 +17,8 @@ public:
             mean_.push_back(models.heightMean(i));
             sd_.push_back(models.heightSd(i));
             conditionals_.push_back(std::make_unique<SceneConditional>(
-                models.bin(i, poll), models.input(i, known, s), movingInputs(unknown, i), precision,
-                poll));
+                models.bin(i, 0, poll), models.input(i, known, s), movingInputs(unknown, i),
+                precision, poll));
         }
     }
 

@@ -30,7 +30,7 @@ Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin)
 BinModels::BinModels(const ModelData& model, FeatureSet set)
     : data_(set == FeatureSet::Pa ? model.pa : model.paf),
       standardised_(standardised(rawInputs(model, set), data_.mean, data_.sd)),
-      heights_(model.scannedHeights)
+      heights_(model.scannedHeights), inducing_(model.inducing)
 {
 }
 
@@ -39,19 +39,19 @@ int BinModels::inputSize() const
     return static_cast<int>(standardised_.cols()) - 1;
 }
 
-const GaussianProcess& BinModels::bin(int i, const Poll& poll) const
+const GaussianProcess& BinModels::bin(int i, int inducing, const Poll& poll) const
 {
     if (i < 0 || i >= kBins) throw std::invalid_argument("bins are numbered 0 to 10");
-    Lazy& lazy = lazy_[static_cast<std::size_t>(i)];
-    const std::scoped_lock lock(lazy.mutex);
-    if (!lazy.gp) {
+    if (inducing < 0) throw std::invalid_argument("the number of inducing rows must be 0 or more");
+    const int rows = rowsToInduce(inducing, inducing_, standardised_.rows());
+    return lazy_[static_cast<std::size_t>(i)].get(rows, [&] {
         const double mean = data_.mean[i];
-        lazy.gp = std::make_unique<GaussianProcess>(
-            withoutBin(standardised_, i), heights_.col(i).array() - mean,
-            data_.bins[static_cast<std::size_t>(i)], mean, poll);
+        auto gp =
+            GaussianProcess::sparse(withoutBin(standardised_, i), heights_.col(i).array() - mean,
+                                    rows, data_.bins[static_cast<std::size_t>(i)], mean, poll);
         factorised_ |= 1UL << static_cast<unsigned>(i);
-    }
-    return *lazy.gp;
+        return gp;
+    });
 }
 
 Eigen::VectorXd BinModels::input(int i, const Heights& h, const Eigen::VectorXd& s) const

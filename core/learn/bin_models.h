@@ -2,11 +2,10 @@
 
 #include <array>
 #include <atomic>
-#include <memory>
-#include <mutex>
 
 #include "core/learn/bin_set.h"
 #include "core/learn/gaussian_process.h"
+#include "core/learn/lazy_processes.h"
 #include "core/learn/model.h"
 
 namespace terratact {
@@ -31,9 +30,11 @@ public:
     int inputSize() const;  ///< 10 + number of features
     const BinModelData& data() const { return data_; }
 
-    /// The Gaussian process of a bin; factorises it at the first call.  poll: as for GaussianProcess; what it
-    /// throws leaves the bin to the next caller.  A thread that waits for another one's factorisation does not poll.
-    const GaussianProcess& bin(int i, const Poll& poll = {}) const;
+    /// The Gaussian process of a bin, through at most `inducing` rows; as trained where that is 0.  Factorised at the
+    /// first call with these numbers.  poll: as for GaussianProcess; what it throws leaves the bin to the next
+    /// caller.  A thread that waits for another one's factorisation does not poll.
+    /// Throws std::invalid_argument unless i is 0 to 10 and inducing ≥ 0.
+    const GaussianProcess& bin(int i, int inducing = 0, const Poll& poll = {}) const;
 
     /// The bins whose Gaussian process has been asked for, and so factorised.
     BinSet factorised() const { return factorised_.load(); }
@@ -45,14 +46,11 @@ public:
     double heightSd(int i) const { return data_.sd[i]; }
 
 private:
-    struct Lazy {
-        std::mutex mutex;
-        std::unique_ptr<GaussianProcess> gp;
-    };
     BinModelData data_;
     Eigen::MatrixXd standardised_;  ///< V × (11 + f)
     Eigen::MatrixXd heights_;       ///< V × 11 [m]
-    mutable std::array<Lazy, kBins> lazy_;
+    int inducing_;                  ///< as trained; 0: all rows
+    mutable std::array<LazyProcesses, kBins> lazy_;
     mutable std::atomic<unsigned long> factorised_{0};
 };
 

@@ -258,22 +258,22 @@ ClearanceConditionals::ClearanceConditionals(ClearanceTraining training,
                     "conditionals over clearances: standardised with other training rows");
 }
 
-const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, const Poll& poll) const
+const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, int inducing,
+                                                 const Poll& poll) const
 {
     requireEnoughRows(data_, bin, regime);
     const ClearanceRegimeData& own = data_.at(bin, regime);
     if (own.hyper.lengthScale.size() == 0)
         throw std::invalid_argument(
             fmt::format("bin {:+.1f} m {} has not been trained", binCentre(bin), words(regime)));
-    Lazy& lazy = lazy_[static_cast<std::size_t>(bin)][static_cast<std::size_t>(regime)];
-    const std::scoped_lock lock(lazy.mutex);
-    if (!lazy.gp) {
-        Rows rows = rowsFor(training_, data_, bin, regime);
-        lazy.gp =
-            std::make_unique<GaussianProcess>(std::move(rows.X), rows.y, own.hyper, own.mean, poll);
+    const int rows = rowsToInduce(inducing, 0, std::min(own.rows, kMostClearanceRows));
+    return lazy_[static_cast<std::size_t>(bin)][static_cast<std::size_t>(regime)].get(rows, [&] {
+        Rows data = rowsFor(training_, data_, bin, regime);
+        auto gp =
+            GaussianProcess::sparse(std::move(data.X), data.y, rows, own.hyper, own.mean, poll);
         factorised_[static_cast<std::size_t>(regime)] |= 1UL << static_cast<unsigned>(bin);
-    }
-    return *lazy.gp;
+        return gp;
+    });
 }
 
 Eigen::VectorXd ClearanceConditionals::input(int i, const Heights& y, const Heights& ceiling,

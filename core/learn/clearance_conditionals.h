@@ -13,6 +13,7 @@
 #include "core/learn/bin_set.h"
 #include "core/learn/clearance.h"
 #include "core/learn/gaussian_process.h"
+#include "core/learn/lazy_processes.h"
 #include "core/learn/training.h"
 #include "core/robot/robot_model.h"
 #include "core/terrain/bins.h"
@@ -100,9 +101,10 @@ public:
     const ClearanceConditionalData& data() const { return data_; }
 
     /// Of y of one bin in one regime; factorises it at the first call.  Throws std::invalid_argument, a sentence,
-    /// where the regime has fewer than kFewestTrainingRows training rows or was not trained.  poll: as
-    /// BinModels::bin.
-    const GaussianProcess& gp(int bin, Regime regime, const Poll& poll = {}) const;
+    /// where the regime has fewer than kFewestTrainingRows training rows or was not trained.
+    /// inducing: predicts through at most so many rows; 0: all.  poll: as BinModels::bin.
+    const GaussianProcess& gp(int bin, Regime regime, int inducing = 0,
+                              const Poll& poll = {}) const;
 
     /// The bins whose Gaussian process in that regime has been asked for, and so factorised.
     BinSet factorised(Regime regime) const
@@ -117,13 +119,9 @@ public:
                           const Eigen::VectorXd& s) const;
 
 private:
-    struct Lazy {
-        std::mutex mutex;
-        std::unique_ptr<GaussianProcess> gp;
-    };
     ClearanceTraining training_;
     ClearanceConditionalData data_;
-    mutable std::array<std::array<Lazy, kRegimes.size()>, kBins> lazy_;
+    mutable std::array<std::array<LazyProcesses, kRegimes.size()>, kBins> lazy_;
     mutable std::array<std::atomic<unsigned long>, kRegimes.size()> factorised_{};
 };
 

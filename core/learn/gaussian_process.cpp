@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/learn/covariance_kernels.h"
+#include "core/learn/sparse_process.h"
 
 namespace terratact {
 
@@ -115,6 +116,17 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& R, const Eigen::VectorXd& y)
     return alpha;
 }
 
+/// k(Z, z) at rows z from the first to the last, to judge single precision at.
+Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters& hyper)
+{
+    const Eigen::MatrixXd K =
+        signalCovariance(Z, hyper).selfadjointView<Eigen::Upper>().toDenseMatrix();
+    std::vector<Eigen::Index> rows;
+    for (Eigen::Index p = 0; p < InverseFactor::kProbes; ++p)
+        rows.push_back(p * (Z.rows() - 1) / (InverseFactor::kProbes - 1));
+    return K(Eigen::all, rows);
+}
+
 int groupsOf(Eigen::Index columns)
 {
     return static_cast<int>((columns + kGroup - 1) / kGroup);
@@ -153,6 +165,31 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hy
     if (!std::isfinite(largestMean))
         throw std::invalid_argument("Gaussian process: the outputs overflow in units of the noise");
     inverse_.emplace(std::move(found.R), [this](const Poll& again) { return factor(again); });
+}
+
+GaussianProcess::GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,
+                                 double outputMean)
+    : X_(std::move(Z)), hyper_(std::move(hyper)), outputMean_(outputMean),
+      alpha_(std::move(process.weights))
+{
+    const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
+    if (!std::isfinite(outputMean) || !std::isfinite(largestMean) || !process.F.allFinite())
+        throw std::invalid_argument("sparse Gaussian process: numbers overflow");
+    inverse_.emplace(GivenInverse{process.F.transpose(), someCovariances(X_, hyper_)});
+}
+
+std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
+                                                         const Eigen::VectorXd& y, int inducing,
+                                                         Hyperparameters hyper, double outputMean,
+                                                         const Poll& poll)
+{
+    if (inducing >= X.rows())
+        return std::make_unique<GaussianProcess>(std::move(X), y, std::move(hyper), outputMean,
+                                                 poll);
+    SparseProcess process = sparseProcess(X, y, inducing, hyper, poll);
+    Eigen::MatrixXd Z = X(process.inducing, Eigen::all);
+    return std::unique_ptr<GaussianProcess>(
+        new GaussianProcess(std::move(Z), std::move(process), std::move(hyper), outputMean));
 }
 
 Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const

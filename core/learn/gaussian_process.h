@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "core/learn/precision.h"
 
 namespace terratact {
+
+struct SparseProcess;
 
 /// A one-dimensional Gaussian.
 struct Normal {
@@ -41,13 +44,22 @@ public:
     GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
                     double outputMean, const Poll& poll = {});
 
+    /// One that predicts through at most `inducing` of the rows (core/learn/sparse_process.h): cheaper by the square
+    /// of rows() / inducing.  The exact one where inducing is rows() or more.
+    /// Throws as the constructor, and for inducing < 1.
+    static std::unique_ptr<GaussianProcess> sparse(Eigen::MatrixXd X, const Eigen::VectorXd& y,
+                                                   int inducing, Hyperparameters hyper,
+                                                   double outputMean, const Poll& poll = {});
+
+    /// Rows that a prediction sums over: U, or the inducing ones.
     Eigen::Index rows() const { return X_.rows(); }
     Eigen::Index inputs() const { return X_.cols(); }
     const Hyperparameters& hyperparameters() const { return hyper_; }
 
     /// Added to K's diagonal, as a share of σ_f² + σ_n²; 0 where K needed none.
     double jitter() const { return jitter_; }
-    /// Estimated reciprocal condition number of K with its jitter, 1-norm.
+    /// Estimated reciprocal condition number of K with its jitter, 1-norm; 1 for a sparse one, whose factors are
+    /// well conditioned by themselves.
     double rcond() const { return rcond_; }
 
     /// InverseFactor::singleError of this process [m²].  Elsewhere a variance was seen to be off by up to three
@@ -66,13 +78,17 @@ private:
     friend class SceneConditional;
     Eigen::MatrixXd factor(const Poll& poll) const;
 
+    /// From a sparse process over the rows Z.
+    GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,
+                    double outputMean);
+
     Eigen::MatrixXd X_;
     Hyperparameters hyper_;
     double outputMean_;
     double jitter_ = 0.0;
     double rcond_ = 1.0;
     Eigen::VectorXd alpha_;
-    std::optional<InverseFactor> inverse_;
+    std::optional<InverseFactor> inverse_;  // of L, or F of a sparse one
 };
 
 /// A Gaussian process at one scene: the inputs that stay fixed are folded into one log weight per

@@ -13,7 +13,7 @@ namespace terratact {
 
 namespace {
 
-constexpr int kProbes = 2 * kGroup;  // columns that singleError looks at
+constexpr int kProbes = InverseFactor::kProbes;
 
 /// Rows of the lower triangle L⁻¹ = (R⁻¹)ᵀ in panels.
 template <class T>
@@ -52,7 +52,17 @@ Eigen::MatrixXd probeColumns(const Eigen::MatrixXd& R)
     return columns;
 }
 
-double errorAt(const Eigen::MatrixXd& columns, const AlignedArray<float>& panels)
+/// |T k|² of every column k, from Tᵀ.
+Eigen::VectorXd squaresOf(const Eigen::MatrixXd& transposed, Eigen::MatrixXd columns)
+{
+    const auto n = static_cast<int>(transposed.rows());
+    cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, n,
+                static_cast<int>(columns.cols()), 1.0, transposed.data(), n, columns.data(), n);
+    return columns.colwise().squaredNorm();
+}
+
+double errorAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
+               const AlignedArray<float>& panels)
 {
     const auto U = static_cast<int>(columns.rows());
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
@@ -66,7 +76,7 @@ double errorAt(const Eigen::MatrixXd& columns, const AlignedArray<float>& panels
                                             squares.data());
     double error = 0.0;
     for (int p = 0; p < kProbes; ++p) {
-        const double difference = std::abs(squares.data()[p] - columns(probe(p, U), p));
+        const double difference = std::abs(squares.data()[p] - expected[p]);
         if (!std::isfinite(difference)) return std::numeric_limits<double>::infinity();
         error = std::max(error, difference);
     }
@@ -80,6 +90,11 @@ InverseFactor::InverseFactor(Eigen::MatrixXd R, std::function<Eigen::MatrixXd(co
 {
 }
 
+InverseFactor::InverseFactor(GivenInverse given)
+    : rows_(static_cast<int>(given.transposed.rows())), given_(std::move(given))
+{
+}
+
 Eigen::MatrixXd InverseFactor::takeFactor(const Poll& poll) const
 {
     if (!R_) return again_(poll);
@@ -88,14 +103,30 @@ Eigen::MatrixXd InverseFactor::takeFactor(const Poll& poll) const
     return R;
 }
 
+Eigen::MatrixXd InverseFactor::inverse(const Poll& poll) const
+{
+    if (given_) return given_->transposed;
+    Eigen::MatrixXd R = takeFactor(poll);
+    invertUpper(R, poll);
+    return R;
+}
+
+InverseFactor::Judged InverseFactor::judged(const Poll& poll) const
+{
+    if (given_)
+        return {given_->transposed, given_->probes, squaresOf(given_->transposed, given_->probes)};
+    Judged judged{takeFactor(poll), {}, Eigen::VectorXd(kProbes)};
+    judged.columns = probeColumns(judged.inverse);
+    for (int p = 0; p < kProbes; ++p)
+        judged.squares[p] = judged.columns(probe(p, judged.columns.rows()), p);
+    invertUpper(judged.inverse, poll);
+    return judged;
+}
+
 const double* InverseFactor::panels(const Poll& poll) const
 {
     const std::scoped_lock lock(mutex_);
-    if (!double_) {
-        Eigen::MatrixXd R = takeFactor(poll);
-        invertUpper(R, poll);
-        double_ = pack<double>(R, poll);
-    }
+    if (!double_) double_ = pack<double>(inverse(poll), poll);
     return double_->data();
 }
 
@@ -103,11 +134,9 @@ const InverseFactor::Single& InverseFactor::single(const Poll& poll) const
 {
     const std::scoped_lock lock(mutex_);
     if (!single_) {
-        Eigen::MatrixXd R = takeFactor(poll);
-        const Eigen::MatrixXd columns = probeColumns(R);
-        invertUpper(R, poll);
-        AlignedArray<float> panels = pack<float>(R, poll);
-        const double error = errorAt(columns, panels);
+        const Judged from = judged(poll);
+        AlignedArray<float> panels = pack<float>(from.inverse, poll);
+        const double error = errorAt(from.columns, from.squares, panels);
         single_ = Single{std::move(panels), error};
     }
     return *single_;

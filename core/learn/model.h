@@ -54,6 +54,7 @@ struct ModelData {
     Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
     BinModelData pa, paf;
     ClearanceData clearance;
+    int inducing = 0;     ///< rows the conditionals predict through, at most; 0: all of theirs
     std::string command;  ///< how it was made
     std::uint64_t seed = 0;
     std::string dataHash;  ///< SHA-256 of the scenes it was trained on, hex

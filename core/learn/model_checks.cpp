@@ -188,6 +188,8 @@ void requireModel(const ModelData& model, const Portion* portion)
     } else {
         requireWholeClearance(model.clearance);
     }
+    require(model.inducing >= 0 && model.inducing <= kMostRows,
+            "its number of inducing rows is out of range");
     require(model.command.size() <= kMostText && model.dataHash.size() <= kMostText,
             "its texts are too long");
 }

@@ -95,6 +95,7 @@ std::string hashOf(const ModelData& model, const Portion* portion)
     canonical.add(model.command);
     canonical.add(model.seed);
     canonical.add(model.dataHash);
+    if (model.inducing > 0) canonical.add(static_cast<std::uint64_t>(model.inducing));
     return sha256Hex(canonical.bytes());
 }
 

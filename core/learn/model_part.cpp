@@ -28,6 +28,8 @@ std::vector<Mark> marksOf(const ModelPart& found, const ModelPart& expected)
     return {
         {"command", command(found.portion), command(expected.portion)},
         {"seed", std::to_string(found.model.seed), std::to_string(expected.model.seed)},
+        {"number of inducing rows", std::to_string(found.model.inducing),
+         std::to_string(expected.model.inducing)},
         {"scenes' SHA-256", found.model.dataHash, expected.model.dataHash},
         {"robot's SHA-256", found.portion.robotHash, expected.portion.robotHash},
     };

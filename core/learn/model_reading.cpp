@@ -67,6 +67,15 @@ std::uint64_t seedFrom(const std::string& text)
     return seed;
 }
 
+int inducingFrom(const std::string& text)
+{
+    int rows = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rows);
+    require(error == std::errc{} && std::to_string(rows) == text && rows > 0,
+            "its number of inducing rows is not one: " + shown(text));
+    return rows;
+}
+
 BinSet binsFrom(const std::string& list)
 {
     const auto bins = binSetFrom(list);
@@ -91,6 +100,8 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
     model.dataHash = take("data_sha256");
     model.seed = seedFrom(take("seed"));
     std::string hash = take("content_sha256");
+    if (meta.contains("inducing_rows"))  // only a sparse model has it
+        model.inducing = inducingFrom(take("inducing_rows"));
     if (portion) {
         portion->bins = binsFrom(take("bins"));
         portion->robotHash = take("robot_sha256");

@@ -35,6 +35,7 @@ void writeMeta(SqliteFile& file, const ModelData& model, const Portion* portion)
     meta["content_sha256"] = hashOf(model, portion);
     meta["data_sha256"] = model.dataHash;
     meta["seed"] = std::to_string(model.seed);
+    if (model.inducing > 0) meta["inducing_rows"] = std::to_string(model.inducing);
     if (portion) {
         meta["bins"] = text(portion->bins);
         meta["robot_sha256"] = portion->robotHash;

@@ -119,7 +119,7 @@ bool same(const ModelData& a, const ModelData& b)
     return a.scannedHeights == b.scannedHeights && same(a.clearance, b.clearance)
         && a.heights == b.heights && a.features == b.features && same(a.pa, b.pa)
         && same(a.paf, b.paf) && a.command == b.command && a.seed == b.seed
-        && a.dataHash == b.dataHash;
+        && a.dataHash == b.dataHash && a.inducing == b.inducing;
 }
 
 /// Executes SQL on a file as any other program would.
@@ -169,6 +169,22 @@ TEST_F(ModelFile, everyModelSurvivesARoundTrip)
         EXPECT_EQ(got->contentHash, contentHash(sent));
     }
     EXPECT_EQ(dir.entries(), std::set<std::string>{"model.ttm"});
+}
+
+TEST_F(ModelFile, keepsTheNumberOfInducingRowsAndOnlyThenMentionsThem)
+{
+    ModelData sparse = model;
+    sparse.inducing = 350;
+    ASSERT_TRUE(writeModel(path, sparse));
+    const auto got = readModel(path);
+    ASSERT_TRUE(got) << got.error().text;
+    EXPECT_EQ(got->data.inducing, 350);
+    EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '-5' WHERE key = 'inducing_rows'",
+                             {"inducing rows", "-5"}));
+    EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '351' WHERE key = 'inducing_rows'",
+                             {"content was altered"}));
+    ASSERT_TRUE(writeModel(path, model));
+    EXPECT_EQ(contentOf(path).find("inducing_rows"), std::string::npos);
 }
 
 TEST_F(ModelFile, numbersThatSqliteStoresInOtherFormsSurvive)
@@ -369,7 +385,7 @@ TEST_F(ModelFile, isReadFromEveryPathAndByWhoMayOnlyRead)
 
 TEST_F(ModelFile, theHashDependsOnEveryPart)
 {
-    const std::array<std::function<void(ModelData&)>, 25> changes{
+    const std::array<std::function<void(ModelData&)>, 26> changes{
         [](ModelData& m) { m.heights(1, 2) += 1e-9; },
         [](ModelData& m) { m.features(2, 10) += 1e-9; },
         [](ModelData& m) { m.pa.mean[13] += 1e-9; },
@@ -395,6 +411,7 @@ TEST_F(ModelFile, theHashDependsOnEveryPart)
         [](ModelData& m) { m.command += " "; },
         [](ModelData& m) { m.seed -= 1; },
         [](ModelData& m) { m.dataHash[63] = 'b'; },
+        [](ModelData& m) { m.inducing = 3; },
     };
     std::set<std::string> hashes{contentHash(model)};
     for (const auto& change : changes) {
@@ -408,7 +425,7 @@ TEST_F(ModelFile, theHashDependsOnEveryPart)
 
 TEST_F(ModelFile, throwsRatherThanWriteAModelThatItWouldRefuse)
 {
-    const std::array<std::function<void(ModelData&)>, 8> faults{
+    const std::array<std::function<void(ModelData&)>, 9> faults{
         [](ModelData& m) { m.heights(0, 0) = std::numeric_limits<double>::quiet_NaN(); },
         [](ModelData& m) { m.heights.resize(0, kBins), m.features.resize(0, 11); },
         [](ModelData& m) { m.features.resize(2, 11); },
@@ -417,6 +434,7 @@ TEST_F(ModelFile, throwsRatherThanWriteAModelThatItWouldRefuse)
         [](ModelData& m) { m.pa.sd[3] = 0.0; },
         [](ModelData& m) { m.paf.bins[2].lengthScale.conservativeResize(20); },
         [](ModelData& m) { m.paf.bins[2].lengthScale[4] = 0.0; },
+        [](ModelData& m) { m.inducing = -1; },
     };
     const std::string before = contentOf(path);
     for (const auto& fault : faults) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/learn/cholesky.h"
+#include "core/learn/hyperparameters.h"
+
+namespace terratact {
+
+/// A Gaussian process learnt from all rows, predicting through m inducing rows Z of them.  With K_mm = k(Z, Z),
+/// K_mn = k(Z, X), Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + σ_n² I and A = K_mm + K_mn Λ⁻¹ K_nm:
+///   mean = k_mᵀ w,  w = A⁻¹ K_mn Λ⁻¹ y,   variance = σ_f² + σ_n² − |F k_m|²,  Fᵀ F = K_mm⁻¹ − A⁻¹
+/// The fully independent training conditional (Snelson & Ghahramani 2005; Rasmussen & Williams 2006, §8.3.4
+/// has it without the first part of Λ); exact where every row is one of Z.
+struct SparseProcess {
+    std::vector<int> inducing;  ///< rows of X, in the order chosen
+    Eigen::VectorXd weights;    ///< w: m
+    Eigen::MatrixXd F;          ///< m × m, lower triangle, zeros above
+};
+
+/// At most `count` inducing rows, fewer where those explain every row: greedily, the row with the largest
+/// variance given the rows chosen so far (pivoted Cholesky), among at most 4 · count evenly spread rows; the
+/// first of equals.  No random numbers.
+///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
+/// poll: called every few milliseconds; what it throws comes out of here.
+/// Throws std::invalid_argument as requireTrainable, for count < 1 and for numbers that overflow.
+SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
+                            const Hyperparameters& hyper, const Poll& poll = {});
+
+}  // namespace terratact
