@@ -51,6 +51,9 @@ void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
     addNumber(app, "--chains", settings.chains, "Independent chains")->check(CLI::Range(1, 4096));
     addNumber(app, "--burn-in", settings.burnIn, "Sweeps thrown away per chain")
         ->check(CLI::Range(0, 1'000'000));
+    addNumber(app, "--inducing", settings.inducing,
+              "Predict through at most so many training rows (default 0: as trained)")
+        ->check(CLI::Range(0, 20'000));
     app.add_option("--scan", scratch, "Order in which a sweep visits the bins (default forward)")
         ->check(named(settings.scan, scanOrderFromName, "forward|reverse|random"));
     addNumber(app, "--seed", settings.seed, "Seed of the random numbers");

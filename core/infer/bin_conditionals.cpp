@@ -11,13 +11,14 @@ namespace {
 class BinSceneConditionals final : public SceneConditionals {
 public:
     BinSceneConditionals(const BinModels& models, const Heights& known, const Eigen::VectorXd& s,
-                         const std::vector<int>& unknown, Precision precision, const Poll& poll)
+                         const std::vector<int>& unknown, Precision precision, int inducing,
+                         const Poll& poll)
     {
         for (const int i : unknown) {
             mean_.push_back(models.heightMean(i));
             sd_.push_back(models.heightSd(i));
             conditionals_.push_back(std::make_unique<SceneConditional>(
-                models.bin(i, 0, poll), models.input(i, known, s), movingInputs(unknown, i),
+                models.bin(i, inducing, poll), models.input(i, known, s), movingInputs(unknown, i),
                 precision, poll));
         }
     }
@@ -38,8 +39,9 @@ private:
 }  // namespace
 
 BinConditionals::BinConditionals(const BinModels& models, Eigen::VectorXd s, Precision precision,
-                                 Poll poll)
-    : models_(models), s_(std::move(s)), precision_(precision), poll_(std::move(poll))
+                                 int inducing, Poll poll)
+    : models_(models), s_(std::move(s)), precision_(precision), inducing_(inducing),
+      poll_(std::move(poll))
 {
 }
 
@@ -51,7 +53,8 @@ StartDraw BinConditionals::start(int bin) const
 std::unique_ptr<SceneConditionals> BinConditionals::at(const Heights& known,
                                                        const std::vector<int>& unknown) const
 {
-    return std::make_unique<BinSceneConditionals>(models_, known, s_, unknown, precision_, poll_);
+    return std::make_unique<BinSceneConditionals>(models_, known, s_, unknown, precision_,
+                                                  inducing_, poll_);
 }
 
 }  // namespace terratact

@@ -9,9 +9,10 @@ namespace terratact {
 /// start from the training set's mean and deviation.  Refers to the models, which must live longer.
 class BinConditionals final : public Conditionals {
 public:
-    /// s: features of the models' set.  poll: while models are factorised and packed, see BinModels::bin.
+    /// s: features of the models' set; precision, inducing: see Settings; poll: while models are factorised and
+    /// packed, see BinModels::bin.
     BinConditionals(const BinModels& models, Eigen::VectorXd s, Precision precision,
-                    Poll poll = {});
+                    int inducing = 0, Poll poll = {});
 
     StartDraw start(int bin) const override;
     /// Throws std::invalid_argument where s does not fit the models.
@@ -22,6 +23,7 @@ private:
     const BinModels& models_;
     Eigen::VectorXd s_;
     Precision precision_;
+    int inducing_;
     Poll poll_;
 };
 

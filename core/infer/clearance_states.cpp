@@ -56,9 +56,9 @@ private:
 
 ClearanceStates::ClearanceStates(const ClearanceConditionals& models, const Heights& ceiling,
                                  Eigen::VectorXd s, Measured measured, Precision precision,
-                                 Poll poll)
+                                 int inducing, Poll poll)
     : models_(models), ceiling_(ceiling), s_(std::move(s)), measured_(measured),
-      precision_(precision), poll_(std::move(poll))
+      precision_(precision), inducing_(inducing), poll_(std::move(poll))
 {
 }
 
@@ -80,11 +80,11 @@ std::unique_ptr<SceneConditionals> ClearanceStates::at(const Heights& known,
     auto scene = std::make_unique<ClearanceScene>();
     for (const int i : unknown) {
         const auto bin = static_cast<std::size_t>(i);
-        scene->add(
-            std::make_unique<SceneConditional>(models_.gp(i, regimeOf(ceiling_[bin]), 0, poll_),
-                                               models_.input(i, known, ceiling_, s_),
-                                               movingInputs(unknown, i), precision_, poll_),
-            measured_[bin], scale(i));
+        scene->add(std::make_unique<SceneConditional>(
+                       models_.gp(i, regimeOf(ceiling_[bin]), inducing_, poll_),
+                       models_.input(i, known, ceiling_, s_), movingInputs(unknown, i), precision_,
+                       poll_),
+                   measured_[bin], scale(i));
     }
     return scene;
 }

@@ -18,9 +18,10 @@ public:
     /// Measurements of states; empty: none.
     using Measured = std::array<std::optional<Normal>, kBins>;
 
-    /// s: 11 raw features, order of featureNames(Paf).  poll: while models are factorised and packed, see BinModels::bin.
+    /// s: 11 raw features, order of featureNames(Paf); precision, inducing: see Settings; poll: while models are
+    /// factorised and packed, see BinModels::bin.
     ClearanceStates(const ClearanceConditionals& models, const Heights& ceiling, Eigen::VectorXd s,
-                    Measured measured, Precision precision, Poll poll = {});
+                    Measured measured, Precision precision, int inducing = 0, Poll poll = {});
 
     StartDraw start(int bin) const override;
     /// Throws std::invalid_argument where a bin's regime was not trained.
@@ -35,6 +36,7 @@ private:
     Eigen::VectorXd s_;
     Measured measured_;
     Precision precision_;
+    int inducing_;
     Poll poll_;
 };
 

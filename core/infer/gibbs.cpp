@@ -184,6 +184,8 @@ void checkSettings(const Settings& settings)
     if (settings.draws < 1 || settings.chains < 1 || settings.burnIn < 0)
         throw std::invalid_argument(
             "an estimate needs at least one draw, one chain and no negative burn-in");
+    if (settings.inducing < 0)
+        throw std::invalid_argument("the number of inducing rows must be 0 or more");
     if (!(settings.contactSd > 0.0) || !(settings.armSd > 0.0) || !(settings.forceThreshold >= 0.0))
         throw std::invalid_argument(
             "contact and arm sd must be positive and the force threshold 0 or more");
@@ -197,6 +199,7 @@ GibbsProblem problemFor(const Settings& settings)
     problem.burnIn = settings.burnIn;
     problem.precision = settings.precision;
     problem.keptPerChain = (settings.draws + settings.chains - 1) / settings.chains;
+    problem.inducing = settings.inducing;
     problem.seed = settings.seed;
     return problem;
 }
@@ -234,8 +237,9 @@ GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& pr
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)
 {
     const Poll poll = [&watch] { stopIfCancelled(watch); };
-    return sampleStates(BinConditionals(models, problem.s, problem.precision, poll), problem,
-                        watch);
+    return sampleStates(
+        BinConditionals(models, problem.s, problem.precision, problem.inducing, poll), problem,
+        watch);
 }
 
 }  // namespace terratact

@@ -25,6 +25,7 @@ struct GibbsProblem {
     int burnIn = 50;        ///< sweeps per chain that are thrown away
     int keptPerChain = 63;  ///< sweeps per chain that are kept
     Precision precision = Precision::Single;  ///< of variances; read by sampleHeights only
+    int inducing = 0;  ///< of the models, see Settings; read by sampleHeights only
     std::uint64_t seed = 1;
 };
 

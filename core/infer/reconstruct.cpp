@@ -71,7 +71,7 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
     for (std::size_t k = 0; k < draws.bins.size(); ++k) {
         stopIfCancelled(watch);
         summariseDraws(estimate, draws.bins[k], draws.draws[k], Origin::Sampled, Centre::Mean);
-        warnIfMended(estimate, draws.bins[k], models.bin(draws.bins[k]));
+        warnIfMended(estimate, draws.bins[k], models.bin(draws.bins[k], settings.inducing));
     }
     estimate.draws = jointDraws(draws, problem.known);
     judgeConvergence(estimate, draws.bins);

@@ -61,7 +61,7 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
     problem.rule = CeilingRule::None;  // the states keep below the ceiling by themselves
     const ClearanceStates conditionals(models, estimate.ceiling, x,
                                        states(measured, estimate.ceiling), settings.precision,
-                                       [&watch] { stopIfCancelled(watch); });
+                                       settings.inducing, [&watch] { stopIfCancelled(watch); });
     GibbsDraws draws = sampleStates(conditionals, problem, watch);
     toHeights(draws, estimate.ceiling);
     for (std::size_t i = 0; i < kBins; ++i) {
@@ -69,7 +69,7 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
         summariseDraws(estimate, draws.bins[i], draws.draws[i],
                        measured.bin[i] ? measured.bin[i]->origin : Origin::Sampled, Centre::Median);
         warnIfMended(estimate, draws.bins[i],
-                     models.gp(draws.bins[i], regimeOf(estimate.ceiling[i])));
+                     models.gp(draws.bins[i], regimeOf(estimate.ceiling[i]), settings.inducing));
     }
     estimate.draws = jointDraws(draws, {});
     judgeConvergence(estimate, draws.bins);

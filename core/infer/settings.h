@@ -19,6 +19,9 @@ struct Settings {
     int burnIn = 50;              ///< sweeps thrown away at the start of every chain
     ScanOrder scan = ScanOrder::Forward;      ///< in which a sweep visits the bins
     Precision precision = Precision::Single;  ///< of sampled variances; means are double
+    /// Rows of the training set that a sampling method's predictions go through, at most; 0: as trained.  Fewer
+    /// are cheaper and less exact (core/learn/sparse_process.h).
+    int inducing = 0;
     std::uint64_t seed = 1;
     double armSd = 0.03;           ///< [m] sd of an arm reading (paper)
     double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)

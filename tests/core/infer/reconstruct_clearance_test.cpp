@@ -127,6 +127,21 @@ TEST(ReconstructClearance, repeatsBitForBit)
     EXPECT_NE(run(1).draws, run(2).draws);
 }
 
+TEST(ReconstructClearance, throughInducingRowsComesCloseToTheTrainedModels)
+{
+    const auto through = [](int inducing) {
+        Settings settings = clearanceSettings();
+        settings.inducing = inducing;
+        return reconstructClearance(trainedScene().s, {}, bench().robot, bench().models, settings);
+    };
+    const TerrainEstimate exact = through(0);
+    const TerrainEstimate sparse = through(60);
+    EXPECT_NE(exact.mean, sparse.mean);
+    for (std::size_t i = 0; i < kBins; ++i)
+        EXPECT_NEAR(sparse.height[i], exact.height[i], exact.sd[i]) << i;
+    EXPECT_THROW((void)through(-1), std::invalid_argument);
+}
+
 TEST(ReconstructClearance, takesAContactAsAMeasurement)
 {
     Proprioception s = trainedScene().s;

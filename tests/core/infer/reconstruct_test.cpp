@@ -134,6 +134,22 @@ TEST(Reconstruct, repeatsBitForBit)
     EXPECT_EQ(estimate(Method::Pafc), estimate(Method::Pafc));
 }
 
+TEST(Reconstruct, throughInducingRowsComesCloseToTheTrainedModels)
+{
+    const Bench& b = bench();
+    const auto through = [&](int inducing) {
+        Settings settings = quick(Method::Pac);
+        settings.inducing = inducing;
+        return reconstruct(b.scene.s, {}, b.robot, b.pa, settings);
+    };
+    const TerrainEstimate exact = through(0);
+    const TerrainEstimate sparse = through(static_cast<int>(b.pa.bin(0).rows()) / 2);
+    EXPECT_NE(exact.mean, sparse.mean);
+    for (std::size_t i = 0; i < kBins; ++i)
+        EXPECT_NEAR(sparse.mean[i], exact.mean[i], 0.5 * exact.sd[i]) << i;
+    EXPECT_THROW((void)through(-1), std::invalid_argument);
+}
+
 TEST(Reconstruct, saysWhenTheChainsHaveNotConverged)
 {
     Settings settings = quick(Method::Pa);
