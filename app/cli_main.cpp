@@ -165,6 +165,10 @@ void addTrain(CLI::App& app, Arguments& a)
                 return a.train.bins ? "" : list + " does not name bins 0 to 10, each once";
             },
             "BINS"));
+    addNumber(*c, "--inducing", a.train.inducing,
+              "Conditionals predict through at most so many of their scenes, and their "
+              "hyper-parameters come from 1400 (default 0: from all, through all)")
+        ->check(CLI::Range(0, 20'000));
 }
 
 void addReconstruct(CLI::App& app, Arguments& a)

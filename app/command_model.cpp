@@ -151,6 +151,8 @@ Status showModel(const std::string& path, bool csv)
                "paf\ndata     {}\n",
                path, stored->contentHash, model.command, model.seed, model.heights.rows(),
                model.scannedHeights.rows(), model.dataHash);
+    if (model.inducing > 0)
+        fmt::print("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
     printTable(model.pa);
     printTable(model.paf);
     printSurfaces(model.clearance, true);

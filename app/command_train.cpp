@@ -22,6 +22,7 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
+constexpr int kRowsOfSparseSearch = 1400;  // more rows move the hyper-parameters little
 
 void printBins(const ModelData& model, const BinSet& bins)
 {
@@ -46,6 +47,7 @@ void trainAll(ModelData& model, const Jobs& jobs, std::uint64_t seed)
 {
     TrainingOptions options;
     options.seed = seed;
+    if (model.inducing > 0) options.fullRows = kRowsOfSparseSearch;
     Progress progress("training Gaussian process", jobs.count());
     parallelFor(jobs.count(), [&](int job) {
         const FeatureSet set =
@@ -126,6 +128,7 @@ Result<TrainingSet> readTraining(const TrainOptions& options)
     if (set.leftOut > 0)
         fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", set.leftOut);
     set.model.seed = options.seed;
+    set.model.inducing = options.inducing;
     set.model.command = options.commandLine;
     set.model.dataHash = *std::move(hash);
     return set;

@@ -32,6 +32,7 @@ struct TrainOptions {
     std::string robot, data, out;
     double scannerSd = 0.0;  ///< [m] of noise added to the conditionals' heights
     int conditionalRows = 1400;
+    int inducing = 0;         ///< rows the conditionals predict through, at most; 0: all
     std::string commandLine;  ///< kept in the model
     std::uint64_t seed = 1;
     std::optional<BinSet> bins;  ///< writes the part of a model with these

@@ -169,14 +169,18 @@ TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y
 {
     Eigen::VectorXd theta = start;
     double best = 0.0;
-    const std::vector<int> rows =
-        drawRows(static_cast<int>(X.rows()), options.subset, options.seed);
+    const auto total = static_cast<int>(X.rows());
+    const std::vector<int> rows = drawRows(total, options.subset, options.seed);
     const bool thinned = static_cast<Eigen::Index>(rows.size()) < X.rows();
     if (thinned || options.fullEvaluations == 0)
         theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, bounds,
                          cancelled, best);
-    if (options.fullEvaluations > 0)
-        theta = minimise(X, y, theta, options.fullEvaluations, bounds, cancelled, best);
+    if (options.fullEvaluations > 0) {
+        const std::vector<int> full =
+            drawRows(total, options.fullRows > 0 ? options.fullRows : total, options.seed);
+        theta = minimise(X(full, Eigen::all), y(full), theta, options.fullEvaluations, bounds,
+                         cancelled, best);
+    }
     return {fromLog(theta), -best};
 }
 

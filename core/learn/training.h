@@ -39,7 +39,8 @@ struct TrainingOptions {
     int subset = 400;            ///< rows of the first, cheap search
     int subsetEvaluations = 80;  ///< likelihood evaluations on the subset
     int fullEvaluations = 30;    ///< and on all rows, from where that ended
-    std::uint64_t seed = 1;      ///< draws the subset
+    int fullRows = 0;            ///< on so many of them at most; 0: all
+    std::uint64_t seed = 1;      ///< draws the subsets
 };
 
 struct TrainedBin {
@@ -57,7 +58,7 @@ struct SearchBounds {
 Eigen::VectorXd searchStart(Eigen::Index d, double outputSd);
 
 /// Maximises log p(y | X) over θ = (log ℓ, log σ_f, log σ_n) with L-BFGS (NLopt) and analytic gradients, first
-/// on options.subset rows, then, where options.fullEvaluations > 0, on all of them.
+/// on options.subset rows, then, where options.fullEvaluations > 0, on all of them or options.fullRows.
 ///   X: U × d, standardised; y: U, centred; start: d + 2, moved into the bounds.
 /// cancelled: polled at every evaluation; when true the best so far is returned.
 /// Same data and seed: the same result on one machine.

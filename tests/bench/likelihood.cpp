@@ -1,6 +1,9 @@
 // What training's likelihood and gradient cost, on data of another program or over a range of sizes.
 //   terratact-bench-likelihood data FILE REPEATS   CPU ms of the fastest of REPEATS, the value, the gradient
 //   terratact-bench-likelihood growth U...         CPU ms and memory per size, and the exponents
+//   terratact-bench-likelihood train SCENES ROWS   CPU s of the paper's 22 processes, two threads
+//   terratact-bench-likelihood sparse SCENES ROWS TEST BIN M...
+//       one bin's process, exact and through M rows: CPU s to make it, errors on the scenes of TEST
 // FILE: 64-bit little-endian: U, d (integers); X row by row, y, ℓ, σ_f, σ_n (doubles).
 // One thread.  Figures are of this machine and this moment.
 #include <sys/resource.h>
@@ -18,8 +21,11 @@
 #include <string>
 #include <vector>
 
-#include "core/learn/covariance_kernels.h"
+#include "app/parallel.h"
+#include "core/learn/bin_models.h"
 #include "core/learn/likelihood.h"
+#include "core/learn/scene_file.h"
+#include "core/learn/training.h"
 
 extern "C" void openblas_set_num_threads(int);
 
@@ -70,10 +76,10 @@ Problem someProblem(int U)
     return p;
 }
 
-double cpuMilliseconds()
+double cpuMilliseconds(clockid_t clock = CLOCK_THREAD_CPUTIME_ID)
 {
     timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    clock_gettime(clock, &t);
     return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
@@ -88,7 +94,7 @@ double fastest(const Problem& p, int repeats, Likelihood& value)
     return best;
 }
 
-/// Doubles that one evaluation adds to the largest resident size so far; sizes must grow.
+/// Largest resident size so far, so that sizes must grow.
 double peakKilobytes()
 {
     rusage usage{};
@@ -137,6 +143,74 @@ void data(const char* path, int repeats)
     std::printf("\n");
 }
 
+std::vector<Scene> scenesOf(const char* path)
+{
+    auto file = readScenes(path);
+    if (!file) {
+        std::fprintf(stderr, "%s\n", file.error().text.c_str());
+        std::exit(1);
+    }
+    return std::move(file->scenes);
+}
+
+void train(const char* path, int rows)
+{
+    const ModelData model =
+        prepareTraining(scenesOf(path), {.conditionalRows = rows, .scannerSd = 0.012}).model;
+    std::vector<TrainedBin> trained(2 * kBins);
+    const double start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    parallelFor(2 * kBins, [&](int job) {
+        const FeatureSet set = job < kBins ? FeatureSet::Paf : FeatureSet::Pa;
+        trained[static_cast<std::size_t>(job)] = trainBin(model, set, job % kBins, {});
+    });
+    const double cpu = 1e-3 * (cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - start);
+    double sum = 0.0;
+    for (const TrainedBin& bin : trained) sum += bin.logLikelihood;
+    std::printf("22 Gaussian processes on %d rows: %.1f CPU s, sum of log p(y|X) %.1f\n",
+                static_cast<int>(model.scannedHeights.rows()), cpu, sum);
+}
+
+/// Root mean square error of a bin's predictions at complete scenes, all else known.
+double error(const BinModels& models, int bin, int inducing, const std::vector<Scene>& scenes)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (const Scene& scene : scenes) {
+        if (!isComplete(scene)) continue;
+        Heights h{};
+        for (std::size_t i = 0; i < kBins; ++i) h[i] = *scene.truth[i];
+        const Eigen::VectorXd x = models.input(bin, h, features(FeatureSet::Paf, scene.s));
+        sum += std::pow(
+            models.bin(bin, inducing).predict(x).mean - h[static_cast<std::size_t>(bin)], 2);
+        ++count;
+    }
+    return std::sqrt(sum / count);
+}
+
+void sparse(const char* path, int rows, const char* test, int bin, const std::vector<int>& sizes)
+{
+    ModelData model =
+        prepareTraining(scenesOf(path), {.conditionalRows = rows, .scannerSd = 0.012}).model;
+    double start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    TrainingOptions options;
+    options.fullRows = 1400;
+    const TrainedBin trained = trainBin(model, FeatureSet::Paf, bin, options);
+    std::printf("search on 1400 of %d rows: %.1f CPU s\n",
+                static_cast<int>(model.scannedHeights.rows()),
+                1e-3 * (cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - start));
+    model.paf.bins[static_cast<std::size_t>(bin)] = trained.hyper;
+    const BinModels models(model, FeatureSet::Paf);
+    const std::vector<Scene> scenes = scenesOf(test);
+    for (const int m : sizes) {
+        start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
+        const auto used = static_cast<int>(models.bin(bin, m).rows());
+        const double cpu = 1e-3 * (cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - start);
+        std::printf("through %5d rows: made in %6.2f CPU s, error %.5f m\n", used, cpu,
+                    error(models, bin, m, scenes));
+        std::fflush(stdout);
+    }
+}
+
 }  // namespace
 }  // namespace terratact
 
@@ -153,6 +227,17 @@ int main(int argc, char** argv)
         terratact::growth(sizes);
         return 0;
     }
-    std::fprintf(stderr, "usage: %s data FILE REPEATS | growth U...\n", argv[0]);
+    if (argc == 4 && std::strcmp(argv[1], "train") == 0) {
+        terratact::train(argv[2], std::atoi(argv[3]));
+        return 0;
+    }
+    if (argc >= 7 && std::strcmp(argv[1], "sparse") == 0) {
+        std::vector<int> sizes;
+        for (int k = 6; k < argc; ++k) sizes.push_back(std::max(0, std::atoi(argv[k])));
+        terratact::sparse(argv[2], std::atoi(argv[3]), argv[4], std::atoi(argv[5]), sizes);
+        return 0;
+    }
+    std::fprintf(stderr, "usage: %s data FILE REPEATS | growth U... | train ... | sparse ...\n",
+                 argv[0]);
     return 2;
 }

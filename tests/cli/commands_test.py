@@ -76,6 +76,20 @@ class Commands(unittest.TestCase):
         self.assertIn("residual sd", numbers[0])
         self.assertEqual(*numbers)
 
+    def test_a_sparse_model_says_so_and_estimates(self):
+        sparse = self.path / "sparse.ttm"
+        run("train", "--data", self.data, "--out", sparse, "--seed", 3, "--inducing", 40)
+        self.assertIn("at most 40 scenes", run("model", "show", sparse))
+        self.assertNotIn("at most", run("model", "show", self.model))
+        few, out = self.first_scenes(2), self.path / "sparse.csv"
+        means = []
+        for model, more in ((sparse, ()), (self.model, ("--inducing", 40)), (self.model, ())):
+            run("reconstruct", "--model", model, "--data", few, "--out", out, "--sweeps", 64, "--chains", 4,
+                "--method", "pac", *more)
+            means.append([row["mean_m"] for row in rows(out)])
+        self.assertEqual(means[0], means[1])
+        self.assertNotEqual(means[0], means[2])
+
     def test_reconstruct_writes_one_row_per_scene_and_bin_for_every_method(self):
         few = self.first_scenes(3)
         for method in ("pa", "pac", "pafc", "pafac"):

@@ -63,6 +63,21 @@ TEST(TrainBin, findsAHigherLikelihoodThanItsStart)
     EXPECT_LT(trained.hyper.noiseSd, 0.06);
 }
 
+TEST(TrainBin, searchesOnNoMoreRowsThanItIsGiven)
+{
+    const ModelData model = prepareTraining(someScenes(8, 5)).model;
+    TrainingOptions options;
+    options.subset = 40;
+    options.subsetEvaluations = 10;
+    options.fullEvaluations = 5;
+    const auto perRow = [&](double l) { return l / static_cast<double>(model.heights.rows()); };
+    const double all = perRow(trainBin(model, FeatureSet::Pa, 5, options).logLikelihood);
+    options.fullRows = 50;
+    const double some = perRow(trainBin(model, FeatureSet::Pa, 5, options).logLikelihood);
+    EXPECT_LT(some, 0.8 * all);  // a sum over fewer rows
+    EXPECT_GT(some, 0.0);
+}
+
 TEST(TrainBin, givesTheSameForTheSameSeedAndStopsWhenCancelled)
 {
     const ModelData model = prepareTraining(someScenes(6, 5)).model;
