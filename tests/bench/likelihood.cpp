@@ -187,20 +187,19 @@ double error(const BinModels& models, int bin, int inducing, const std::vector<S
     return std::sqrt(sum / count);
 }
 
-void sparse(const char* path, int rows, const char* test, int bin, const std::vector<int>& sizes)
+/// Hyper-parameters from `searched` rows (0: all), then predictions through several numbers of rows.
+void sparse(ModelData model, int searched, const std::vector<Scene>& scenes, int bin,
+            const std::vector<int>& sizes)
 {
-    ModelData model =
-        prepareTraining(scenesOf(path), {.conditionalRows = rows, .scannerSd = 0.012}).model;
     double start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
     TrainingOptions options;
-    options.fullRows = 1400;
-    const TrainedBin trained = trainBin(model, FeatureSet::Paf, bin, options);
-    std::printf("search on 1400 of %d rows: %.1f CPU s\n",
-                static_cast<int>(model.scannedHeights.rows()),
+    options.fullRows = searched;
+    const auto i = static_cast<std::size_t>(bin);
+    model.paf.bins[i] = trainBin(model, FeatureSet::Paf, bin, options).hyper;
+    const auto rows = static_cast<int>(model.scannedHeights.rows());
+    std::printf("search on %d of %d rows: %.1f CPU s\n", searched > 0 ? searched : rows, rows,
                 1e-3 * (cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - start));
-    model.paf.bins[static_cast<std::size_t>(bin)] = trained.hyper;
     const BinModels models(model, FeatureSet::Paf);
-    const std::vector<Scene> scenes = scenesOf(test);
     for (const int m : sizes) {
         start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
         const auto used = static_cast<int>(models.bin(bin, m).rows());
@@ -209,6 +208,16 @@ void sparse(const char* path, int rows, const char* test, int bin, const std::ve
                     error(models, bin, m, scenes));
         std::fflush(stdout);
     }
+}
+
+void sparse(const char* path, int rows, const char* test, int bin, const std::vector<int>& sizes)
+{
+    constexpr int kMostRowsOfFullSearch = 6000;  // beyond it takes too long
+    const ModelData model =
+        prepareTraining(scenesOf(path), {.conditionalRows = rows, .scannerSd = 0.012}).model;
+    const std::vector<Scene> scenes = scenesOf(test);
+    sparse(model, 1400, scenes, bin, sizes);
+    if (rows <= kMostRowsOfFullSearch) sparse(model, 0, scenes, bin, {0});
 }
 
 }  // namespace
