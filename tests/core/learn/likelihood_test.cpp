@@ -51,19 +51,23 @@ Eigen::MatrixXd covariance(const Data& data)
 
 TEST(Likelihood, isTheLogDensityOfTheOutputs)
 {
-    const Data data = someData(40, 3);
-    const Eigen::MatrixXd K = covariance(data);
-    const Eigen::LLT<Eigen::MatrixXd> llt(K);
-    const Eigen::MatrixXd L = llt.matrixL();
-    const double expected = 0.5 * data.y.dot(llt.solve(data.y)) + L.diagonal().array().log().sum()
-                          + 20.0 * std::log(2.0 * std::numbers::pi);
-    EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, expected,
-                1e-10 * std::abs(expected));
+    for (const int U : {1, 40, 97, 230}) {
+        const Data data = someData(U, 3);
+        const Eigen::MatrixXd K = covariance(data);
+        const Eigen::LLT<Eigen::MatrixXd> llt(K);
+        const Eigen::MatrixXd L = llt.matrixL();
+        const double expected = 0.5 * data.y.dot(llt.solve(data.y))
+                              + L.diagonal().array().log().sum()
+                              + 0.5 * U * std::log(2.0 * std::numbers::pi);
+        EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, expected,
+                    1e-10 * std::abs(expected))
+            << U << " rows";
+    }
 }
 
 TEST(Likelihood, gradientIsTheSlopeOfTheValue)
 {
-    const Data data = someData(50, 4);
+    const Data data = someData(210, 4);  // three panels
     const Likelihood at = negativeLogLikelihood(data.X, data.y, data.hyper);
     ASSERT_EQ(at.gradient.size(), 6);
     constexpr double h = 1e-5;
@@ -113,6 +117,11 @@ TEST(Likelihood, refusesWhatHasNone)
     doubled.hyper.noiseSd = 0.0;
     EXPECT_THROW((void)negativeLogLikelihood(doubled.X, doubled.y, doubled.hyper),
                  std::invalid_argument);
+    Data alike = someData(5, 2);  // the rows hardly differ: the last squared pivots are 3e-15
+    alike.hyper.lengthScale.setConstant(1e9);
+    alike.hyper.signalSd = 1.0;
+    alike.hyper.noiseSd = 5e-8;
+    EXPECT_THROW((void)negativeLogLikelihood(alike.X, alike.y, alike.hyper), std::invalid_argument);
     Data large = data;
     large.y.setConstant(1e200);
     EXPECT_THROW((void)negativeLogLikelihood(large.X, large.y, large.hyper), std::invalid_argument);
