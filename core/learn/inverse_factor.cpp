@@ -70,7 +70,7 @@ double errorAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
     AlignedArray<double> squares(kProbes);
     for (int p = 0; p < kProbes; ++p)
         for (int u = 0; u < U; ++u)
-            K.data()[p / kGroup * block + u * kGroup + p % kGroup] =
+            K.data()[p / kGroup * block + static_cast<long>(u) * kGroup + p % kGroup] =
                 static_cast<float>(columns(u, p));
     covarianceKernels().sumsOfSquaresSingle(panels.data(), K.data(), U, kProbes / kGroup,
                                             squares.data());

@@ -106,9 +106,9 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheFormulasCovariancesAndMeans
 template <class T>
 struct Product {
     Product(int rows, int groupCount)
-        : U(rows), groups(groupCount), triangle(random<T>(static_cast<std::size_t>(U) * U, rng)),
+        : U(rows), groups(groupCount), triangle(random<T>(static_cast<std::size_t>(U * U), rng)),
           panels(static_cast<std::size_t>(panelStart<T>(paddedRows(U)))),
-          K(random<T>(static_cast<std::size_t>(groups) * paddedRows(U) * kGroup, rng))
+          K(random<T>(static_cast<std::size_t>(groups * paddedRows(U) * kGroup), rng))
     {
         for (int g = 0; g < groups; ++g)
             for (int k = U * kGroup; k < paddedRows(U) * kGroup; ++k)

@@ -81,6 +81,19 @@ TEST(GaussianProcess, farFromAllDataReturnsThePrior)
     EXPECT_DOUBLE_EQ(far.variance, 0.9 * 0.9 + 0.15 * 0.15);
 }
 
+TEST(GaussianProcess, isNeverSurerThanItsNoiseWhateverRoundingDoes)
+{
+    Data data = someData(60, 2);
+    data.hyper.lengthScale.setConstant(0.2);
+    data.hyper.noiseSd = 0.0;
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
+    for (Eigen::Index u = 0; u < 60; ++u) {
+        const double variance = gp.predict(data.X.row(u).transpose()).variance;
+        EXPECT_GE(variance, 0.0);
+        EXPECT_LT(variance, 1e-12);
+    }
+}
+
 TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
 {
     const Data data = someData(77, 6);
