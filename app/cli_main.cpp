@@ -109,6 +109,7 @@ struct Arguments {
     DemoOptions demo;
     MergeOptions merge;
     ContactsOptions contacts;
+    std::string probes;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -135,6 +136,9 @@ void addSimulate(CLI::App& app, Arguments& a)
     c->add_flag("--blocks", a.simulate.blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
     c->add_flag("--exact-truth", a.simulate.exactTruth, "No scanner noise on the true heights");
+    c->add_option("--soft-drives", a.simulate.softDrives,
+                  "Share of the drives over ground into which the robot sinks (default 0)")
+        ->check(CLI::Range(0.0, 1.0));
     c->add_option("--disturb", a.scratch, "What the estimator does not know of (default none)")
         ->check(named(a.simulate.disturbance, disturbanceFromName,
                       "none|imu-noise|forces-high|forces-low|dead-element|soft-ground|light-robot|"
@@ -239,6 +243,12 @@ void addContacts(CLI::App& app, Arguments& a)
         ->check(CLI::Range(0.0, 1000.0));
 }
 
+void addProbes(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("probes", "The sd of an arm's readings, from a recording of them");
+    c->add_option("--data", a.probes, "CSV with place,height_m,truth_m")->required();
+}
+
 void addDemo(CLI::App& app, Arguments& a)
 {
     auto* c = app.add_subcommand(
@@ -281,6 +291,7 @@ Status run(const CLI::App& app, Arguments& a)
     }
     if (app.got_subcommand("merge")) return merge(a.merge);
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);
+    if (app.got_subcommand("probes")) return showProbes(a.probes);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
@@ -319,6 +330,7 @@ int realMain(int argc, char** argv)
     addEvaluate(app, arguments);
     addMerge(app, arguments);
     addContacts(app, arguments);
+    addProbes(app, arguments);
     addModel(app, arguments);
     addDemo(app, arguments);
     try {

@@ -105,11 +105,7 @@ Status demo(const DemoOptions& options)
 {
     const auto toolbox = openToolbox(options.robot, options.model);
     if (!toolbox) return toolbox.error();
-    std::error_code failed;
-    std::filesystem::create_directories(options.out, failed);
-    if (failed)
-        return Error{fmt::format("{}: cannot be made: {}", options.out, failed.message()),
-                     failed.value()};
+    if (Status made = makeDirectory(options.out); !made) return made;
     const std::filesystem::path out(options.out);
 
     SimulatedRobot::Options start;

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -16,11 +15,13 @@
 #include "app/parallel.h"
 #include "app/probe_trials.h"
 #include "app/scene_estimates.h"
+#include "app/stopwatch.h"
 #include "core/eval/baselines.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/groups.h"
 #include "core/eval/step_forecasts.h"
 #include "core/file_read.h"
+#include "core/file_write.h"
 #include "core/learn/scene_file.h"
 #include "core/learn/sha256.h"
 
@@ -29,17 +30,6 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
-
-class Stopwatch {
-public:
-    double seconds() const
-    {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// What is evaluated: the scenes of one part.
 struct Workload {
@@ -200,15 +190,6 @@ Result<std::map<std::string, std::string>> originOf(const EvaluateOptions& optio
         origin[what] = *std::move(hash);
     }
     return origin;
-}
-
-Status makeDirectory(const std::string& path)
-{
-    std::error_code failed;
-    std::filesystem::create_directories(path, failed);
-    if (failed)
-        return fileError(path, "the directory cannot be made: " + failed.message(), failed.value());
-    return Done{};
 }
 
 Status judgeAll(const Workload& work, Findings& findings)

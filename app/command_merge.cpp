@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 
 #include "app/commands.h"
 #include "app/findings.h"
 #include "app/findings_file.h"
 #include "app/findings_report.h"
 #include "core/file_read.h"
+#include "core/file_write.h"
 #include "core/learn/model_file.h"
 #include "core/learn/model_part.h"
 #include "core/learn/sha256.h"
@@ -64,11 +64,7 @@ Status mergeEvaluation(const MergeOptions& options)
     if (!findings) return findings.error();
     if (!anyEstimate(*findings))
         return fileError(options.out, "cannot be made: no scene has what the methods need");
-    std::error_code failed;
-    std::filesystem::create_directories(options.out, failed);
-    if (failed)
-        return fileError(options.out, "the directory cannot be made: " + failed.message(),
-                         failed.value());
+    if (Status made = makeDirectory(options.out); !made) return made;
     for (const MethodRun& run : findings->runs) printRun(run);
     return reportFindings(*findings, options.out);
 }

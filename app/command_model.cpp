@@ -77,7 +77,7 @@ void printSurfaces(const ClearanceData& data, bool covered)
 {
     const auto& processes = covered ? data.covered : data.open;
     fmt::print("\n{}; input in standard deviations; length scale per input and bin\n{:>18}",
-               covered ? "clearance under the robot, log(ceiling - height + 3 mm)"
+               covered ? "clearance under the robot, asinh((ceiling - height) / 10 mm)"
                        : "height where nothing of the robot is above [m]",
                "");
     for (int i = 0; i < kBins; ++i) fmt::print(" {:>+8.1f}", binCentre(i));

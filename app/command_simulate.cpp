@@ -20,11 +20,17 @@ constexpr double kSpacing = 0.1;  // [m] between the stops of a drive
 constexpr int kBoxRuns = 28;      // the paper's training set
 constexpr int kPresetScenes = 1400;
 
-DriveConditions conditionsFor(const SimulateOptions& options, const RobotModel& robot)
+/// Of the next drive; draws only where some drives are over soft ground.
+DriveConditions nextConditions(const SimulateOptions& options, const RobotModel& robot,
+                               std::mt19937_64& rng)
 {
     SensorNoise noise;
     if (options.exactTruth) noise.height = 0.0;
-    return disturbedDrive(noise, robot.forceSaturation, options.disturbance);
+    DriveConditions conditions = disturbedDrive(noise, robot.forceSaturation, options.disturbance);
+    if (options.softDrives > 0.0
+        && std::uniform_real_distribution<double>(0.0, 1.0)(rng) < options.softDrives)
+        conditions.ground = randomSoftGround(rng);
+    return conditions;
 }
 
 struct Recording {
@@ -50,8 +56,9 @@ Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, i
             chosen.push_back(all[static_cast<std::size_t>((k + offset) / stops
                                                           * static_cast<double>(all.size()))]);
         if (chosen.empty()) continue;
+        const DriveConditions conditions = nextConditions(options, robot, rng);
         auto scenes = driveOver(robot, terrain, chosen, std::to_string(run + 1), style(rng),
-                                conditionsFor(options, robot), rng, recording.skipped);
+                                conditions, rng, recording.skipped);
         std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
     }
     return recording;
@@ -84,9 +91,9 @@ Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
             chosen.push_back(stops[p][*next - firstOfProfile]);
         firstOfProfile += stops[p].size();
         if (chosen.empty()) continue;
-        auto scenes =
-            driveOver(robot, profiles[p], chosen, std::to_string(p + 1), randomDriveStyle(rng),
-                      conditionsFor(options, robot), rng, recording.skipped);
+        const DriveConditions conditions = nextConditions(options, robot, rng);
+        auto scenes = driveOver(robot, profiles[p], chosen, std::to_string(p + 1),
+                                randomDriveStyle(rng), conditions, rng, recording.skipped);
         std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
     }
     return recording;

@@ -24,7 +24,9 @@ struct SimulateOptions {
     double step = 0.1;    ///< [m] of a file of heights
     bool blocks = false;  ///< heights of a file are flat-topped blocks
     bool exactTruth = false;
-    Disturbance disturbance = Disturbance::None;  ///< of the simulated world
+    Disturbance disturbance = Disturbance::None;
+    double softDrives =
+        0.0;  ///< share of drives over ground that gives way  ///< of the simulated world
 };
 Status simulate(const SimulateOptions& options);
 
@@ -73,6 +75,10 @@ struct ContactsOptions {
 };
 /// Prints how far contact heights lie from the truth, per bin and overall, for both contact rules.
 Status showContacts(const ContactsOptions& options);
+
+/// Prints how well an arm measures, from a CSV of readings (core/learn/probe_file.h), and the line for the
+/// robot file.
+Status showProbes(const std::string& path);
 
 Status showModel(const std::string& path, bool csv);
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/canvas.h"
-#include "core/infer/variant.h"
+#include "app/method_look.h"
 
 namespace terratact {
 namespace {
@@ -17,45 +17,6 @@ constexpr int kWidth = 1200, kWideWidth = 1800, kHeight = 700;
 constexpr std::size_t kFewSeries = 5;
 constexpr double kLeft = 84.0, kMargin = 30.0, kTop = 84.0, kBottom = 590.0;
 constexpr Colour kText{0x16222e}, kMuted{0x4a5866}, kGrid{0xe4e9ee}, kFrame{0xcfd8e1};
-
-struct Look {
-    Colour colour{0x8e3fbf};
-    Shape shape = Shape::Circle;
-    double size = 12.0;   ///< [px]
-    std::string words;    ///< as the paper writes it
-    bool hollow = false;  ///< a baseline
-};
-
-Look lookOf(Method method)
-{
-    switch (method) {
-    case Method::Pa: return {{0x7b8794}, Shape::Circle, 12.0, "PA"};
-    case Method::Pac: return {{0x1558a6}, Shape::Square, 11.0, "PAC"};
-    case Method::Pafc: return {{0x12804a}, Shape::Diamond, 15.0, "PAFc"};
-    case Method::Pafac: return {{0x8e3fbf}, Shape::Triangle, 14.0, "PAFAc"};
-    case Method::Clearance: return {{0xb8560b}, Shape::Circle, 12.0, "clearance"};
-    case Method::Joint: return {{0x0b7f8c}, Shape::Square, 11.0, "joint"};
-    case Method::Local: return {{0xb01e4f}, Shape::Diamond, 15.0, "local"};
-    }
-    return {};
-}
-
-/// By label: a method, "method/what tells it apart", or a baseline.
-Look lookOf(const std::string& label)
-{
-    const std::size_t slash = label.find('/');
-    if (const auto method = methodFromName(label.substr(0, slash))) {
-        Look look = lookOf(*method);
-        if (slash == std::string::npos) return look;
-        look.words += label.substr(slash);
-        look.shape = label.size() % 2 == 0 ? Shape::Triangle : Shape::Square;
-        return look;
-    }
-    if (label == "flat") return {{0xb0a18a}, Shape::Circle, 10.0, label, true};
-    if (label == "linear") return {{0x8fa3b5}, Shape::Square, 9.0, label, true};
-    if (label == "nearest") return {{0x9a8fa8}, Shape::Triangle, 11.0, label, true};
-    return {{0x5f6b66}, Shape::Diamond, 12.0, label, true};
-}
 
 int widthFor(std::size_t series)
 {
@@ -69,13 +30,6 @@ double niceStep(double top)
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power * 8.0 >= top) return factor * power;
     return 10.0 * power;
-}
-
-void drawMarker(Canvas& canvas, const Look& look, Point at, double scale)
-{
-    const Colour white{0xffffff};
-    canvas.marker(look.shape, at, scale * look.size, look.hollow ? white : look.colour,
-                  look.hollow ? Stroke{look.colour, 2.0, {}} : Stroke{white, 1.5, {}});
 }
 
 /// Classes side by side in x, an axis from 0 upwards in y.
@@ -121,7 +75,7 @@ public:
     {
         std::vector<KeyEntry> entries;
         for (const std::string& label : labels) {
-            const Look look = lookOf(label);
+            const MethodLook look = lookOf(label);
             entries.push_back({look.words, [look, bars](Canvas& canvas, Point at) {
                                    if (bars)
                                        canvas.fillRectangle({at.x - 12.0, at.y - 7.0},
@@ -197,7 +151,7 @@ void drawQuartiles(Canvas& canvas, std::span<const MethodSummary> summaries)
                          signedNumber(binCentre(static_cast<int>(i)), 1));
         double x = chart.classBegin(i) + 0.1 * chart.classWidth() + 0.5 * apart;
         for (const MethodSummary& m : summaries) {
-            const Look look = lookOf(m.label);
+            const MethodLook look = lookOf(m.label);
             const ErrorStatistics& s = m.bin[i];
             const auto y = [&](double metres) { return chart.y(1000.0 * metres); };
             if (s.n > 0) {
@@ -233,7 +187,7 @@ public:
         left_ = kPanelLeft + kApart * static_cast<double>(place % kPerRow);
         const std::size_t row = place / kPerRow;
         floor_ = kHead + 20.0 + kPanelHeight + kRowHeight * static_cast<double>(row);
-        const Look look = lookOf(h.label);
+        const MethodLook look = lookOf(h.label);
         canvas_.text({left_, floor_ - kPanelHeight - 8.0}, look.words,
                      {.colour = kText, .size = 15.0, .bold = true});
         scale();

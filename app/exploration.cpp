@@ -15,6 +15,7 @@ namespace {
 constexpr double kPitchChange = 0.06;    // [rad]
 constexpr double kFlipperChange = 0.05;  // [rad]
 constexpr double kRepeatStop = 0.2;      // [s]
+constexpr int kLiveDraws = 200;          // enough for what a glance asks of a preview
 
 }  // namespace
 
@@ -33,7 +34,9 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     });
     connect(&worker_, &EstimatorWorker::estimated, this,
             [this](int job, const TerrainEstimate& estimate, double seconds) {
+                if (job == liveJob_) takeLive(estimate);
                 if (job != job_) return;
+                live_.reset();
                 estimate_ = estimate;
                 estimateSeconds_ = seconds;
                 pending_.estimateReady = true;
@@ -49,7 +52,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                                               .q90 = estimate.q90[i],
                                               .sd = estimate.sd[i],
                                               .limit = estimate.settings.probeAbove,
-                                              .armSd = estimate.settings.armSd,
+                                              .armSd = robot_.armSd,
                                               .seconds = options_.probeSeconds};
                 }
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
@@ -59,6 +62,11 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                     emit happened(QString::fromStdString(sentence), Weight::Note);
             });
     connect(&worker_, &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+        if (job == liveJob_) {
+            liveJob_ = 0;
+            live_.reset();
+            whyNoEstimate_ = tr("No live estimate: %1").arg(why);
+        }
         if (job != job_) return;
         pending_.estimateFailed = true;
         emit happened(tr("estimate failed: %1").arg(why), Weight::Bad);
@@ -222,6 +230,29 @@ void Exploration::tick(double now, const std::optional<Received>& latest)
     const AtemState before = state_;
     state_ = nextState(state_, in, options_.limits);
     if (state_.phase != before.phase) enter(before);
+    keepLive();
+}
+
+void Exploration::keepLive()
+{
+    if (state_.phase == AtemPhase::Estimating) return;  // the preview stays until there is better
+    if (state_.phase != AtemPhase::Pressing) {
+        live_.reset();
+        return;
+    }
+    if (liveJob_ != 0 || modelName_.isEmpty() || latest_->count == liveCount_) return;
+    liveCount_ = latest_->count;
+    Settings settings = options_.settings;
+    settings.method = Method::Local;
+    settings.draws = kLiveDraws;
+    liveJob_ = worker_.request(
+        {.measurement = latest_->sample.measurement, .arm = {}, .settings = settings});
+}
+
+void Exploration::takeLive(const TerrainEstimate& estimate)
+{
+    liveJob_ = 0;
+    live_ = estimate;
 }
 
 void Exploration::enter(const AtemState& before)
@@ -302,6 +333,7 @@ void Exploration::capture()
 
 void Exploration::startEstimate(std::vector<ArmReading> arm)
 {
+    liveJob_ = 0;  // this request overtakes it
     Settings settings = options_.settings;
     if (!arm.empty() && settings.method == Method::Pafc) settings.method = Method::Pafac;
     job_ = worker_.request(
@@ -325,7 +357,7 @@ void Exploration::finishProbe()
 void Exploration::cancelEstimate()
 {
     worker_.cancel();
-    job_ = 0;  // a result already on its way is not ours any more
+    job_ = liveJob_ = 0;  // a result already on its way is not ours any more
 }
 
 void Exploration::forget(const QString& why)

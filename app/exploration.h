@@ -64,6 +64,9 @@ public:
     /// Every probe beside the band shown before it, since the console started.
     const CalibrationLedger& ledger() const { return ledger_; }
     double estimateSeconds() const { return estimateSeconds_; }
+    /// Of telemetry while the flippers still move down, until estimate() stands: a preview by the local method,
+    /// as often as the estimator keeps up with the telemetry.
+    const std::optional<TerrainEstimate>& live() const { return live_; }
     const std::optional<ProbeProposal>& proposal() const { return proposal_; }
     std::optional<int> probingBin() const;
     double secondsInPhase() const { return now_ - state_.since; }
@@ -84,6 +87,8 @@ private:
     void capture();
     void startEstimate(std::vector<ArmReading> arm);
     void cancelEstimate();
+    void keepLive();
+    void takeLive(const TerrainEstimate& estimate);
     void forget(const QString& why);
     void finishProbe();
 
@@ -118,6 +123,10 @@ private:
     bool sawProbing_ = false;
     quint64 lastProposal_ = 0;
     int job_ = 0;
+
+    std::optional<TerrainEstimate> live_;
+    int liveJob_ = 0;              ///< 0: none under way
+    std::uint64_t liveCount_ = 0;  ///< telemetry that the newest live job is about
 
     QString modelName_;
     QString modelTrouble_;

@@ -238,23 +238,30 @@ void MainWindow::showTerrain(const std::optional<Received>& latest)
 {
     const auto& scene = exploration_->scene();
     const auto& estimate = exploration_->estimate();
-    if (estimate) {
+    const auto& live = exploration_->live();
+    if (live) {
+        if (shownLive_ != live) {
+            const QString note = tr("LIVE: the flippers still move");
+            terrain_->setEstimate(*live, note);
+            strip_->setLive(note);
+            shownReason_.clear();
+        }
+        shown_.reset();
+    } else if (estimate) {
         if (shown_ != estimate) {
             terrain_->setEstimate(*estimate);
             strip_->setEstimate(*estimate, exploration_->estimateSeconds());
             shown_ = estimate;
         }
-    } else if (shown_ || shownReason_ != exploration_->whyNoEstimate()) {
+    } else if (shown_ || shownLive_ || shownReason_ != exploration_->whyNoEstimate()) {
         shown_.reset();
         shownReason_ = exploration_->whyNoEstimate();
         terrain_->clearEstimate(shownReason_);
         strip_->setNothing(QString());
     }
-    shownEstimate_ = estimate.has_value();
-    if (!estimate)
-        shownReason_ = exploration_->whyNoEstimate();
-    else
-        shownReason_.clear();
+    shownLive_ = live;
+    shownEstimate_ = estimate.has_value() && !live;
+    if (estimate) shownReason_.clear();
 
     if (latest && (latest->count != shownCount_)) {
         // An estimate belongs to the scene it rests on, so both are drawn in that pose.

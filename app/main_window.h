@@ -90,7 +90,7 @@ private:
     EventList* events_ = nullptr;
 
     std::uint64_t shownCount_ = 0;
-    std::optional<TerrainEstimate> shown_;
+    std::optional<TerrainEstimate> shown_, shownLive_;
     QString shownReason_;
     bool shownEstimate_ = false;
     bool linkWasAlive_ = false;

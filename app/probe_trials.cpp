@@ -27,19 +27,19 @@ std::optional<int> largestGain(const std::vector<ProbeGain>& gains,
     return best->bin;
 }
 
-ProbeLimits limitsOf(const Settings& settings)
+ProbeLimits limitsOf(const RobotModel& robot, const Settings& settings)
 {
-    return {.armSd = settings.armSd, .sdLimit = settings.probeAbove, .seed = settings.seed};
+    return {.armSd = robot.armSd, .sdLimit = settings.probeAbove, .seed = settings.seed};
 }
 
 }  // namespace
 
-std::vector<NamedRule> probeRules(const RobotModel& robot, double armSd, double stepLimit)
+std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit)
 {
-    const auto byGain = [&robot, armSd, stepLimit](double ProbeGain::*kind) -> ProbeRule {
-        return [&robot, armSd, stepLimit, kind](const TerrainEstimate& estimate,
-                                                std::span<const ArmReading> read) {
-            return largestGain(probeGains(estimate, robot, armSd, stepLimit), read, kind);
+    const auto byGain = [&robot, stepLimit](double ProbeGain::*kind) -> ProbeRule {
+        return [&robot, stepLimit, kind](const TerrainEstimate& estimate,
+                                         std::span<const ArmReading> read) {
+            return largestGain(probeGains(estimate, robot, robot.armSd, stepLimit), read, kind);
         };
     };
     return {{"sd", [&robot](const TerrainEstimate& estimate,
@@ -56,9 +56,9 @@ std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         if (hasTruthAhead(scenes[k]) && estimates[k].estimate) chosen.push_back(k);
-    const ProbeLimits limits = limitsOf(settings);
+    const ProbeLimits limits = limitsOf(toolbox.robot, settings);
     std::vector<ProbeRun> runs;
-    for (const NamedRule& rule : probeRules(toolbox.robot, settings.armSd, stepLimit)) {
+    for (const NamedRule& rule : probeRules(toolbox.robot, stepLimit)) {
         std::vector<ProbeTrial> trials(chosen.size());
         parallelFor(static_cast<int>(chosen.size()), [&](int n) {
             const std::size_t k = chosen[static_cast<std::size_t>(n)];

@@ -18,7 +18,7 @@ struct NamedRule {
 /// "sd": the largest sd (section 4.4 of the paper); "variance": the largest expected reduction of the sum
 /// of the variances; "step": of the entropy of "is there a step of more than stepLimit [m]?".  Bins the
 /// arm reaches and that were not read; the robot must outlive the rules.
-std::vector<NamedRule> probeRules(const RobotModel& robot, double armSd, double stepLimit);
+std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit);
 
 /// Every rule in every scene with truth ahead that has an estimate, on all cores: one run per rule, its trials
 /// in the order of the scenes.

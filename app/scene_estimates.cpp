@@ -28,7 +28,7 @@ SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings
             "arm not simulated: the truth of bin {:+.1f} m is unknown", binCentre(*bin)));
         return {first, joined(first.warnings)};
     }
-    const ArmReading reading{*bin, *truth, settings.armSd};
+    const ArmReading reading{*bin, *truth, toolbox.robot.armSd};
     const TerrainEstimate second = estimateWith(scene, {&reading, 1}, toolbox, settings);
     return {second, joined(second.warnings)};
 }

@@ -144,6 +144,15 @@ void NewFile::discard() noexcept
     temporary_.clear();
 }
 
+Status makeDirectory(const std::string& path)
+{
+    std::error_code failed;
+    std::filesystem::create_directories(path, failed);
+    if (failed)
+        return Error{path + ": the directory cannot be made: " + failed.message(), failed.value()};
+    return Done{};
+}
+
 Status writeFileAtomically(const std::string& path, std::string_view content)
 {
     Result<NewFile> file = NewFile::begin(path);

@@ -39,6 +39,9 @@ private:
     std::string temporary_;  ///< empty once committed
 };
 
+/// Makes a directory and those above it; none of that where it exists.  Errors name it.
+Status makeDirectory(const std::string& path);
+
 /// Puts `content` at `path` as NewFile does.
 Status writeFileAtomically(const std::string& path, std::string_view content);
 

@@ -98,6 +98,12 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     warnings_->setVisible(!warnings.isEmpty());
 }
 
+void EstimateStrip::setLive(const QString& note)
+{
+    setNothing(note);
+    setTone(*headline_, Tone::Doubt);
+}
+
 void EstimateStrip::setNothing(const QString& why)
 {
     headline_->setText(why);

@@ -20,6 +20,7 @@ public:
     explicit EstimateStrip(QWidget* parent = nullptr);
 
     void setEstimate(const TerrainEstimate& estimate, double seconds);  ///< seconds it took
+    void setLive(const QString& note);  ///< a preview is shown, and what that means
     void setNothing(const QString& why);
     void setProgress(std::optional<double> share);  ///< empty: nothing under way
 

@@ -324,32 +324,37 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     probeMark_->setVisible(false);
     probeMark_->attach(this);
 
-    nothing_ = new QwtPlotTextLabel;
-    nothing_->setItemAttribute(QwtPlotItem::Legend, false);
-    nothing_->setMargin(12);
-    nothing_->setZ(40.0);
-    nothing_->attach(this);
+    note_ = new QwtPlotTextLabel;
+    note_->setItemAttribute(QwtPlotItem::Legend, false);
+    note_->setMargin(12);
+    note_->setZ(40.0);
+    note_->attach(this);
 
     clearEstimate(tr("No estimate yet"));
     showTruth();
 }
 
-void TerrainProfileView::setEstimate(const TerrainEstimate& estimate)
+void TerrainProfileView::setEstimate(const TerrainEstimate& estimate, const QString& note)
 {
     estimate_ = estimate;
-    nothing_->setVisible(false);
+    showNote(note, palette::kDoubt);
     showEstimate();
 }
 
 void TerrainProfileView::clearEstimate(const QString& why)
 {
     estimate_.reset();
-    QwtText words = text(why, palette::kMuted, scaled(font(), 16, true));
+    showNote(why, palette::kMuted);
+    showEstimate();
+}
+
+void TerrainProfileView::showNote(const QString& note, const QColor& colour)
+{
+    QwtText words = text(note, colour, scaled(font(), 16, true));
     words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
     words.setBackgroundBrush(QColor(0xff, 0xff, 0xff, 0xe0));
-    nothing_->setText(words);
-    nothing_->setVisible(true);
-    showEstimate();
+    note_->setText(words);
+    note_->setVisible(!note.isEmpty());
 }
 
 TerrainProfileView::Kind TerrainProfileView::kindOf(const TerrainEstimate& estimate, int bin)
@@ -577,7 +582,7 @@ void TerrainProfileView::describe()
 {
     QStringList lines;
     for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
-    setAccessibleDescription(estimate_ ? lines.join(QLatin1Char('\n')) : nothing_->text().text());
+    setAccessibleDescription(estimate_ ? lines.join(QLatin1Char('\n')) : note_->text().text());
 }
 
 bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)

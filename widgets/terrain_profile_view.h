@@ -30,7 +30,8 @@ class TerrainProfileView final : public QwtPlot {
 public:
     explicit TerrainProfileView(QWidget* parent = nullptr);
 
-    void setEstimate(const TerrainEstimate& estimate);
+    /// note: written above the profile, what the reader must know before it; empty: nothing.
+    void setEstimate(const TerrainEstimate& estimate, const QString& note = {});
     void clearEstimate(const QString& why);  ///< says why there is none; not a flat line
     void setOutline(const Outline& outline);
     void setTruth(const std::optional<Heights>& truth);
@@ -55,6 +56,7 @@ private:
 
     static Kind kindOf(const TerrainEstimate& estimate, int bin);
     void showEstimate();
+    void showNote(const QString& note, const QColor& colour);
     void showTruth();
     void showProbe();
     void fitAxes();
@@ -78,7 +80,7 @@ private:
     std::vector<QwtPlotShapeItem*> robot_;
     BinZones* zones_ = nullptr;
     ProbeMark* probeMark_ = nullptr;
-    QwtPlotTextLabel* nothing_ = nullptr;
+    QwtPlotTextLabel* note_ = nullptr;
 };
 
 }  // namespace terratact

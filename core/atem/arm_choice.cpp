@@ -1,7 +1,5 @@
 #include "core/atem/arm_choice.h"
 
-#include <algorithm>
-
 #include "core/atem/probe_gain.h"
 
 namespace terratact {
@@ -25,11 +23,8 @@ std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel
 {
     constexpr double kAnyStep = 0.1;  // [m]; the rule by variance does not depend on it
     const std::optional<int> widest = proposeProbe(estimate, robot);
-    const Method method = estimate.settings.method;
-    const bool ofPaper =
-        std::find(kPaperMethods.begin(), kPaperMethods.end(), method) != kPaperMethods.end();
-    if (!widest || ofPaper || estimate.draws.empty()) return widest;
-    const auto best = bestProbe(estimate, robot, estimate.settings.armSd, kAnyStep);
+    if (!widest || isOfPaper(estimate.settings.method) || estimate.draws.empty()) return widest;
+    const auto best = bestProbe(estimate, robot, robot.armSd, kAnyStep);
     return best ? best->bin : widest;
 }
 

@@ -95,7 +95,7 @@ Normal measuredState(double z, double sd, double ceiling)
         throw std::invalid_argument("a measured height needs a finite height and a positive sd");
     if (regimeOf(ceiling) == Regime::Open) return {z, sd * sd};
     const double inY = sd / (std::max(ceiling - z, 0.0) + kClearanceOffset);
-    return {toSurface(z, ceiling), inY * inY};
+    return {toLogClearance(z, ceiling), inY * inY};
 }
 
 }  // namespace terratact

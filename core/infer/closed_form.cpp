@@ -22,20 +22,25 @@ void check(const Settings& settings)
         throw std::invalid_argument(
             fmt::format("method {} has no closed form", name(settings.method)));
     if (settings.draws < 1) throw std::invalid_argument("an estimate needs at least one draw");
-    if (!(settings.armSd > 0.0) || !(settings.forceThreshold >= 0.0))
-        throw std::invalid_argument("arm sd must be positive and the force threshold 0 or more");
+    if (!(settings.forceThreshold >= 0.0))
+        throw std::invalid_argument("the force threshold must be 0 or more");
 }
+
+/// A measurement so far from everything that similar training scenes had [standard deviations] makes them a bad
+/// guide: what counts then is how wide they spread.
+constexpr double kSurprised = 2.0;
 
 /// Conditions the distribution of one bin's surface coordinate.
 void take(GaussianMixture& distribution, std::size_t bin, const MeasuredHeight& measured,
           double ceiling)
 {
-    const double error =
-        std::isinf(ceiling)
-            ? measured.sd
-            : std::log1p(measured.sd
-                         / (std::max(ceiling - measured.height, 0.0) + kClearanceOffset));
-    distribution.condition(static_cast<int>(bin), toSurface(measured.height, ceiling), error);
+    // Deeper than the robot can sink, a height counts as being there.
+    const double height = std::min(measured.height, ceiling + kDeepestSinking);
+    const double y = toSurface(height, ceiling);
+    const double error = std::abs(toSurface(height - measured.sd, ceiling) - y);
+    const int i = static_cast<int>(bin);
+    if (distribution.surprise(i, y, error) > kSurprised) distribution = distribution.collapsed();
+    distribution.condition(i, y, error);
 }
 
 void takeAll(GaussianMixture& distribution, MeasuredBins& measured, const ClearanceModel& model,
@@ -52,7 +57,7 @@ void takeAll(GaussianMixture& distribution, MeasuredBins& measured, const Cleara
     estimate.warnings = std::move(measured.warnings);
 }
 
-/// Mean and sd of a bin's height: y is a mixture of Gaussians, so exp(y) one of log-normals.
+/// Mean and sd of a bin's height: y is a mixture of Gaussians.
 void momentsOf(const GaussianMixture& distribution, std::size_t bin, TerrainEstimate& estimate)
 {
     const auto i = static_cast<Eigen::Index>(bin);
@@ -65,10 +70,12 @@ void momentsOf(const GaussianMixture& distribution, std::size_t bin, TerrainEsti
         estimate.sd[bin] = std::sqrt((weight * (mean - centre).square()).sum() + variance);
         return;
     }
-    const double first = (weight * (mean + 0.5 * variance).exp()).sum();
-    const double second = (weight * (2.0 * mean + 2.0 * variance).exp()).sum();
-    estimate.mean[bin] = estimate.ceiling[bin] - std::max(first - kClearanceOffset, 0.0);
-    estimate.sd[bin] = std::sqrt(std::max(second - first * first, 0.0));
+    // E sinh y and E sinh² y of a Gaussian y.
+    const double first = std::exp(0.5 * variance) * (weight * mean.sinh()).sum();
+    const double second =
+        0.5 * (std::exp(2.0 * variance) * (weight * (2.0 * mean).cosh()).sum() - 1.0);
+    estimate.mean[bin] = estimate.ceiling[bin] - std::max(kSurfaceScale * first, -kDeepestSinking);
+    estimate.sd[bin] = kSurfaceScale * std::sqrt(std::max(second - first * first, 0.0));
 }
 
 void quantilesOf(const GaussianMixture& distribution, std::size_t bin, TerrainEstimate& estimate)

@@ -23,8 +23,9 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
                                     unsigned covered, Method method);
 
 /// Estimates one scene without a chain: contacts, with the model's bias and sd, and arm readings are
-/// measurements (measured_bins.h), conditioned exactly in the surface coordinate.  Where the robot is above the bin, their error
-/// there is log(1 + sd / (max(ceiling − z, 0) + δ)): the change of y when the ground lies one sd lower.
+/// measurements (measured_bins.h), conditioned exactly in the surface coordinate y (core/learn/clearance.h).
+/// Their error there is the change of y when the ground lies one sd lower.  A measurement more than two standard
+/// deviations from every component makes one Gaussian of the mixture first.
 /// height is the median; settings.draws joint draws; rhat is 1 and ess the number of draws.
 /// Throws std::invalid_argument for another method than Joint and Local, settings out of range or an s that
 /// lacks a feature.

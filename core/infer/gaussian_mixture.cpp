@@ -45,6 +45,20 @@ void GaussianMixture::condition(int i, double z, double sd)
     covariance = 0.5 * (covariance + covariance.transpose()).eval();
 }
 
+double GaussianMixture::surprise(int i, double z, double sd) const
+{
+    const double least = (z - mean.row(i).array()).abs().minCoeff();
+    return least / std::sqrt(covariance(i, i) + sd * sd);
+}
+
+GaussianMixture GaussianMixture::collapsed() const
+{
+    const Eigen::VectorXd centre = mean * weight;
+    const Eigen::MatrixXd spread = mean.colwise() - centre;
+    return {Eigen::VectorXd::Ones(1), centre,
+            covariance + spread * weight.asDiagonal() * spread.transpose()};
+}
+
 double GaussianMixture::cdf(int i, double x) const
 {
     const double sd = std::sqrt(std::max(covariance(i, i), 1e-300));

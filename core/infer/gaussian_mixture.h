@@ -17,6 +17,13 @@ struct GaussianMixture {
     /// Throws std::invalid_argument unless z is finite and sd positive.
     void condition(int i, double z, double sd);
 
+    /// How many standard deviations a measurement lies from the component that expects it most:
+    ///   min_k |z − mean_ki| / √(C_ii + sd²)
+    double surprise(int i, double z, double sd) const;
+
+    /// One Gaussian with the mixture's mean and covariance.
+    GaussianMixture collapsed() const;
+
     /// P(y_i ≤ x).
     double cdf(int i, double x) const;
 

@@ -186,9 +186,9 @@ void checkSettings(const Settings& settings)
             "an estimate needs at least one draw, one chain and no negative burn-in");
     if (settings.inducing < 0)
         throw std::invalid_argument("the number of inducing rows must be 0 or more");
-    if (!(settings.contactSd > 0.0) || !(settings.armSd > 0.0) || !(settings.forceThreshold >= 0.0))
+    if (!(settings.contactSd > 0.0) || !(settings.forceThreshold >= 0.0))
         throw std::invalid_argument(
-            "contact and arm sd must be positive and the force threshold 0 or more");
+            "the contacts' sd must be positive and the force threshold 0 or more");
 }
 
 GibbsProblem problemFor(const Settings& settings)

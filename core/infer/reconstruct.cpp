@@ -20,8 +20,7 @@ constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
 
 void check(const Settings& settings, const BinModels& models)
 {
-    if (std::find(kPaperMethods.begin(), kPaperMethods.end(), settings.method)
-        == kPaperMethods.end())
+    if (!isOfPaper(settings.method))
         throw std::invalid_argument(
             fmt::format("method {} is not one of the paper's", name(settings.method)));
     const FeatureSet wanted = usesForces(settings.method) ? FeatureSet::Paf : FeatureSet::Pa;

@@ -38,7 +38,7 @@ void toHeights(GibbsDraws& draws, const Heights& ceiling)
 {
     for (std::size_t k = 0; k < draws.bins.size(); ++k) {
         const double above = ceiling[static_cast<std::size_t>(draws.bins[k])];
-        for (double& value : draws.draws[k].reshaped()) value = toHeight(value, above);
+        for (double& value : draws.draws[k].reshaped()) value = fromLogClearance(value, above);
     }
 }
 

@@ -23,7 +23,6 @@ struct Settings {
     /// are cheaper and less exact (core/learn/sparse_process.h).
     int inducing = 0;
     std::uint64_t seed = 1;
-    double armSd = 0.03;           ///< [m] sd of an arm reading (paper)
     double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)
     double rollLimit = 0.10;       ///< [rad] beyond it the 2-D assumption is doubtful
     double asymmetryLimit = 0.10;  ///< [rad] left/right flipper difference, likewise

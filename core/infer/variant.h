@@ -8,12 +8,12 @@
 namespace terratact {
 
 /// The paper's four methods (domain: section 5 of the paper), and three over clearances: under the robot
-/// they estimate log(ceiling − height + δ), so that no estimate lies inside the robot's body.
+/// they estimate how far below the body the ground lies, see core/learn/clearance.h.
 ///   Pa        pitch + flipper angles
 ///   Pac       the same, samples constrained by the robot's body
 ///   Pafc      + flipper forces (and currents), contact bins fixed, constrained
 ///   Pafac     Pafc + the arm measures the most uncertain bin
-///   Clearance Gibbs sampling like Pafc, the state of a bin under the robot is its clearance
+///   Clearance Gibbs sampling like Pafc, the state of a bin under the robot is its log clearance
 ///   Joint     closed form: one Gaussian process per bin on s, and one Gaussian for the errors of all bins
 ///   Local     closed form: the same, the errors are those of the training scenes most like this one
 enum class Method : std::uint8_t { Pa, Pac, Pafc, Pafac, Clearance, Joint, Local };
@@ -43,6 +43,11 @@ enum class ScanOrder : std::uint8_t { Forward, Reverse, Random };
 constexpr bool usesForces(Method m)
 {
     return m != Method::Pa && m != Method::Pac;
+}
+/// One of the paper's four.
+constexpr bool isOfPaper(Method m)
+{
+    return m == Method::Pa || m == Method::Pac || m == Method::Pafc || m == Method::Pafac;
 }
 /// Samples heights and cuts them off at the ceiling.
 constexpr bool usesCeiling(Method m)

@@ -73,7 +73,7 @@ Eigen::VectorXd onModelScale(const Eigen::VectorXd& s)
 
 double y(const ClearanceTraining& t, Eigen::Index row, Eigen::Index bin)
 {
-    return toSurface(t.heights(row, bin), t.ceilings(row, bin));
+    return toLogClearance(t.heights(row, bin), t.ceilings(row, bin));
 }
 
 Heights row(const Eigen::MatrixXd& M, Eigen::Index u)
@@ -158,7 +158,7 @@ Rows rowsFor(const ClearanceTraining& t, const ClearanceConditionalData& data, i
         const Eigen::Index u = rows[static_cast<std::size_t>(k)];
         const Heights ceiling = row(t.ceilings, u);
         Heights states = row(t.heights, u);
-        for (std::size_t j = 0; j < kBins; ++j) states[j] = toSurface(states[j], ceiling[j]);
+        for (std::size_t j = 0; j < kBins; ++j) states[j] = toLogClearance(states[j], ceiling[j]);
         result.X.row(k) =
             inputOf(data, bin, states, ceiling, t.features.row(u).transpose()).transpose();
         result.y[k] = states[static_cast<std::size_t>(bin)] - data.at(bin, regime).mean;

@@ -28,7 +28,7 @@ inline constexpr int kInducing = 600;
 std::vector<int> inducingRows(const std::vector<int>& rows);
 
 /// Scenes whose residuals make up the `local` method's errors.
-inline constexpr int kNeighbours = 100;
+inline constexpr int kNeighbours = 30;
 
 /// What was left unexplained in training scenes: K weighted vectors of residuals [y].
 struct ResidualSample {

@@ -15,7 +15,7 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMostNoise = 3.0;  // of log clearances, no metres
+constexpr double kMostNoise = 3.0;  // of surface coordinates, no metres
 
 /// Standardised surface features: U × 11.
 Eigen::MatrixXd inputs(const ModelData& model)
@@ -45,7 +45,7 @@ std::vector<double> substitutes(const ModelData& model, const Eigen::MatrixXd& c
             if (std::isfinite(ceilings(u, other)))
                 values.push_back(surfaceOf(model, ceilings, u, other));
     }
-    if (values.empty()) values.push_back(std::log(kClearanceOffset));
+    if (values.empty()) values.push_back(0.0);  // touching
     return values;
 }
 

@@ -82,11 +82,12 @@ const std::map<std::string, std::string>& explanations()
          "pa and paf use scanned_row with the features of the same training_row; surface uses "
          "all of training_row"},
         {"surface",
-         "a bin under the robot (covered 1): y = log(max(ceiling - height, 0) + 0.003 m), "
+         "a bin under the robot (covered 1): y = asinh(max(ceiling - height, -0.03 m) / 0.01 m), "
          "else y = height; mean(x) = mean + sum weight k(x, z), z: at most 600 of the "
          "bin's training rows, evenly spread; forces as log(1 + F / 3 N)"},
         {"clearance_conditional",
-         "y of a bin given the other bins' y and s, on the first 2000 training rows"},
+         "of a bin under the robot: y = log(max(ceiling - height, 0) + 0.003 m), else y = height; "
+         "given the other bins' y and s, on the first 2000 training rows"},
     };
     return texts;
 }

@@ -27,10 +27,11 @@ struct Refused {
 struct Range {
     double least, most;
 };
-constexpr Range kPosition{-2.0, 2.0};  ///< [m]
-constexpr Range kLength{0.001, 2.0};   ///< [m]
-constexpr Range kRadius{0.001, 0.5};   ///< [m]
-constexpr Range kMass{0.01, 1000.0};   ///< [kg]
+constexpr Range kPosition{-2.0, 2.0};   ///< [m]
+constexpr Range kReadingSd{1e-4, 0.5};  ///< [m]
+constexpr Range kLength{0.001, 2.0};    ///< [m]
+constexpr Range kRadius{0.001, 0.5};    ///< [m]
+constexpr Range kMass{0.01, 1000.0};    ///< [kg]
 constexpr Range kShare{0.0, 1.0};
 constexpr Range kPositive{0.001, 10000.0};
 
@@ -210,6 +211,7 @@ RobotModel robotOf(Section& file)
     file.section("arm", [&](Section& s) {
         robot.armReachBegin = s.number("reach_begin_m", kPosition);
         robot.armReachEnd = s.number("reach_end_m", {robot.armReachBegin, kPosition.most});
+        robot.armSd = s.number("reading_sd_m", kReadingSd);
     });
     file.refuseUnknown();
     return robot;

@@ -59,6 +59,7 @@ struct RobotModel {
     double maxFlipperTorque = 0.0;                  ///< [N m] one motor, at the output
     double flipperSpeed = 0.0;                      ///< [rad/s]
     double armReachBegin = 0.0, armReachEnd = 0.0;  ///< [m] x in the DEM frame the arm can probe
+    double armSd = 0.0;                             ///< [m] sd of a reading of the arm
 
     double totalMass() const { return bodyMass + front.mass + rear.mass; }
 

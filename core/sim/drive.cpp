@@ -74,6 +74,15 @@ DriveStyle randomDriveStyle(std::mt19937_64& rng)
     return {rear, torque};
 }
 
+GroundOptions randomSoftGround(std::mt19937_64& rng)
+{
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    GroundOptions ground;
+    ground.softLayer = 0.012 + 0.016 * share(rng);
+    ground.softStiffness = 60.0 * std::pow(4.0, share(rng));
+    return ground;
+}
+
 std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing)
 {
     const double first = terrain.begin() + kBehind;

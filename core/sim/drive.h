@@ -33,6 +33,10 @@ struct DriveConditions {
               ///< friction holds it
 };
 
+/// Ground that gives way: a soft layer of 12 … 28 mm with 60 … 240 N/m per point, so that the robot sinks
+/// some 1 … 2.5 cm into flat ground.
+GroundOptions randomSoftGround(std::mt19937_64& rng);
+
 /// Base positions x [m] at which a drive over the terrain stops for a measurement: every `spacing`, as
 /// long as the robot and its bins stay over the terrain; one position, with bin −0.3 on the terrain's
 /// first point, where the terrain is too short for that.

@@ -95,8 +95,8 @@ void SimulatedRobot::step(double dt)
         if (probeLeft_ <= 0.0) {
             const double height = truth()[static_cast<std::size_t>(probeBin_)];
             arm_ = ArmReading{probeBin_,
-                              height + options_.armSd * std::normal_distribution<double>()(rng_),
-                              options_.armSd};
+                              height + robot_.armSd * std::normal_distribution<double>()(rng_),
+                              robot_.armSd};
             accept(RobotActivity::Pressed);
         }
         break;

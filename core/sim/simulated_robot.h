@@ -21,7 +21,6 @@ public:
         double rearAngle = 0.1;     ///< [rad] held
         double drivingAngle = 0.7;  ///< [rad] front flippers while driving
         double probeSeconds = 45.0;
-        double armSd = 0.03;  ///< [m]
         SensorNoise noise;
         std::uint64_t seed = 1;
     };

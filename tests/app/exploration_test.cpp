@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
@@ -155,6 +156,53 @@ TEST_F(Bench, theWholeLoop)
     telemetry.activity = RobotActivity::Driving;
     ASSERT_TRUE(reaches(AtemPhase::Idle));
     EXPECT_FALSE(exploration->estimate()) << "it held for another place";
+}
+
+TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
+{
+    exploration->request();
+    telemetry.activity = RobotActivity::Halted;
+    EXPECT_FALSE(exploration->live());
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressing;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates >= 5;
+    }));
+    ASSERT_TRUE(exploration->live());
+    EXPECT_EQ(exploration->live()->settings.method, Method::Local);
+    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->proposal()) << "a preview proposes nothing";
+
+    blocked = true;
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    EXPECT_TRUE(exploration->live()) << "stays until there is better";
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_TRUE(exploration->estimate());
+    EXPECT_FALSE(exploration->live());
+}
+
+TEST_F(Bench, aLivePreviewEndsWithTheExploration)
+{
+    exploration->request();
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressing;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->live().has_value();
+    }));
+    blocked = true;
+    tick();
+    exploration->abort();
+    tick();
+    blocked = false;
+    EXPECT_FALSE(exploration->live());
+    tick(3);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(exploration->live()) << "a preview already on its way is not shown";
 }
 
 TEST_F(Bench, telemetryFromBeforeACommandIsNoAnswer)

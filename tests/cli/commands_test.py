@@ -36,7 +36,7 @@ class Commands(unittest.TestCase):
         return few
 
     def test_every_command_explains_itself(self):
-        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "contacts", "demo", "model"):
+        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "contacts", "probes", "demo", "model"):
             self.assertIn("--help", run(command, "--help"))
         self.assertIn("terratact", run("--version"))
 
@@ -68,6 +68,25 @@ class Commands(unittest.TestCase):
         self.assertIn("contact rule: any", text)
         self.assertEqual(len([line for line in text.splitlines() if line.split()[:1] == ["all"]]), 2)
         self.assertIn("no contact", complaint("contacts", "--data", self.data, "--threshold", 900))
+
+    def test_soft_drives_are_a_share_of_the_drives(self):
+        none, all_soft = self.path / "firm.csv", self.path / "soft_drives.csv"
+        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--soft-drives", 0, "--out", none)
+        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--soft-drives", 1, "--out", all_soft)
+        self.assertEqual(self.data.read_bytes(), none.read_bytes())
+        # Sunk, the robot is nearer to the ground under it.
+        below = [[float(row["h_+0.0_m"]) for row in rows(file)] for file in (self.data, all_soft)]
+        self.assertGreater(sum(below[1]) / len(below[1]), sum(below[0]) / len(below[0]) + 0.005)
+        complaint("simulate", "--terrain", "boxes", "--soft-drives", 1.5, "--out", none, code=2)
+
+    def test_probes_gives_the_line_for_the_robot_file(self):
+        readings = self.path / "probes.csv"
+        readings.write_text("place,height_m,truth_m\na,0.10,\na,0.14,\nb,0.30,\nb,0.34,\n")
+        text = run("probes", "--data", readings)
+        self.assertIn("4 readings of 2 places", text)
+        self.assertIn("reading_sd_m = 0.0283", text)
+        readings.write_text("place,height_m,truth_m\na,0.10,\nb,0.14,\n")
+        self.assertIn("no place is read twice", complaint("probes", "--data", readings))
 
     def test_training_repeats_to_the_bit(self):
         again = self.path / "again.ttm"

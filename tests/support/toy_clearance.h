@@ -61,7 +61,8 @@ inline ClearanceTraining knownWorldTraining(int rows, std::uint64_t seed)
         for (Eigen::Index i = 0; i < kBins; ++i) {
             const double ceiling = training.ceilings(u, i);
             const bool open = regimeOf(ceiling) == Regime::Open;
-            training.heights(u, i) = toHeight(open ? -0.2 + 0.05 * z : -4.0 + 0.6 * z, ceiling);
+            training.heights(u, i) =
+                fromLogClearance(open ? -0.2 + 0.05 * z : -4.0 + 0.6 * z, ceiling);
             z = kToyCorrelation * z + fresh * normal(rng);
         }
     }

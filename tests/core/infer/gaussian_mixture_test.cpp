@@ -54,6 +54,28 @@ TEST(GaussianMixture, drawsHaveItsMomentsAndItsDistribution)
     }
 }
 
+TEST(GaussianMixture, collapsesToItsMeanAndCovariance)
+{
+    const GaussianMixture m = twoHeaps();
+    const GaussianMixture one = m.collapsed();
+    std::mt19937_64 rng(2);
+    constexpr int kDraws = 200000;
+    const Eigen::MatrixXd draws = m.draw(kDraws, rng);
+    const Eigen::Vector2d mean = draws.rowwise().mean();
+    const Eigen::MatrixXd spread = draws.colwise() - mean;
+    EXPECT_TRUE(one.mean.col(0).isApprox(mean, 0.02));
+    EXPECT_TRUE(one.covariance.isApprox(spread * spread.transpose() / kDraws, 0.02));
+    EXPECT_EQ(one.weight.size(), 1);
+}
+
+TEST(GaussianMixture, isSurprisedByWhatNoComponentExpects)
+{
+    const GaussianMixture m = twoHeaps();  // means -1 and 2 in coordinate 0, variance 0.5
+    EXPECT_EQ(m.surprise(0, 2.0, 0.1), 0.0);
+    EXPECT_NEAR(m.surprise(0, 4.0, std::sqrt(0.5)), 2.0, 1e-12);
+    EXPECT_NEAR(m.surprise(0, -2.0, std::sqrt(0.5)), 1.0, 1e-12);
+}
+
 TEST(GaussianMixture, conditioningAgreesWithWeightedDraws)
 {
     const GaussianMixture before = twoHeaps();

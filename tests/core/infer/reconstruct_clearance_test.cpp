@@ -195,7 +195,7 @@ Eigen::VectorXd zOf(const TerrainEstimate& e, std::size_t bin)
 {
     Eigen::VectorXd z(static_cast<Eigen::Index>(e.draws.size()));
     for (std::size_t d = 0; d < e.draws.size(); ++d) {
-        const double y = toSurface(e.draws[d][bin], e.ceiling[bin]);
+        const double y = toLogClearance(e.draws[d][bin], e.ceiling[bin]);
         z[static_cast<Eigen::Index>(d)] =
             regimeOf(e.ceiling[bin]) == Regime::Open ? (y + 0.2) / 0.05 : (y + 4.0) / 0.6;
     }

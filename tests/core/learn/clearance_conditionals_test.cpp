@@ -15,17 +15,17 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(ClearanceScale, isALogarithmUnderTheRobotAndTheHeightElsewhere)
 {
-    EXPECT_DOUBLE_EQ(toSurface(-0.25, kInfinity), -0.25);
-    EXPECT_DOUBLE_EQ(toHeight(-0.25, kInfinity), -0.25);
-    EXPECT_DOUBLE_EQ(toSurface(-0.25, -0.2), std::log(0.05 + kClearanceOffset));
-    EXPECT_NEAR(toHeight(toSurface(-0.25, -0.2), -0.2), -0.25, 1e-15);
+    EXPECT_DOUBLE_EQ(toLogClearance(-0.25, kInfinity), -0.25);
+    EXPECT_DOUBLE_EQ(fromLogClearance(-0.25, kInfinity), -0.25);
+    EXPECT_DOUBLE_EQ(toLogClearance(-0.25, -0.2), std::log(0.05 + kClearanceOffset));
+    EXPECT_NEAR(fromLogClearance(toLogClearance(-0.25, -0.2), -0.2), -0.25, 1e-15);
 }
 
 TEST(ClearanceScale, neverPutsGroundAboveTheCeiling)
 {
-    EXPECT_DOUBLE_EQ(toSurface(-0.1, -0.2), std::log(kClearanceOffset));
+    EXPECT_DOUBLE_EQ(toLogClearance(-0.1, -0.2), std::log(kClearanceOffset));
     for (const double y : {-1000.0, -6.0, std::log(kClearanceOffset), -1.0, 3.0})
-        EXPECT_LE(toHeight(y, -0.2), -0.2) << y;
+        EXPECT_LE(fromLogClearance(y, -0.2), -0.2) << y;
 }
 
 /// 237 rows: the robot is always above bins 1 … 5, never above 9 and 10.
@@ -48,7 +48,7 @@ TEST(ClearanceConditionals, standardisesEveryBinInEitherRegime)
             for (Eigen::Index u = 0; u < t.heights.rows(); ++u) {
                 if (regimeOf(t.ceilings(u, i)) != regime) continue;
                 const double z =
-                    (toSurface(t.heights(u, i), t.ceilings(u, i)) - data.at(i, regime).mean)
+                    (toLogClearance(t.heights(u, i), t.ceilings(u, i)) - data.at(i, regime).mean)
                     / data.at(i, regime).sd;
                 sum += z;
                 squares += z * z;
@@ -102,7 +102,7 @@ TEST(ClearanceConditionals, predictsAsAGaussianProcessOnTheRowsOfTheRegime)
     for (std::size_t i = 0; i < kBins; ++i) {
         const auto j = static_cast<Eigen::Index>(i);
         ceiling[i] = campaign().ceilings(u, j);
-        y[i] = toSurface(campaign().heights(u, j), ceiling[i]);
+        y[i] = toLogClearance(campaign().heights(u, j), ceiling[i]);
     }
     const Normal p = models.gp(5, Regime::Covered)
                          .predict(models.input(5, y, ceiling, campaign().features.row(u)));

@@ -219,7 +219,7 @@ TEST_F(ModelFile, carriesTheNumbersOfItsFormat)
 {
     const std::string bytes = contentOf(path);
     EXPECT_EQ(bytes.substr(68, 4), "TTM1");
-    EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\2", 4));
+    EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\3", 4));
 }
 
 TEST_F(ModelFile, everyTruncationIsRefused)
@@ -280,7 +280,7 @@ TEST_F(ModelFile, refusesWhatIsNoModel)
 TEST_F(ModelFile, refusesOtherVersionsAndTables)
 {
     EXPECT_TRUE(refusesAfter("PRAGMA application_id = 7", {"another application"}));
-    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 1", {"version 1", "reads version 2"}));
+    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 1", {"version 1", "reads version 3"}));
     EXPECT_TRUE(refusesAfter("CREATE TABLE zebra(x)", {"tables"}));
     EXPECT_TRUE(refusesAfter("CREATE VIEW a AS SELECT 1", {"tables"}));
     EXPECT_TRUE(

@@ -126,6 +126,7 @@ TEST(Absolem, readsEveryKeyIntoItsPlace)
     EXPECT_EQ(robot.flipperSpeed, 0.785);
     EXPECT_EQ(robot.armReachBegin, 0.3);
     EXPECT_EQ(robot.armReachEnd, 0.8);
+    EXPECT_EQ(robot.armSd, 0.03);
 }
 
 TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
@@ -148,7 +149,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
             << section << key;
         ++keys;
     }
-    EXPECT_EQ(keys, 29);
+    EXPECT_EQ(keys, 30);
     EXPECT_TRUE(refusesChange("[arm]", "[arms]", {"arm is missing"}));
     EXPECT_TRUE(refuses(absolem + "\n[laser]\n", {"'laser' is not a known key"}));
 }

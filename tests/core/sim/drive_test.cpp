@@ -36,6 +36,18 @@ TEST(Drive, repeatsForASeedAndNoiseIsSeeded)
     EXPECT_EQ(driveOnce(SensorNoise::none(), 3), driveOnce(SensorNoise::none(), 4));
 }
 
+TEST(SoftGround, isSoftWithinItsBounds)
+{
+    std::mt19937_64 rng(5);
+    for (int k = 0; k < 100; ++k) {
+        const GroundOptions ground = randomSoftGround(rng);
+        EXPECT_GE(ground.softLayer, 0.012);
+        EXPECT_LT(ground.softLayer, absolem().front.tipRadius);
+        EXPECT_GE(ground.softStiffness, 60.0);
+        EXPECT_LE(ground.softStiffness, 240.0);
+    }
+}
+
 TEST(StopsOver, keepTheRobotAndItsBinsOnTheTerrain)
 {
     const TerrainProfile terrain = flatTerrain(4.0);

@@ -1,0 +1,64 @@
+#include "core/learn/probe_file.h"
+
+#include <cmath>
+
+#include "core/learn/csv.h"
+#include "core/text.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kMostHeight = 5.0;  // [m]
+
+Result<double> height(const CsvReader& csv, std::size_t field, std::string_view name)
+{
+    const Result<double> value = csv.number(field, name);
+    if (value && std::abs(*value) > kMostHeight)
+        return csv.error(std::string(name) + " is " + numberText(*value)
+                         + ", beyond ±5 m (is it in mm?)");
+    return value;
+}
+
+Result<ProbeReading> reading(const CsvReader& csv)
+{
+    const auto& fields = csv.fields();
+    if (fields.size() != 3)
+        return csv.error("has " + std::to_string(fields.size())
+                         + " fields where place,height_m,truth_m is expected");
+    ProbeReading result;
+    result.place = fields[0];
+    if (result.place.empty()) return csv.error("names no place");
+    const Result<double> read = height(csv, 1, "height_m");
+    if (!read) return read.error();
+    result.height = *read;
+    if (fields[2].empty()) return result;
+    const Result<double> truth = height(csv, 2, "truth_m");
+    if (!truth) return truth.error();
+    result.truth = *truth;
+    return result;
+}
+
+}  // namespace
+
+Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path)
+{
+    Result<CsvReader> csv = CsvReader::open(path);
+    if (!csv) return csv.error();
+    if (const Result<bool> header = csv->next(); !header) return header.error();
+    const auto& names = csv->fields();
+    if (names.size() != 3 || names[0] != "place" || names[1] != "height_m" || names[2] != "truth_m")
+        return csv->error("is not the header place,height_m,truth_m");
+    std::vector<ProbeReading> readings;
+    for (;;) {
+        const Result<bool> more = csv->next();
+        if (!more) return more.error();
+        if (!*more) break;
+        const Result<ProbeReading> next = reading(*csv);
+        if (!next) return next.error();
+        readings.push_back(*next);
+    }
+    if (readings.empty()) return csv->error("is a header, and no reading follows it");
+    return readings;
+}
+
+}  // namespace terratact

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace terratact {
+
+/// One reading of the arm, taken to learn how well it measures.
+struct ProbeReading {
+    std::string place;            ///< what was touched; readings of one place repeat each other
+    double height = 0.0;          ///< [m] as the arm reports it
+    std::optional<double> truth;  ///< [m] of the place, where it is known
+    bool operator==(const ProbeReading&) const = default;
+};
+
+/// Reads a CSV with the header place,height_m,truth_m; truth_m may be empty.
+/// Errors name file, line and cause: another header, wrong numbers, heights beyond ±5 m, a place without a
+/// name, no reading at all.
+Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path);
+
+}  // namespace terratact
