@@ -176,7 +176,9 @@ void MainWindow::tick()
     showLink(now, latest);
     showTerrain(latest);
     showProbe();
-    strip_->setProgress(worker_->progress());
+    // A preview takes a telemetry's time: its progress would only flicker.
+    const bool preview = exploration_->state().phase == AtemPhase::Pressing;
+    strip_->setProgress(preview ? std::nullopt : worker_->progress());
     header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
     atem_->setState(exploration_->state(), exploration_->timeLeft());
     atem_->setPreconditions(exploration_->preconditions());
@@ -241,9 +243,8 @@ void MainWindow::showTerrain(const std::optional<Received>& latest)
     const auto& live = exploration_->live();
     if (live) {
         if (shownLive_ != live) {
-            const QString note = tr("LIVE: the flippers still move");
-            terrain_->setEstimate(*live, note);
-            strip_->setLive(note);
+            terrain_->setEstimate(*live, tr("The flippers still move: nothing ahead is felt yet"));
+            strip_->setLive(tr("LIVE preview"));
             shownReason_.clear();
         }
         shown_.reset();
