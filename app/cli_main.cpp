@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/resources.h"
+#include "core/infer/quality.h"
 
 namespace terratact {
 
@@ -37,6 +38,34 @@ CLI::Option* addNumber(CLI::App& app, const std::string& flag, auto& value, cons
     return app.add_option(flag, value, text)->capture_default_str();
 }
 
+/// What an estimate costs: a preset, or each number by itself.
+void addEffort(CLI::App& app, Settings& settings, std::string& scratch)
+{
+    const std::vector<CLI::Option*> numbers{
+        addNumber(app, "--sweeps", settings.draws, "Kept sweeps K, all chains together")
+            ->check(CLI::Range(1, 10'000'000)),
+        addNumber(app, "--chains", settings.chains, "Independent chains")
+            ->check(CLI::Range(1, 4096)),
+        addNumber(app, "--burn-in", settings.burnIn, "Sweeps thrown away per chain")
+            ->check(CLI::Range(0, 1'000'000)),
+        addNumber(app, "--inducing", settings.inducing,
+                  "Predict through at most so many training rows (0: as trained)")
+            ->check(CLI::Range(0, 20'000)),
+        app.add_option("--precision", scratch, "Of sampled variances (default single)")
+            ->check(named(settings.precision, precisionFromName, "single|double"))};
+    auto* quality = app.add_option("--quality", scratch,
+                                   "A preset of the five above; what it costs: docs/tradeoff.md");
+    quality->check(CLI::Validator(
+        [&settings](std::string& text) -> std::string {
+            const auto found = qualityFromName(text);
+            if (!found) return text + " is none of fast|balanced|accurate";
+            settings = withQuality(settings, *found);
+            return {};
+        },
+        "fast|balanced|accurate"));
+    for (CLI::Option* number : numbers) quality->excludes(number);
+}
+
 /// Options that all estimating commands share.
 void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
 {
@@ -46,14 +75,7 @@ void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
         ->check(named(settings.contacts, contactRuleFromName, "isolated|any|none"));
     addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
-    addNumber(app, "--sweeps", settings.draws, "Kept sweeps K, all chains together")
-        ->check(CLI::Range(1, 10'000'000));
-    addNumber(app, "--chains", settings.chains, "Independent chains")->check(CLI::Range(1, 4096));
-    addNumber(app, "--burn-in", settings.burnIn, "Sweeps thrown away per chain")
-        ->check(CLI::Range(0, 1'000'000));
-    addNumber(app, "--inducing", settings.inducing,
-              "Predict through at most so many training rows (default 0: as trained)")
-        ->check(CLI::Range(0, 20'000));
+    addEffort(app, settings, scratch);
     app.add_option("--scan", scratch, "Order in which a sweep visits the bins (default forward)")
         ->check(named(settings.scan, scanOrderFromName, "forward|reverse|random"));
     addNumber(app, "--seed", settings.seed, "Seed of the random numbers");
@@ -63,6 +85,25 @@ void addMethod(CLI::App& app, Settings& settings, std::string& scratch)
 {
     app.add_option("--method", scratch, fmt::format("Method (default {})", name(settings.method)))
         ->check(named(settings.method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local"));
+}
+
+void addMethods(CLI::App& app, std::vector<std::string>& methods)
+{
+    app.add_option("--methods", methods, "Methods to compare (default: all)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac", "clearance", "joint", "local"}));
+}
+
+/// Each once, in the order given; all of them where none is.
+std::vector<Method> methodsFrom(const std::vector<std::string>& names)
+{
+    std::vector<Method> methods;
+    for (const std::string& text : names)
+        if (const Method method = *methodFromName(text);
+            std::find(methods.begin(), methods.end(), method) == methods.end())
+            methods.push_back(method);
+    if (methods.empty()) methods.assign(kMethods.begin(), kMethods.end());
+    return methods;
 }
 
 void addRobot(CLI::App& app, std::string& robot)
@@ -108,6 +149,7 @@ struct Arguments {
     EvaluateOptions evaluate;
     DemoOptions demo;
     MergeOptions merge;
+    TradeoffOptions tradeoff;
     ContactsOptions contacts;
     std::string probes;
     std::string modelPath;
@@ -194,9 +236,7 @@ void addEvaluate(CLI::App& app, Arguments& a)
     c->add_option("--data", a.evaluate.data, "Scenes CSV with heights")->required();
     c->add_option("--out", a.evaluate.out, "Directory for the CSV files and the figures")
         ->required();
-    c->add_option("--methods", a.methods, "Methods to compare (default: all)")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac", "clearance", "joint", "local"}));
+    addMethods(*c, a.methods);
     addNumber(*c, "--step-limit", a.evaluate.stepLimit,
               "Neighbouring bins that differ by more are a step [m]")
         ->check(CLI::Range(0.0, 10.0));
@@ -220,6 +260,22 @@ void addEvaluate(CLI::App& app, Arguments& a)
                 "Simulate probes chosen by largest sd, by expected variance and by the step "
                 "question");
     addSettings(*c, a.evaluate.settings, a.scratch);
+}
+
+void addTradeoff(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand(
+        "tradeoff", "What sweeps, chains, precision, inducing rows and presets cost and err");
+    addRobot(*c, a.tradeoff.robot);
+    c->add_option("--model", a.tradeoff.model, "Model (*.ttm)")->default_str("the shipped one");
+    c->add_option("--data", a.tradeoff.data, "Scenes CSV with heights")->required();
+    c->add_option("--out", a.tradeoff.out, "Directory for the CSV files and the figure")
+        ->required();
+    addMethods(*c, a.methods);
+    addNumber(*c, "--reference-sweeps", a.tradeoff.referenceDraws,
+              "Kept sweeps of the long runs that the others are compared with")
+        ->check(CLI::Range(64, 10'000'000));
+    addNumber(*c, "--seed", a.tradeoff.seed, "Seed of the random numbers");
 }
 
 void addMerge(CLI::App& app, Arguments& a)
@@ -281,13 +337,12 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("train")) return train(a.train);
     if (app.got_subcommand("reconstruct")) return reconstructScenes(a.reconstruct);
     if (app.got_subcommand("evaluate")) {
-        auto& methods = a.evaluate.methods;
-        for (const std::string& text : a.methods)
-            if (const Method method = *methodFromName(text);
-                std::find(methods.begin(), methods.end(), method) == methods.end())
-                methods.push_back(method);
-        if (a.evaluate.methods.empty()) a.evaluate.methods.assign(kMethods.begin(), kMethods.end());
+        a.evaluate.methods = methodsFrom(a.methods);
         return evaluate(a.evaluate);
+    }
+    if (app.got_subcommand("tradeoff")) {
+        a.tradeoff.methods = methodsFrom(a.methods);
+        return tradeoff(a.tradeoff);
     }
     if (app.got_subcommand("merge")) return merge(a.merge);
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);
@@ -300,10 +355,12 @@ Status run(const CLI::App& app, Arguments& a)
 
 void useShippedFiles(Arguments& a)
 {
-    for (std::string* robot : {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot,
-                               &a.evaluate.robot, &a.merge.robot, &a.demo.robot, &a.contacts.robot})
+    for (std::string* robot :
+         {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot, &a.evaluate.robot,
+          &a.merge.robot, &a.demo.robot, &a.contacts.robot, &a.tradeoff.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
-    for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model})
+    for (std::string* model :
+         {&a.reconstruct.model, &a.evaluate.model, &a.demo.model, &a.tradeoff.model})
         if (model->empty()) *model = resourcePath("models/default.ttm");
 }
 
@@ -329,6 +386,7 @@ int realMain(int argc, char** argv)
     addReconstruct(app, arguments);
     addEvaluate(app, arguments);
     addMerge(app, arguments);
+    addTradeoff(app, arguments);
     addContacts(app, arguments);
     addProbes(app, arguments);
     addModel(app, arguments);

@@ -22,6 +22,7 @@ struct Settings {
     /// Rows of the training set that a sampling method's predictions go through, at most; 0: as trained.  Fewer
     /// are cheaper and less exact (core/learn/sparse_process.h).
     int inducing = 0;
+    bool stopEarly = true;
     std::uint64_t seed = 1;
     double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)
     double rollLimit = 0.10;       ///< [rad] beyond it the 2-D assumption is doubtful

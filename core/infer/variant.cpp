@@ -60,6 +60,15 @@ std::string_view name(ScanOrder scan)
     throw std::invalid_argument("name: no such ScanOrder");
 }
 
+std::string_view name(Precision precision)
+{
+    switch (precision) {
+    case Precision::Single: return "single";
+    case Precision::Double: return "double";
+    }
+    throw std::invalid_argument("name: no such Precision");
+}
+
 std::optional<Method> methodFromName(std::string_view text)
 {
     return named(text, kMethods);
@@ -78,6 +87,11 @@ std::optional<ContactRule> contactRuleFromName(std::string_view text)
 std::optional<ScanOrder> scanOrderFromName(std::string_view text)
 {
     return named(text, std::array{ScanOrder::Forward, ScanOrder::Reverse, ScanOrder::Random});
+}
+
+std::optional<Precision> precisionFromName(std::string_view text)
+{
+    return named(text, std::array{Precision::Single, Precision::Double});
 }
 
 }  // namespace terratact

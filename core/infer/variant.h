@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/learn/precision.h"
+
 namespace terratact {
 
 /// The paper's four methods (domain: section 5 of the paper), and three over clearances: under the robot
@@ -65,14 +67,16 @@ constexpr bool usesArm(Method m)
     return m == Method::Pafac;
 }
 
-/// The names used on the command line and in files: "pa", "local", "truncate", "isolated", "forward", …
+/// The names used on the command line and in files: "pa", "local", "truncate", "isolated", "forward", "single", …
 std::string_view name(Method method);
 std::string_view name(CeilingRule rule);
 std::string_view name(ContactRule rule);
 std::string_view name(ScanOrder scan);
+std::string_view name(Precision precision);
 std::optional<Method> methodFromName(std::string_view text);
 std::optional<CeilingRule> ceilingRuleFromName(std::string_view text);
 std::optional<ContactRule> contactRuleFromName(std::string_view text);
 std::optional<ScanOrder> scanOrderFromName(std::string_view text);
+std::optional<Precision> precisionFromName(std::string_view text);
 
 }  // namespace terratact

@@ -17,7 +17,7 @@ struct StoredModel {
 /// Throws std::invalid_argument for a model that readModel would refuse.
 std::string contentHash(const ModelData& model);
 
-/// Writes a *.ttm: one SQLite file (application_id 0x54544D31, user_version 2) with feature order,
+/// Writes a *.ttm: one SQLite file (application_id 0x54544D31, user_version 3) with feature order,
 /// units, standardisation, hyper-parameters, training rows, how it was made and the content's hash.
 /// The same model gives the same bytes.  Written under a temporary name, then renamed.
 /// Throws std::invalid_argument for a model that readModel would refuse.

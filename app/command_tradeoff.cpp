@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "app/commands.h"
+#include "app/parallel.h"
+#include "app/progress.h"
+#include "app/scene_estimates.h"
+#include "app/stopwatch.h"
+#include "app/tradeoff_csv.h"
+#include "app/tradeoff_figure.h"
+#include "core/eval/evaluation.h"
+#include "core/eval/tradeoff.h"
+#include "core/file_read.h"
+#include "core/file_write.h"
+#include "core/infer/quantile.h"
+#include "core/learn/scene_file.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr std::uint64_t kReferenceSeed =
+    1'000'003;  // its draws have nothing to do with the points'
+
+bool isUsable(const Scene& scene)
+{
+    return missingFeature(FeatureSet::Paf, scene.s).empty()
+        && std::all_of(scene.truth.begin(), scene.truth.end(),
+                       [](const auto& h) { return h.has_value(); });
+}
+
+Result<std::vector<Scene>> usableScenes(const std::string& path)
+{
+    const auto file = readScenes(path);
+    if (!file) return file.error();
+    std::vector<Scene> scenes;
+    std::copy_if(file->scenes.begin(), file->scenes.end(), std::back_inserter(scenes), isUsable);
+    if (scenes.empty()) return fileError(path, "no scene has every feature of s and every height");
+    return scenes;
+}
+
+/// One estimate per scene, empty where the method has none; the seed of scene k is settings.seed + k.
+std::vector<SceneEstimate> estimates(const std::vector<Scene>& scenes, const Toolbox& toolbox,
+                                     const Settings& settings, Progress& progress)
+{
+    std::vector<SceneEstimate> all(scenes.size());
+    parallelFor(static_cast<int>(scenes.size()), [&](int n) {
+        const auto k = static_cast<std::size_t>(n);
+        Settings own = settings;
+        own.seed += k;
+        all[k] = estimateScene(scenes[k], toolbox, own);
+        progress.tick();
+    });
+    return all;
+}
+
+/// Sums over the scenes of which there is an estimate and a long run.
+class Tally {
+public:
+    void add(std::size_t k, const Scene& scene, const TerrainEstimate& estimate,
+             const TerrainEstimate& reference, double seconds)
+    {
+        const EstimateDistance d = distance(estimate, reference);
+        mean_ += d.mean;
+        quantile_ += d.quantile;
+        const auto errors = binErrors(k, scene, {}, estimate);
+        errors_.insert(errors_.end(), errors.begin(), errors.end());
+        seconds_.push_back(seconds);
+    }
+
+    TradePoint point(TradeSetting setting) const
+    {
+        const auto n = static_cast<double>(seconds_.size());
+        const ErrorStatistics truth = statistics(errors_);
+        return {.setting = std::move(setting),
+                .seconds = quantile(seconds_, 0.5),
+                .reference = {mean_ / n, quantile_ / n},
+                .error = truth.mean,
+                .crps = truth.crps};
+    }
+
+    bool empty() const { return seconds_.empty(); }
+
+private:
+    double mean_ = 0.0, quantile_ = 0.0;
+    std::vector<BinError> errors_;
+    std::vector<double> seconds_;
+};
+
+/// Times one setting, scene after scene in this thread.
+Tally timed(const TradeSetting& trade, const std::vector<Scene>& scenes,
+            const std::vector<SceneEstimate>& reference, const Toolbox& toolbox)
+{
+    // Models are factorised when first needed: not in the time of the first scene.
+    Settings once = trade.settings;
+    once.draws = once.chains = 1;
+    once.burnIn = 0;
+    for (const Scene& scene : scenes) (void)estimateScene(scene, toolbox, once);
+    Tally tally;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        if (!reference[k].estimate) continue;
+        Settings own = trade.settings;
+        own.seed += k;
+        const Stopwatch watch;
+        const SceneEstimate estimate = estimateScene(scenes[k], toolbox, own);
+        const double seconds = watch.seconds();
+        if (estimate.estimate)
+            tally.add(k, scenes[k], *estimate.estimate, *reference[k].estimate, seconds);
+    }
+    return tally;
+}
+
+std::vector<TradePoint> measure(Method method, const std::vector<Scene>& scenes,
+                                const Toolbox& toolbox, const TradeoffOptions& options)
+{
+    const auto settings = tradeSettings(method, options.seed);
+    Progress progress(fmt::format("{}: setting", name(method)),
+                      static_cast<int>(scenes.size() + settings.size()));
+    const auto reference = estimates(
+        scenes, toolbox,
+        referenceSettings(method, options.referenceDraws, options.seed + kReferenceSeed), progress);
+    std::vector<TradePoint> points;
+    for (const TradeSetting& trade : settings) {
+        const Tally tally = timed(trade, scenes, reference, toolbox);
+        if (!tally.empty()) points.push_back(tally.point(trade));
+        progress.tick();
+    }
+    return points;
+}
+
+}  // namespace
+
+Status tradeoff(const TradeoffOptions& options)
+{
+    const auto toolbox = openToolbox(options.robot, options.model);
+    if (!toolbox) return toolbox.error();
+    const auto scenes = usableScenes(options.data);
+    if (!scenes) return scenes.error();
+    const std::filesystem::path out(options.out);
+    if (Status made = makeDirectory(options.out); !made) return made;
+
+    std::vector<TradePoint> points;
+    for (const Method method : options.methods) {
+        const auto more = measure(method, *scenes, **toolbox, options);
+        points.insert(points.end(), more.begin(), more.end());
+    }
+    if (points.empty()) return fileError(options.data, "no method has an estimate of any scene");
+    if (Status s = writeFileAtomically((out / "tradeoff.csv").string(), tradeoffCsv(points)); !s)
+        return s;
+    if (Status s = writeFileAtomically((out / "presets.csv").string(), presetsCsv(points)); !s)
+        return s;
+    for (const char* file : {"tradeoff.png", "tradeoff.svg"})
+        if (Status s = writeTradeoffFigure((out / file).string(), points); !s) return s;
+    fmt::print(
+        "{} scenes, long runs of {} draws\n\n{}\nwritten to {}: tradeoff as CSV, PNG and SVG; "
+        "presets.csv\n",
+        scenes->size(), options.referenceDraws, tradeoffTable(points), options.out);
+    return Done{};
+}
+
+}  // namespace terratact

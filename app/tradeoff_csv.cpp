@@ -1,0 +1,127 @@
+#include "app/tradeoff_csv.h"
+
+#include <fmt/format.h>
+
+#include "core/learn/csv.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr std::string_view kPresetColumns = "method,quality,ms,quantile_off_mm,error_mm";
+
+struct Fronts {
+    std::vector<bool> reference, truth;
+};
+
+Fronts frontsOf(std::span<const TradePoint> points)
+{
+    std::vector<double> cost, off, error;
+    for (const TradePoint& p : points) {
+        cost.push_back(p.seconds);
+        off.push_back(p.reference.quantile);
+        error.push_back(p.error);
+    }
+    return {paretoFront(cost, off), paretoFront(cost, error)};
+}
+
+std::string inducingName(int rows)
+{
+    return rows == 0 ? "all" : std::to_string(rows);
+}
+
+Result<PresetCost> presetFrom(const CsvReader& csv)
+{
+    const auto& fields = csv.fields();
+    if (fields.size() != 5) return csv.error("has not five fields");
+    const auto method = methodFromName(fields[0]);
+    const auto quality = qualityFromName(fields[1]);
+    if (!method) return csv.error("names no method");
+    if (!quality) return csv.error("names no quality");
+    PresetCost cost{.method = *method, .quality = *quality};
+    double* const values[]{&cost.milliseconds, &cost.offMm, &cost.errorMm};
+    for (std::size_t k = 0; k < std::size(values); ++k) {
+        const Result<double> value = csv.number(k + 2, "field " + std::to_string(k + 3));
+        if (!value) return value.error();
+        *values[k] = *value;
+    }
+    return cost;
+}
+
+}  // namespace
+
+std::string tradeoffCsv(std::span<const TradePoint> points)
+{
+    const Fronts fronts = frontsOf(points);
+    std::string text = "method,varied,draws,chains,burn_in,precision,inducing,ms,mean_off_mm,"
+                       "quantile_off_mm,error_mm,crps_mm,front_reference,front_truth\n";
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const TradePoint& p = points[k];
+        const Settings& s = p.setting.settings;
+        text += fmt::format("{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:d},{:d}\n",
+                            name(s.method), p.setting.varied, s.draws, s.chains, s.burnIn,
+                            name(s.precision), inducingName(s.inducing), 1e3 * p.seconds,
+                            1e3 * p.reference.mean, 1e3 * p.reference.quantile, 1e3 * p.error,
+                            1e3 * p.crps, static_cast<bool>(fronts.reference[k]),
+                            static_cast<bool>(fronts.truth[k]));
+    }
+    return text;
+}
+
+std::string tradeoffTable(std::span<const TradePoint> points)
+{
+    const Fronts fronts = frontsOf(points);
+    std::string text =
+        "per scene: time, and how far means and 0.1/0.9 quantiles lie from a long run [mm]; error "
+        "and CRPS against the truth [mm]; * on the Pareto front of time and quantiles, + of time "
+        "and error\n\n";
+    text +=
+        fmt::format("{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>9} {:>7} {:>9} {:>7} {:>6}\n",
+                    "method", "varied", "draws", "chains", "burn-in", "precision", "inducing", "ms",
+                    "means", "quantiles", "|error|", "CRPS");
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const TradePoint& p = points[k];
+        const Settings& s = p.setting.settings;
+        text +=
+            fmt::format("{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>9.3g} {:>7.2f} {:>9.2f} "
+                        "{:>7.1f} {:>6.1f} "
+                        "{}{}\n",
+                        name(s.method), p.setting.varied, s.draws, s.chains, s.burnIn,
+                        name(s.precision), inducingName(s.inducing), 1e3 * p.seconds,
+                        1e3 * p.reference.mean, 1e3 * p.reference.quantile, 1e3 * p.error,
+                        1e3 * p.crps, fronts.reference[k] ? "*" : " ", fronts.truth[k] ? "+" : "");
+    }
+    return text;
+}
+
+std::string presetsCsv(std::span<const TradePoint> points)
+{
+    std::string text(kPresetColumns);
+    text += '\n';
+    for (const TradePoint& p : points)
+        if (p.setting.preset)
+            text += fmt::format("{},{},{:.3g},{:.3g},{:.3g}\n", name(p.setting.settings.method),
+                                name(*p.setting.preset), 1e3 * p.seconds,
+                                1e3 * p.reference.quantile, 1e3 * p.error);
+    return text;
+}
+
+Result<std::vector<PresetCost>> readPresets(const std::string& path)
+{
+    Result<CsvReader> csv = CsvReader::open(path);
+    if (!csv) return csv.error();
+    if (const Result<bool> header = csv->next(); !header) return header.error();
+    if (fmt::format("{}", fmt::join(csv->fields(), ",")) != kPresetColumns)
+        return csv->error(fmt::format("is not the header {}", kPresetColumns));
+    std::vector<PresetCost> costs;
+    for (;;) {
+        const Result<bool> more = csv->next();
+        if (!more) return more.error();
+        if (!*more) return costs;
+        const Result<PresetCost> cost = presetFrom(*csv);
+        if (!cost) return cost.error();
+        costs.push_back(*cost);
+    }
+}
+
+}  // namespace terratact

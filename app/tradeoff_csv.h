@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/eval/tradeoff.h"
+#include "core/result.h"
+
+namespace terratact {
+
+/// One line per point: method,varied,draws,chains,burn_in,precision,inducing,ms,mean_off_mm,quantile_off_mm,
+/// error_mm,crps_mm,front_reference,front_truth.  The last two: 1 where the point is on the Pareto front of time
+/// and quantile_off, of time and error, among all methods.
+std::string tradeoffCsv(std::span<const TradePoint> points);
+
+/// The same as a table to read, times and distances rounded.
+std::string tradeoffTable(std::span<const TradePoint> points);
+
+/// method,quality,ms,quantile_off_mm,error_mm of the points that are presets.
+std::string presetsCsv(std::span<const TradePoint> points);
+
+/// Reads what presetsCsv wrote.  Errors name file, line and cause.
+Result<std::vector<PresetCost>> readPresets(const std::string& path);
+
+}  // namespace terratact

@@ -1,0 +1,92 @@
+#include "core/eval/tradeoff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+Settings wholeBudget(Method method, std::uint64_t seed)
+{
+    Settings settings;
+    settings.method = method;
+    settings.seed = seed;
+    settings.stopEarly = false;
+    return settings;
+}
+
+void addSampling(std::vector<TradeSetting>& all, const Settings& base)
+{
+    for (const int chains : {1, 4, 8, 32, 64}) {
+        all.push_back({"chains", base, {}});
+        all.back().settings.chains = chains;
+    }
+    for (const int rows : {88, 175, 350, 700}) {
+        all.push_back({"inducing", base, {}});
+        all.back().settings.inducing = rows;
+    }
+    all.push_back({"precision", base, {}});
+    all.back().settings.precision = Precision::Double;
+    all.push_back({"early stop", base, {}});
+    all.back().settings.draws = 4000;
+    all.back().settings.stopEarly = true;
+}
+
+}  // namespace
+
+std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed)
+{
+    const Settings base = wholeBudget(method, seed);
+    std::vector<TradeSetting> all;
+    for (const Quality quality : kQualities)
+        all.push_back({std::string(name(quality)), withQuality(base, quality), quality});
+    for (const int draws : {125, 250, 500, 1000, 2000, 4000}) {
+        all.push_back({"draws", base, {}});
+        all.back().settings.draws = draws;
+    }
+    if (!isClosedForm(method)) addSampling(all, base);
+    return all;
+}
+
+Settings referenceSettings(Method method, int draws, std::uint64_t seed)
+{
+    Settings settings = wholeBudget(method, seed);
+    settings.draws = draws;
+    settings.chains = 64;
+    settings.burnIn = 100;
+    settings.precision = Precision::Double;
+    return settings;
+}
+
+EstimateDistance distance(const TerrainEstimate& a, const TerrainEstimate& b)
+{
+    EstimateDistance sum;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        sum.mean += std::abs(a.mean[i] - b.mean[i]);
+        sum.quantile += 0.5 * (std::abs(a.q10[i] - b.q10[i]) + std::abs(a.q90[i] - b.q90[i]));
+    }
+    return {sum.mean / kBins, sum.quantile / kBins};
+}
+
+std::vector<bool> paretoFront(std::span<const double> cost, std::span<const double> error)
+{
+    if (cost.size() != error.size())
+        throw std::invalid_argument("a Pareto front needs one cost and one error per point");
+    std::vector<std::size_t> order(cost.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return cost[a] != cost[b] ? cost[a] < cost[b] : error[a] < error[b];
+    });
+    std::vector<bool> front(cost.size(), false);
+    const double* least = nullptr;
+    for (const std::size_t k : order) {
+        if (least && !(error[k] < *least)) continue;
+        front[k] = true;
+        least = &error[k];
+    }
+    return front;
+}
+
+}  // namespace terratact

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/infer/estimate.h"
+#include "core/infer/quality.h"
+
+namespace terratact {
+
+/// One way to estimate: the settings, and what is special about them.
+struct TradeSetting {
+    std::string
+        varied;  ///< "draws", "chains", "precision", "inducing", "early stop" or a preset's name
+    Settings settings;
+    std::optional<Quality> preset;
+};
+
+/// The settings whose cost and error `tradeoff` measures for a method: the presets, and 1000 draws of 16
+/// chains in single precision from all training rows with one thing varied at a time.  Closed forms have
+/// nothing but their draws to vary.  All but "early stop" use their whole budget.
+std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed);
+
+/// The long run that the others are compared with: 64 chains of `draws` in all, double precision, all rows.
+Settings referenceSettings(Method method, int draws, std::uint64_t seed);
+
+/// How far two estimates of one scene lie apart [m], on average over the bins.
+struct EstimateDistance {
+    double mean = 0.0;      ///< |difference of the means|
+    double quantile = 0.0;  ///< |difference of the 0.1 and 0.9 quantiles|
+};
+EstimateDistance distance(const TerrainEstimate& a, const TerrainEstimate& b);
+
+/// What a setting came to, on average over the scenes.
+struct TradePoint {
+    TradeSetting setting;
+    double seconds = 0.0;        ///< median per scene, one thread
+    EstimateDistance reference;  ///< [m] from the long run of the same method
+    double error = 0.0;          ///< [m] mean |height − truth|
+    double crps = 0.0;           ///< [m] mean
+};
+
+/// What a preset was measured to cost and to err, with one method.
+struct PresetCost {
+    Method method = Method::Local;
+    Quality quality = Quality::Balanced;
+    double milliseconds = 0.0;  ///< per scene
+    double offMm = 0.0;         ///< [mm] of the quantiles, from a long run
+    double errorMm = 0.0;       ///< [mm] mean |height − truth|
+    bool operator==(const PresetCost&) const = default;
+};
+
+/// Which points no other beats: none is cheaper with no larger error, nor as cheap with a smaller one.
+/// Of equal points the first is on the front.  Throws std::invalid_argument unless both have one number per
+/// point.
+std::vector<bool> paretoFront(std::span<const double> cost, std::span<const double> error);
+
+}  // namespace terratact

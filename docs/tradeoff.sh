@@ -1,0 +1,30 @@
+#!/bin/sh
+# Writes docs/tradeoff.md, the figure beside it, and the presets' costs that the console shows
+# (resources/models/default.presets.csv).  Usage: docs/tradeoff.sh path/to/terratact
+set -eu
+terratact=$(realpath "$1")
+docs=$(cd "$(dirname "$0")" && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+page=tradeoff.md
+
+say() { printf '%s\n' "$@" >>"$page"; }
+show() {
+  say '' "    terratact $*" '' '```'
+  "$terratact" "$@" 2>/dev/null >>"$page"
+  say '```'
+}
+
+say '# Time and accuracy' '' \
+  'Made by `docs/tradeoff.sh build/release/app/terratact`; the scenes are generated, so that anybody can repeat it.' \
+  "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), one core.  Take ratios: times are of this machine and this hour." '' \
+  'The distance from a long run of the same method tells what fewer draws, single precision or fewer inducing rows cost;' \
+  'the error against the truth tells whether it matters.  A method may be certain and wrong: compare both.' \
+  'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table.'
+show simulate --terrain varied --count 40 --exact-truth --seed 2 --out scenes.csv
+show tradeoff --data scenes.csv --methods pafc,clearance,joint,local --seed 1 --out tradeoff
+say '' '![Time and accuracy](tradeoff.svg)'
+cp tradeoff/tradeoff.svg "$docs/"
+cp tradeoff/presets.csv "$docs/../resources/models/default.presets.csv"
+mv "$page" "$docs/tradeoff.md"

@@ -1,0 +1,93 @@
+#include "core/eval/tradeoff.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+TEST(ParetoFront, holdsExactlyWhatNothingBeats)
+{
+    std::mt19937_64 rng(3);
+    std::uniform_int_distribution<int> number(0, 30);  // with ties
+    for (int round = 0; round < 200; ++round) {
+        std::vector<double> cost, error;
+        for (int k = 0; k < 20; ++k) {
+            cost.push_back(number(rng));
+            error.push_back(number(rng));
+        }
+        const std::vector<bool> front = paretoFront(cost, error);
+        for (std::size_t k = 0; k < cost.size(); ++k) {
+            bool beaten = false;
+            for (std::size_t j = 0; j < cost.size(); ++j) {
+                const bool noWorse = cost[j] <= cost[k] && error[j] <= error[k];
+                const bool better = cost[j] < cost[k] || error[j] < error[k];
+                beaten = beaten || (noWorse && (better || j < k));
+            }
+            EXPECT_EQ(front[k], !beaten) << round << " " << k;
+        }
+    }
+}
+
+TEST(ParetoFront, refusesNumbersThatDoNotBelongTogether)
+{
+    EXPECT_THROW((void)paretoFront(std::vector{1.0}, std::vector{1.0, 2.0}), std::invalid_argument);
+    EXPECT_TRUE(paretoFront({}, {}).empty());
+}
+
+TEST(EstimateDistance, isTheMeanOverTheBins)
+{
+    TerrainEstimate a, b;
+    b.mean[2] = 0.11;
+    b.q10[3] = -0.22;
+    b.q90[3] = 0.44;
+    EXPECT_DOUBLE_EQ(distance(a, b).mean, 0.01);
+    EXPECT_DOUBLE_EQ(distance(a, b).quantile, 0.03);
+}
+
+TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
+{
+    for (const Method method : kMethods) {
+        std::set<Quality> presets;
+        for (const TradeSetting& t : tradeSettings(method, 7)) {
+            EXPECT_EQ(t.settings.method, method);
+            EXPECT_EQ(t.settings.seed, 7U);
+            EXPECT_EQ(t.settings.stopEarly, t.varied == "early stop");
+            if (t.preset) {
+                EXPECT_TRUE(presets.insert(*t.preset).second);
+            }
+            if (t.varied == "inducing") {
+                EXPECT_EQ(t.settings.draws, Settings{}.draws);
+            }
+        }
+        EXPECT_EQ(presets.size(), kQualities.size());
+        EXPECT_EQ(tradeSettings(method, 7).size(), isClosedForm(method) ? 9U : 20U);
+    }
+}
+
+TEST(Quality, namesGoBackAndForth)
+{
+    for (const Quality q : kQualities) EXPECT_EQ(qualityFromName(name(q)), q);
+    EXPECT_FALSE(qualityFromName("best"));
+}
+
+TEST(Quality, changesNothingButTheEffort)
+{
+    Settings settings;
+    settings.method = Method::Clearance;
+    settings.seed = 99;
+    settings.forceThreshold = 3.5;
+    const Settings fast = withQuality(settings, Quality::Fast);
+    const Settings accurate = withQuality(settings, Quality::Accurate);
+    EXPECT_EQ(fast.method, settings.method);
+    EXPECT_EQ(fast.seed, settings.seed);
+    EXPECT_EQ(fast.forceThreshold, settings.forceThreshold);
+    EXPECT_LT(fast.draws, accurate.draws);
+    EXPECT_EQ(accurate.inducing, 0);
+}
+
+}  // namespace
+}  // namespace terratact
