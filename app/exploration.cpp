@@ -126,6 +126,13 @@ void Exploration::releaseStop()
     emit happened(tr("STOP released by the operator"), Weight::Doubt);
 }
 
+void Exploration::setQuality(Quality quality)
+{
+    options_.settings = withQuality(options_.settings, quality);
+    emit happened(tr("quality of the next estimate: %1").arg(words::text(name(quality))),
+                  Weight::Note);
+}
+
 void Exploration::leave()
 {
     halt();

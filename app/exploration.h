@@ -9,6 +9,7 @@
 #include "app/estimator_worker.h"
 #include "core/atem/atem_machine.h"
 #include "core/eval/calibration_ledger.h"
+#include "core/infer/quality.h"
 #include "core/robot/robot_model.h"
 #include "drivers/measurement_source.h"
 #include "widgets/atem_panel.h"
@@ -50,6 +51,7 @@ public:
     void halt();  ///< ends drive(); does nothing when not driving
     void stop();  ///< goes out at once and again until the robot confirms it
     void releaseStop();
+    void setQuality(Quality quality);  ///< of the estimates from now on
     void leave();  ///< the window closes: halts what was set in motion from here
 
     /// now: [s] on the steady clock.

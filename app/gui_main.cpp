@@ -10,6 +10,7 @@
 #include "app/demo.h"
 #include "app/main_window.h"
 #include "app/resources.h"
+#include "app/tradeoff_csv.h"
 #include "core/learn/profile_file.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
@@ -74,6 +75,15 @@ int failed(const std::string& why)
     return kFailed;
 }
 
+/// What the shipped model's presets cost; nothing for another model, of which nobody knows.
+std::vector<PresetCost> presetsOf(const std::string& model)
+{
+    if (!model.empty()) return {};
+    auto presets = readPresets(resourcePath("models/default.presets.csv"));
+    if (!presets) std::fprintf(stderr, "terratact-console: %s\n", presets.error().text.c_str());
+    return presets ? *presets : std::vector<PresetCost>{};
+}
+
 /// Where the robot starts: with some way to go to the step of the built-in terrain.
 double startOn(const TerrainProfile& terrain, bool builtIn)
 {
@@ -109,7 +119,9 @@ int run(int argc, char** argv, const Arguments& arguments)
                                                  demo ? kDemoSpeed : 1.0);
     options.model = modelFileLoader(
         arguments.model.empty() ? resourcePath("models/default.ttm") : arguments.model, *robot);
+    options.exploration.settings = withQuality(options.exploration.settings, Quality::Balanced);
     options.exploration.settings.seed = arguments.seed;
+    options.presets = presetsOf(arguments.model);
     if (demo) options.exploration.linkLostAfter = 5.0;  // a picture must not fail on a busy machine
 
     MainWindow window(std::move(options));

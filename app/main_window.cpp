@@ -57,6 +57,7 @@ MainWindow::MainWindow(Options options)
     setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
     build();
     connectAll();
+    offerQualities(options.presets);
     redraw_.setInterval(kRedraw);
     connect(&redraw_, &QTimer::timeout, this, &MainWindow::tick);
     setFocus();
@@ -140,10 +141,31 @@ void MainWindow::build()
     all->addLayout(content, 1);
 }
 
+void MainWindow::offerQualities(const std::vector<PresetCost>& presets)
+{
+    const Method method = exploration_->options().settings.method;
+    QStringList names, lines;
+    for (const Quality quality : kQualities) {
+        names << words::text(name(quality));
+        const auto cost = std::find_if(presets.begin(), presets.end(), [&](const PresetCost& p) {
+            return p.method == method && p.quality == quality;
+        });
+        lines << (cost == presets.end()
+                      ? tr("%1: not measured (terratact tradeoff)").arg(names.back())
+                      : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
+                            .arg(names.back(), words::number(cost->milliseconds, 1),
+                                 words::number(cost->offMm, 1), words::number(cost->errorMm, 0)));
+    }
+    header_->setQualities(names, lines, static_cast<int>(Quality::Balanced));
+}
+
 void MainWindow::connectAll()
 {
     Exploration* exploration = exploration_.get();
     connect(header_, &StatusHeader::helpRequested, this, &MainWindow::showHelp);
+    connect(header_, &StatusHeader::qualityChosen, exploration, [exploration](int index) {
+        exploration->setQuality(kQualities.at(static_cast<std::size_t>(index)));
+    });
     connect(header_, &StatusHeader::stopPressed, exploration, &Exploration::stop);
     connect(atem_, &AtemPanel::requested, exploration, &Exploration::request);
     connect(atem_, &AtemPanel::aborted, exploration, &Exploration::abort);

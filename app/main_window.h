@@ -8,6 +8,7 @@
 #include "app/acquisition.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
+#include "core/eval/tradeoff.h"
 
 class QLabel;
 
@@ -33,6 +34,7 @@ public:
         std::unique_ptr<MeasurementSource> source;
         ModelLoader model;
         Exploration::Options exploration;
+        std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
     };
     explicit MainWindow(Options options);
     ~MainWindow() override;
@@ -65,6 +67,7 @@ private:
     void showTerrain(const std::optional<Received>& latest);
     void showProbe();
     void showHelp();
+    void offerQualities(const std::vector<PresetCost>& presets);
     bool keyPressed(int key);
     bool keyReleased(int key);
 

@@ -1,7 +1,9 @@
 #include "widgets/status_header.h"
 
 #include <QHBoxLayout>
+#include <QActionGroup>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QStyle>
 
@@ -25,6 +27,12 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     link_ = chip(tr("Link"));
     robot_ = chip(tr("What the robot does"));
     model_ = chip(tr("Model"));
+    quality_ = new QPushButton(this);
+    quality_->setProperty("role", "quiet");
+    quality_->setFocusPolicy(Qt::TabFocus);
+    quality_->setAccessibleName(tr("Quality of the estimate"));
+    quality_->setToolTip(tr("How much time an estimate may take for its accuracy"));
+    quality_->setVisible(false);
     help_ = new QPushButton(tr("Keys (F1)"), this);
     help_->setProperty("role", "quiet");
     help_->setFocusPolicy(Qt::TabFocus);
@@ -45,6 +53,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     row->addSpacing(6);
     for (QLabel* label : {link_, robot_, model_}) row->addWidget(label, 0, Qt::AlignVCenter);
     row->addStretch(1);
+    row->addWidget(quality_, 0, Qt::AlignVCenter);
     row->addWidget(help_, 0, Qt::AlignVCenter);
     row->addSpacing(20);  // nothing harmless close to STOP
     row->addWidget(stop_);
@@ -74,6 +83,26 @@ void StatusHeader::setModel(const QString& text, Tone tone, const QString& detai
     model_->setText(text);
     model_->setToolTip(details);
     setTone(*model_, tone);
+}
+
+void StatusHeader::setQualities(const QStringList& names, const QStringList& lines, int chosen)
+{
+    auto* menu = new QMenu(quality_);
+    auto* group = new QActionGroup(menu);
+    for (int k = 0; k < lines.size(); ++k) {
+        QAction* action = menu->addAction(lines[k]);
+        action->setCheckable(true);
+        action->setChecked(k == chosen);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, names, k] {
+            quality_->setText(names[k]);
+            emit qualityChosen(k);
+        });
+    }
+    delete quality_->menu();
+    quality_->setMenu(menu);
+    quality_->setText(names.value(chosen));
+    quality_->setVisible(!lines.isEmpty());
 }
 
 void StatusHeader::setLatched(bool latched)

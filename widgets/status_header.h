@@ -20,22 +20,27 @@ public:
     void setLink(const QString& text, Tone tone);
     void setRobot(const QString& text, Tone tone);
     void setModel(const QString& text, Tone tone, const QString& details = {});
+    /// The menu of what an estimate may cost.  names: one word each; lines: the same with cost and error.
+    void setQualities(const QStringList& names, const QStringList& lines, int chosen);
     void setLatched(bool latched);  ///< STOP has been pressed and not been released
 
     QString sourceName() const;
     QString linkText() const;
     QPushButton* stopButton() const { return stop_; }
     QPushButton* helpButton() const { return help_; }
+    QPushButton* qualityButton() const { return quality_; }
 
 signals:
     void stopPressed();
     void helpRequested();
+    void qualityChosen(int index);
 
 private:
     QLabel* source_ = nullptr;
     QLabel* link_ = nullptr;
     QLabel* robot_ = nullptr;
     QLabel* model_ = nullptr;
+    QPushButton* quality_ = nullptr;
     QPushButton* help_ = nullptr;
     QPushButton* stop_ = nullptr;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "core/terrain/bins.h"
 
@@ -11,6 +12,11 @@
 namespace terratact::words {
 
 inline const QString kNothing = QStringLiteral("--");
+
+inline QString text(std::string_view utf8)
+{
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
 
 inline QString number(double value, int decimals)
 {

@@ -79,6 +79,7 @@ struct Console : testing::Test {
         options.model = std::move(model);
         options.exploration.linkLostAfter = 3.0;  // this machine may be busy
         options.exploration.driveSpeed = 0.05;
+        options.presets = {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}};
         window = std::make_unique<MainWindow>(std::move(options));
         window->probeCard()->approveButton()->setHoldTime(150);
         window->atemPanel()->releaseButton()->setHoldTime(150);
@@ -256,6 +257,22 @@ TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
     QTest::keyClick(lists(), Qt::Key_F12);
     EXPECT_TRUE(robotIs(RobotActivity::Stopped));
     lists()->close();
+}
+
+TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
+{
+    openScripted();
+    const auto actions = window->header()->qualityButton()->menu()->actions();
+    ASSERT_EQ(actions.size(), 3);
+    EXPECT_EQ(actions[0]->text(),
+              QStringLiteral("fast: 0.5 ms, quantiles ± 0.2 mm from a long run, mean error 25 mm"));
+    EXPECT_EQ(actions[1]->text(),
+              QStringLiteral("balanced: not measured (terratact tradeoff)"));
+    actions[0]->trigger();
+    EXPECT_EQ(window->header()->qualityButton()->text(), QStringLiteral("fast"));
+    const Settings& settings = window->exploration().options().settings;
+    EXPECT_EQ(settings, withQuality(settings, Quality::Fast));
+    EXPECT_NE(settings, withQuality(settings, Quality::Balanced));
 }
 
 TEST_F(Console, escapeAbortsAnExploration)
