@@ -189,7 +189,8 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
 
     SparseProcess sparse{inducing.rows, projected, {}};
     LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', m, 1, R.data(), m, sparse.weights.data(), m);
-    inducing.L.triangularView<Eigen::Lower>().transpose().solveInPlace(sparse.weights);
+    cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, m, inducing.L.data(), m,
+                sparse.weights.data(), 1);
     sparse.F = factorOfGain(std::move(R), poll);
     divide(sparse.F, inducing.L, CblasNoTrans, poll);
     return sparse;

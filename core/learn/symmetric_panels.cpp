@@ -15,8 +15,7 @@ namespace {
 
 constexpr int kColumns = SymmetricPanels::kPanelColumns;
 constexpr long kStride = long{kColumns} * kGroup;  // of a packed group
-constexpr int kTileGroups = kTileColumns / kGroup;
-constexpr int kCachedRows = 512;  // their packed groups stay in a core's own cache
+constexpr int kCachedRows = 512;                   // their packed groups stay in a core's own cache
 
 int roundUp(int n, int multiple)
 {
