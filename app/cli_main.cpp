@@ -42,7 +42,7 @@ CLI::Option* addNumber(CLI::App& app, const std::string& flag, auto& value, cons
 void addEffort(CLI::App& app, Settings& settings, std::string& scratch)
 {
     const std::vector<CLI::Option*> numbers{
-        addNumber(app, "--sweeps", settings.draws, "Kept sweeps K, all chains together")
+        addNumber(app, "--sweeps", settings.draws, "Most kept sweeps K, all chains together")
             ->check(CLI::Range(1, 10'000'000)),
         addNumber(app, "--chains", settings.chains, "Independent chains")
             ->check(CLI::Range(1, 4096)),
@@ -67,7 +67,7 @@ void addEffort(CLI::App& app, Settings& settings, std::string& scratch)
 }
 
 /// Options that all estimating commands share.
-void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
+void addSettings(CLI::App& app, Settings& settings, double& seconds, std::string& scratch)
 {
     app.add_option("--ceiling", scratch, "How the robot's body bounds samples (default truncate)")
         ->check(named(settings.ceiling, ceilingRuleFromName, "truncate|clamp|none"));
@@ -76,6 +76,13 @@ void addSettings(CLI::App& app, Settings& settings, std::string& scratch)
     addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
     addEffort(app, settings, scratch);
+    app.add_flag_callback(
+        "--full", [&settings] { settings.stopEarly = false; },
+        "Draw all K, even once the chains have converged (R-hat <= 1.01, ESS >= 400)");
+    addNumber(app, "--seconds", seconds,
+              "Most seconds of sampling per estimate (default 0: no limit); results then depend on "
+              "the machine")
+        ->check(CLI::Range(0.0, 86'400.0));
     app.add_option("--scan", scratch, "Order in which a sweep visits the bins (default forward)")
         ->check(named(settings.scan, scanOrderFromName, "forward|reverse|random"));
     addNumber(app, "--seed", settings.seed, "Seed of the random numbers");
@@ -225,7 +232,7 @@ void addReconstruct(CLI::App& app, Arguments& a)
     c->add_option("--data", a.reconstruct.data, "Scenes CSV")->required();
     c->add_option("--out", a.reconstruct.out, "Estimates CSV to write")->required();
     addMethod(*c, a.reconstruct.settings, a.scratch);
-    addSettings(*c, a.reconstruct.settings, a.scratch);
+    addSettings(*c, a.reconstruct.settings, a.reconstruct.seconds, a.scratch);
 }
 
 void addEvaluate(CLI::App& app, Arguments& a)
@@ -259,7 +266,7 @@ void addEvaluate(CLI::App& app, Arguments& a)
     c->add_flag("--probes", a.evaluate.probes,
                 "Simulate probes chosen by largest sd, by expected variance and by the step "
                 "question");
-    addSettings(*c, a.evaluate.settings, a.scratch);
+    addSettings(*c, a.evaluate.settings, a.evaluate.seconds, a.scratch);
 }
 
 void addTradeoff(CLI::App& app, Arguments& a)
@@ -314,7 +321,7 @@ void addDemo(CLI::App& app, Arguments& a)
     c->add_option("--model", a.demo.model, "Model (*.ttm)")->default_str("the shipped one");
     c->add_option("--out", a.demo.out, "Directory for CSV and PNG")->capture_default_str();
     addMethod(*c, a.demo.settings, a.scratch);
-    addSettings(*c, a.demo.settings, a.scratch);
+    addSettings(*c, a.demo.settings, a.demo.seconds, a.scratch);
 }
 
 void addModel(CLI::App& app, Arguments& a)

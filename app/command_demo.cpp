@@ -2,12 +2,15 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "app/commands.h"
 #include "app/estimate_csv.h"
+#include "app/parallel.h"
 #include "app/profile_figure.h"
 #include "app/scene_estimates.h"
+#include "app/time_budget.h"
 #include "core/atem/arm_choice.h"
 #include "core/file_write.h"
 #include "core/infer/estimate_words.h"
@@ -124,8 +127,12 @@ Status demo(const DemoOptions& options)
     fmt::print("{:6.1f} s  flippers pressed, scene captured\n", measurement.time);
 
     const auto estimateWith = [&](std::span<const ArmReading> arm) {
+        Watch watch = endingAfter(options.seconds);
+        watch.sideBySide = [](int count, const std::function<void(int)>& work) {
+            parallelFor(count, work);
+        };
         return estimateTerrain(scene.s, arm, (*toolbox)->robot, (*toolbox)->models,
-                               options.settings);
+                               options.settings, watch);
     };
     const TerrainEstimate first = estimateWith({});
     const std::optional<int> bin = chooseProbe(first, (*toolbox)->robot);

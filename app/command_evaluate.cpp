@@ -70,6 +70,8 @@ void judgeEstimates(const std::string& label, const Workload& work,
             continue;
         }
         run.converged += estimate->converged ? 1 : 0;
+        run.endedBySweeps += estimate->ending == Ending::Sweeps ? 1 : 0;
+        run.endedByTime += estimate->ending == Ending::Time ? 1 : 0;
         const std::size_t number = work.first + k;
         append(findings.errors, keptErrors(number, work.scenes[k], label, *estimate));
         append(findings.steps,
@@ -87,11 +89,12 @@ void judgeMethod(Method method, const Workload& work, Findings& findings)
     Settings ofFirst = settings;
     ofFirst.seed += work.first;
     const Stopwatch watch;
-    const auto estimates = estimateScenes(work.scenes, work.toolbox, ofFirst);
+    const auto estimates = estimateScenes(work.scenes, work.toolbox, ofFirst, work.options.seconds);
     judgeEstimates(label, work, estimates, watch.seconds(), findings);
     if (work.options.probes && !usesArm(method))
-        append(findings.probes, tryProbeRules(label, work.scenes, estimates, work.first,
-                                              work.toolbox, settings, work.options.stepLimit));
+        append(findings.probes,
+               tryProbeRules(label, work.scenes, estimates, work.first, work.toolbox, settings,
+                             work.options.stepLimit, work.options.seconds));
 }
 
 SceneEstimate estimateBaseline(const Baseline& baseline, const RobotModel& robot,

@@ -18,7 +18,8 @@ Status reconstructScenes(const ReconstructOptions& options)
     if (!file) return file.error();
     for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
 
-    const auto estimates = estimateScenes(file->scenes, **toolbox, options.settings);
+    const auto estimates =
+        estimateScenes(file->scenes, **toolbox, options.settings, options.seconds);
     const std::string csv = estimateCsv(file->scenes, estimates);
     if (Status written = writeFileAtomically(options.out, csv); !written) return written;
     const auto noted = std::count_if(estimates.begin(), estimates.end(),

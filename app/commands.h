@@ -46,6 +46,7 @@ Status train(const TrainOptions& options);
 struct ReconstructOptions {
     std::string robot, model, data, out;
     Settings settings;
+    double seconds = 0.0;  ///< of every sampling; 0: no limit
 };
 Status reconstructScenes(const ReconstructOptions& options);
 
@@ -53,6 +54,7 @@ struct EvaluateOptions {
     std::string robot, model, data, out;
     std::vector<Method> methods;
     Settings settings;
+    double seconds = 0.0;               ///< of every sampling; 0: no limit
     double stepLimit = 0.10;            ///< [m] neighbouring bins that differ by more are a step
     std::string classes;                ///< index file; empty: no table by class
     std::string classColumn = "class";  ///< of the index file
@@ -97,6 +99,7 @@ Status predictConditionals(const std::string& modelPath, const std::string& data
 struct DemoOptions {
     std::string robot, model, out = ".";
     Settings settings;
+    double seconds = 0.0;  ///< of every sampling; 0: no limit
 };
 Status demo(const DemoOptions& options);
 

@@ -64,10 +64,11 @@ void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
         }
         fmt::format_to(out, "{},{},", shown(scene.truth[i]), field(result.note));
         if (result.estimate)
-            fmt::format_to(out, "{},{},{},{}\n", result.estimate->height[i], hidden.step[i],
-                           hidden.twoModes[i], result.estimate->novelty);
+            fmt::format_to(out, "{},{},{},{},{},{}\n", result.estimate->height[i], hidden.step[i],
+                           hidden.twoModes[i], result.estimate->novelty,
+                           result.estimate->draws.size(), name(result.estimate->ending));
         else
-            fmt::format_to(out, ",,,,\n");
+            fmt::format_to(out, ",,,,,,\n");
     }
 }
 
@@ -79,7 +80,7 @@ std::string estimateCsv(const std::vector<Scene>& scenes,
     if (scenes.size() != estimates.size()) throw std::invalid_argument("one estimate per scene");
     std::string csv =
         "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,"
-        "height_m,p_step,p_step_sd,two_modes,novelty\n";
+        "height_m,p_step,p_step_sd,two_modes,novelty,draws,ending\n";
     for (std::size_t k = 0; k < scenes.size(); ++k) addRows(csv, scenes[k], estimates[k]);
     return csv;
 }

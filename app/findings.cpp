@@ -104,6 +104,8 @@ void addRuns(const Findings& from, Findings& into)
     for (std::size_t k = 0; k < into.runs.size(); ++k) {
         into.runs[k].scenes += from.runs[k].scenes;
         into.runs[k].converged += from.runs[k].converged;
+        into.runs[k].endedBySweeps += from.runs[k].endedBySweeps;
+        into.runs[k].endedByTime += from.runs[k].endedByTime;
         into.runs[k].failed += from.runs[k].failed;
         into.runs[k].seconds += from.runs[k].seconds;
     }

@@ -48,7 +48,7 @@ struct EvaluatedScene {
 /// How a method or baseline fared.
 struct MethodRun {
     std::string label;
-    std::size_t scenes = 0, converged = 0, failed = 0;
+    std::size_t scenes = 0, converged = 0, endedBySweeps = 0, endedByTime = 0, failed = 0;
     double seconds = 0.0;  ///< all scenes together
 };
 

@@ -17,7 +17,7 @@ namespace terratact {
 namespace {
 
 constexpr std::int64_t kApplicationId = 0x54544531;  // "TTE1"
-constexpr std::int64_t kUserVersion = 1;
+constexpr std::int64_t kUserVersion = 2;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30U;
 constexpr std::int64_t kMostCount = 10'000'000;
 constexpr double kMostNumber = 1e9;
@@ -43,7 +43,9 @@ constexpr std::array kTables{
     Table{"method", "CREATE TABLE method(position INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT"},
     Table{"method_run",
           "CREATE TABLE method_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
-          "scenes INTEGER NOT NULL, converged INTEGER NOT NULL, failed INTEGER NOT NULL, "
+          "scenes INTEGER NOT NULL, converged INTEGER NOT NULL, "
+          "ended_by_sweeps INTEGER NOT NULL, ended_by_time INTEGER NOT NULL, "
+          "failed INTEGER NOT NULL, "
           "seconds REAL NOT NULL) STRICT"},
     Table{"part", "CREATE TABLE part(position INTEGER PRIMARY KEY, number INTEGER NOT NULL, count "
                   "INTEGER NOT NULL, total INTEGER NOT NULL, "
@@ -162,8 +164,9 @@ void writeShared(Writer& writer, const Findings& f)
     writer.fill("scene", 4, f.scenes, [](const EvaluatedScene& s, auto put) {
         put(s.run, s.time, maskOf(s.underFlipper), s.kind);
     });
-    writer.fill("method_run", 5, f.runs, [](const MethodRun& r, auto put) {
-        put(r.label, integer(r.scenes), integer(r.converged), integer(r.failed), r.seconds);
+    writer.fill("method_run", 7, f.runs, [](const MethodRun& r, auto put) {
+        put(r.label, integer(r.scenes), integer(r.converged), integer(r.endedBySweeps),
+            integer(r.endedByTime), integer(r.failed), r.seconds);
     });
 }
 
@@ -347,6 +350,8 @@ void readShared(Reader& reader, Findings& f)
         run.label = reader.text();
         run.scenes = reader.count(f.scenes.size());
         run.converged = reader.count(f.scenes.size());
+        run.endedBySweeps = reader.count(f.scenes.size());
+        run.endedByTime = reader.count(f.scenes.size());
         run.failed = reader.count(f.scenes.size());
         run.seconds = reader.real(0.0);
     });

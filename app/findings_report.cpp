@@ -146,8 +146,9 @@ void printClaims(const std::vector<BinError>& errors, const std::vector<Scene>& 
 
 void printRun(const MethodRun& run)
 {
-    fmt::print("{:<10} {} scenes, {} converged, {} without an estimate, {:.3g} ms per scene\n",
-               run.label, run.scenes, run.converged, run.failed,
+    fmt::print("{:<10} {} scenes, {} converged, {} ended by sweeps, {} by time, {} without an "
+               "estimate, {:.3g} ms per scene\n",
+               run.label, run.scenes, run.converged, run.endedBySweeps, run.endedByTime, run.failed,
                1000.0 * run.seconds / static_cast<double>(run.scenes));
 }
 

@@ -51,7 +51,7 @@ std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit)
 std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
                                     const std::vector<SceneEstimate>& estimates, std::size_t first,
                                     const Toolbox& toolbox, const Settings& settings,
-                                    double stepLimit)
+                                    double stepLimit, double seconds)
 {
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < scenes.size(); ++k)
@@ -65,7 +65,7 @@ std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<
             Settings own = settings;
             own.seed += first + k;
             const auto estimate = [&](const Scene& scene, std::span<const ArmReading> readings) {
-                return estimateWith(scene, readings, toolbox, own);
+                return estimateWith(scene, readings, toolbox, own, seconds);
             };
             trials[static_cast<std::size_t>(n)] = tryProbes(
                 first + k, scenes[k], *estimates[k].estimate, estimate, rule.choose, limits);

@@ -23,10 +23,10 @@ std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit);
 /// Every rule in every scene with truth ahead that has an estimate, on all cores: one run per rule, its trials
 /// in the order of the scenes.
 /// estimates: of the scenes, without a reading; first: the number of the first scene among all.  The seed
-/// of scene k of all is settings.seed + k.
+/// of scene k of all is settings.seed + k.  seconds: as estimateWith.
 std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
                                     const std::vector<SceneEstimate>& estimates, std::size_t first,
                                     const Toolbox& toolbox, const Settings& settings,
-                                    double stepLimit);
+                                    double stepLimit, double seconds = 0.0);
 
 }  // namespace terratact

@@ -149,8 +149,8 @@ private:
         const TerrainEstimate& e = input_.estimate;
         const TextStyle plain{.colour = kMuted, .size = 14.0};
         const std::string how =
-            fmt::format("method {}, {} draws in {} chains", name(e.settings.method),
-                        e.settings.draws, e.settings.chains);
+            fmt::format("method {}, {} draws in {} chains", name(e.settings.method), e.draws.size(),
+                        e.settings.chains);
         canvas_.text({24.0, 62.0}, how, plain);
         if (e.warnings.empty() && e.converged) return;
         const TextStyle doubt{.colour = kDoubt, .size = 14.0, .bold = true};

@@ -6,6 +6,7 @@
 
 #include "app/parallel.h"
 #include "app/progress.h"
+#include "app/time_budget.h"
 #include "core/atem/arm_choice.h"
 
 namespace terratact {
@@ -18,7 +19,7 @@ std::string joined(const std::vector<std::string>& warnings)
 }
 
 SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
-                      TerrainEstimate first)
+                      double seconds, TerrainEstimate first)
 {
     const std::optional<int> bin = proposeProbe(first, toolbox.robot);
     if (!bin) return {first, joined(first.warnings)};
@@ -29,7 +30,7 @@ SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings
         return {first, joined(first.warnings)};
     }
     const ArmReading reading{*bin, *truth, toolbox.robot.armSd};
-    const TerrainEstimate second = estimateWith(scene, {&reading, 1}, toolbox, settings);
+    const TerrainEstimate second = estimateWith(scene, {&reading, 1}, toolbox, settings, seconds);
     return {second, joined(second.warnings)};
 }
 
@@ -46,28 +47,30 @@ Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
 }
 
 TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
-                             const Toolbox& toolbox, const Settings& settings)
+                             const Toolbox& toolbox, const Settings& settings, double seconds)
 {
-    return estimateTerrain(scene.s, arm, toolbox.robot, toolbox.models, settings);
+    return estimateTerrain(scene.s, arm, toolbox.robot, toolbox.models, settings,
+                           endingAfter(seconds));
 }
 
-SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings)
+SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
+                            double seconds)
 {
     const FeatureSet set = toolbox.models.featuresOf(settings.method);
     if (const std::string_view missing = missingFeature(set, scene.s); !missing.empty())
         return {std::nullopt, fmt::format("{} is unknown, and method {} needs it", missing,
                                           name(settings.method))};
     try {
-        TerrainEstimate first = estimateWith(scene, {}, toolbox, settings);
+        TerrainEstimate first = estimateWith(scene, {}, toolbox, settings, seconds);
         if (!usesArm(settings.method)) return {first, joined(first.warnings)};
-        return withArm(scene, toolbox, settings, std::move(first));
+        return withArm(scene, toolbox, settings, seconds, std::move(first));
     } catch (const NotLearnt& error) {
         return {std::nullopt, error.what()};
     }
 }
 
 std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
-                                          const Settings& settings)
+                                          const Settings& settings, double seconds)
 {
     std::vector<SceneEstimate> estimates(scenes.size());
     Progress progress(fmt::format("{}: scene", name(settings.method)),
@@ -76,7 +79,7 @@ std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, cons
         Settings own = settings;
         own.seed += static_cast<std::uint64_t>(k);
         estimates[static_cast<std::size_t>(k)] =
-            estimateScene(scenes[static_cast<std::size_t>(k)], toolbox, own);
+            estimateScene(scenes[static_cast<std::size_t>(k)], toolbox, own, seconds);
         progress.tick();
     });
     return estimates;

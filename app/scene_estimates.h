@@ -29,8 +29,10 @@ Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
                                              const std::string& modelPath);
 
 /// Reconstructs one scene with what the arm has measured, by the settings' method.  Throws as reconstruct.
+/// seconds: after which sampling ends with what there is; 0: no limit.
 TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
-                             const Toolbox& toolbox, const Settings& settings);
+                             const Toolbox& toolbox, const Settings& settings,
+                             double seconds = 0.0);
 
 /// An estimate of a scene, or why there is none.
 struct SceneEstimate {
@@ -40,10 +42,12 @@ struct SceneEstimate {
 
 /// Reconstructs one scene.  Pafac simulates the arm as the paper does: where some sd exceeds the limit, the
 /// bin of the largest one in reach is revealed from the scene's truth, and the rest sampled again.
-SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings);
+/// seconds: of every sampling, as above.
+SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
+                            double seconds = 0.0);
 
 /// All scenes, on all cores; the seed of scene k is settings.seed + k.
 std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
-                                          const Settings& settings);
+                                          const Settings& settings, double seconds = 0.0);
 
 }  // namespace terratact

@@ -83,7 +83,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);
     details_->setText(tr("%1 · %2 draws · %3 s")
                           .arg(methodName(estimate.settings.method))
-                          .arg(estimate.settings.draws)
+                          .arg(estimate.draws.size())
                           .arg(words::number(seconds, 2)));
     headline_->setToolTip(details_->text());
     arrange();

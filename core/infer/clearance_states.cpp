@@ -74,6 +74,11 @@ StartDraw ClearanceStates::start(int bin) const
     return {p.mean, std::sqrt(p.variance)};
 }
 
+double ClearanceStates::height(int bin, double state) const
+{
+    return toHeight(state, ceiling_[static_cast<std::size_t>(bin)]);
+}
+
 std::unique_ptr<SceneConditionals> ClearanceStates::at(const Heights& known,
                                                        const std::vector<int>& unknown) const
 {

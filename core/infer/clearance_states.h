@@ -24,6 +24,7 @@ public:
                     Measured measured, Precision precision, int inducing = 0, Poll poll = {});
 
     StartDraw start(int bin) const override;
+    double height(int bin, double state) const override;
     /// Throws std::invalid_argument where a bin's regime was not trained.
     std::unique_ptr<SceneConditionals> at(const Heights& known,
                                           const std::vector<int>& unknown) const override;

@@ -37,6 +37,13 @@ public:
     /// Where chains start in this bin.
     virtual StartDraw start(int bin) const = 0;
 
+    /// The height [m] that a state of this bin stands for.
+    virtual double height(int bin, double state) const
+    {
+        (void)bin;
+        return state;
+    }
+
     /// The conditionals with the other bins' states fixed.
     ///   known: states of all bins; those of I are not read.  unknown: I, rear to front.
     /// What is returned may refer to this object.

@@ -11,6 +11,29 @@
 
 namespace terratact {
 
+namespace {
+
+constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
+
+void judge(TerrainEstimate& estimate, const std::vector<int>& bins)
+{
+    double worstRhat = 1.0;
+    double worstEss = std::numeric_limits<double>::infinity();
+    for (const int bin : bins) {
+        worstRhat = std::max(worstRhat, estimate.rhat[static_cast<std::size_t>(bin)]);
+        worstEss = std::min(worstEss, estimate.ess[static_cast<std::size_t>(bin)]);
+    }
+    estimate.converged = worstRhat <= kRhatLimit && worstEss >= kEssLimit;
+    if (!estimate.converged)
+        estimate.warnings.push_back(
+            fmt::format("chains not converged{}: R-hat {:.3f} (limit {}), effective draws {:.0f} "
+                        "(limit {:.0f})",
+                        estimate.ending == Ending::Time ? " when time was out" : "", worstRhat,
+                        kRhatLimit, worstEss, kEssLimit));
+}
+
+}  // namespace
+
 void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& draws, Origin origin,
                     Centre centre)
 {
@@ -25,6 +48,18 @@ void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& d
     estimate.origin[i] = origin;
     estimate.rhat[i] = rankNormalisedRhat(draws);
     estimate.ess[i] = bulkEss(draws);
+}
+
+void fixBin(TerrainEstimate& estimate, int bin, const MeasuredHeight& measured)
+{
+    const auto i = static_cast<std::size_t>(bin);
+    estimate.mean[i] = measured.height;
+    estimate.height[i] = measured.height;
+    estimate.sd[i] = measured.sd;
+    estimate.q10[i] = measured.height - kNormalQ90 * measured.sd;
+    estimate.q90[i] = measured.height + kNormalQ90 * measured.sd;
+    estimate.origin[i] = measured.origin;
+    estimate.rhat[i] = 1.0;
 }
 
 void warnIfMended(TerrainEstimate& estimate, int bin, const GaussianProcess& model)
@@ -48,19 +83,13 @@ std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& 
     return all;
 }
 
-void judgeConvergence(TerrainEstimate& estimate, const std::vector<int>& bins)
+void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known)
 {
-    double worstRhat = 1.0;
-    double worstEss = std::numeric_limits<double>::infinity();
-    for (const int bin : bins) {
-        worstRhat = std::max(worstRhat, estimate.rhat[static_cast<std::size_t>(bin)]);
-        worstEss = std::min(worstEss, estimate.ess[static_cast<std::size_t>(bin)]);
-    }
-    estimate.converged = worstRhat <= kRhatLimit && worstEss >= kEssLimit;
-    if (!estimate.converged)
-        estimate.warnings.push_back(fmt::format(
-            "chains not converged: R-hat {:.3f} (limit {}), effective draws {:.0f} (limit {:.0f})",
-            worstRhat, kRhatLimit, worstEss, kEssLimit));
+    estimate.draws = jointDraws(draws, known);
+    estimate.ending = draws.ending;
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (known[i]) estimate.ess[i] = static_cast<double>(estimate.draws.size());
+    judge(estimate, draws.bins);
 }
 
 }  // namespace terratact

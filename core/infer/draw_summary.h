@@ -5,6 +5,7 @@
 
 #include "core/infer/estimate.h"
 #include "core/infer/gibbs.h"
+#include "core/infer/measured_bins.h"
 
 namespace terratact {
 
@@ -16,13 +17,18 @@ enum class Centre : std::uint8_t { Mean, Median };
 void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& draws, Origin origin,
                     Centre centre);
 
+/// Writes a bin that was not sampled: the measured height, and a Gaussian's quantiles about it.
+void fixBin(TerrainEstimate& estimate, int bin, const MeasuredHeight& measured);
+
 /// Warns where the bin's model needed a jitter.
 void warnIfMended(TerrainEstimate& estimate, int bin, const GaussianProcess& model);
 
 /// The chains' draws one after the other; known bins stand still at their heights.
 std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known);
 
-/// Sets `converged` by the worst R-hat and ESS of these bins, and warns where it is not.
-void judgeConvergence(TerrainEstimate& estimate, const std::vector<int>& bins);
+/// How sampling ended, for an estimate whose bins are all written: joint draws, ending, the known bins' ESS, and
+/// `converged` by the worst R-hat and ESS of the sampled bins, with a warning where it is not.
+///   known: heights [m]
+void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known);
 
 }  // namespace terratact

@@ -15,4 +15,15 @@ std::string_view name(Origin origin)
     throw std::invalid_argument("name: no such Origin");
 }
 
+std::string_view name(Ending ending)
+{
+    switch (ending) {
+    case Ending::Converged: return "converged";
+    case Ending::Sweeps: return "sweeps";
+    case Ending::Time: return "time";
+    case Ending::NotSampled: return "not sampled";
+    }
+    throw std::invalid_argument("name: no such Ending");
+}
+
 }  // namespace terratact

@@ -19,6 +19,17 @@ enum class Origin : std::uint8_t { Sampled, Contact, Arm };
 /// "sampled", "contact", "arm".
 std::string_view name(Origin origin);
 
+/// Why sampling ended.
+enum class Ending : std::uint8_t {
+    Converged,  ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
+    Sweeps,     ///< Settings::draws were reached
+    Time,       ///< Watch::outOfTime
+    NotSampled  ///< no bin was unknown, or the method has no chains
+};
+
+/// "converged", "sweeps", "time", "not sampled".
+std::string_view name(Ending ending);
+
 /// What the operator sees of one exploration: 11 bins, rear to front.  Heights [m], DEM frame.
 /// Plain values: copy it across threads.  Every number is finite but ceiling, which is +infinity where
 /// nothing of the robot is above part of the bin.
@@ -32,10 +43,12 @@ struct TerrainEstimate {
     Heights rhat{};  ///< rank-normalised split R-hat; 1 for a bin that was not sampled
     Heights
         ess{};  ///< bulk effective sample size; the number of draws for a bin that was not sampled
-    std::vector<Heights> draws;         ///< of all bins together: what a joint question is asked of
-    double novelty = 0.0;               ///< how unlike the training scenes this one is, see
-                                        ///< core/learn/clearance_model.h; above 1 for 1 % of those;
-                                        ///< 0: not judged (all but the closed forms)
+    std::vector<Heights> draws;  ///< of all bins together: what a joint question is asked of;
+                                 ///< at most settings.draws, rounded up to full chains
+    double novelty = 0.0;        ///< how unlike the training scenes this one is, see
+                                 ///< core/learn/clearance_model.h; above 1 for 1 % of those;
+                                 ///< 0: not judged (all but the closed forms)
+    Ending ending = Ending::NotSampled;
     bool converged = true;              ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
     std::vector<std::string> warnings;  ///< what makes the result doubtful, in words
     Settings settings;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/infer/bin_conditionals.h"
+#include "core/infer/convergence.h"
 #include "core/infer/truncated_normal.h"
 #include "core/learn/covariance_kernels.h"
 
@@ -79,12 +80,18 @@ public:
         terratact::stopIfCancelled(watch_);
     }
 
-    /// Before each sweep and after the last one.
+    /// Before each sweep.
     void step()
     {
         const std::scoped_lock lock(mutex_);
         if (watch_.progress) watch_.progress(static_cast<double>(done_) / total_);
         ++done_;
+    }
+
+    void end()
+    {
+        const std::scoped_lock lock(mutex_);
+        if (watch_.progress) watch_.progress(1.0);
     }
 
 private:
@@ -112,6 +119,7 @@ public:
         conditionals_ = conditionals.at(known, bins_);
     }
 
+    const std::vector<int>& bins() const { return bins_; }
     /// |I| × chains.
     const Eigen::MatrixXd& states() const { return states_; }
 
@@ -155,26 +163,120 @@ private:
     Eigen::VectorXd mean_, variance_;
 };
 
-/// Runs some chains to the end; their columns of the draws start at `first`.
-void runChains(Sampler& sampler, const GibbsProblem& problem, int first, Reporter& reporter,
-               GibbsDraws& result)
-{
-    const Eigen::Index count = sampler.states().cols();
-    for (int sweep = -problem.burnIn; sweep < problem.keptPerChain; ++sweep) {
-        reporter.step();
-        sampler.sweep(reporter);
-        if (sweep < 0) continue;
-        for (std::size_t k = 0; k < result.bins.size(); ++k)
-            result.draws[k].row(sweep).segment(first, count) =
-                sampler.states().row(static_cast<Eigen::Index>(k));
-    }
-}
-
 /// Chains that one thread runs: full groups of columns, two where that still makes several parts.
 int chainsPerPart(const GibbsProblem& problem, const Watch& watch)
 {
     if (!watch.sideBySide) return problem.chains;
     return problem.chains > 4 * kGroup ? 2 * kGroup : kGroup;
+}
+
+/// All chains, in parts that may advance side by side, and the heights they have drawn.
+class Chains {
+public:
+    Chains(const Conditionals& conditionals, const GibbsProblem& problem, const Watch& watch)
+        : conditionals_(conditionals), problem_(problem), watch_(watch),
+          each_(chainsPerPart(problem, watch)), done_(-problem.burnIn),
+          draws_(unknownBins(problem.known).size(), Eigen::MatrixXd(0, problem.chains)),
+          reporter_(watch,
+                    (problem.chains + each_ - 1) / each_ * (problem.burnIn + problem.keptPerChain))
+    {
+        stopIfCancelled(watch);
+        for (int first = 0; first < problem.chains; first += each_)  // here: one thread polls
+            parts_.push_back(std::make_unique<Sampler>(conditionals, problem, first,
+                                                       std::min(each_, problem.chains - first)));
+    }
+
+    const std::vector<Eigen::MatrixXd>& draws() const { return draws_; }
+    std::vector<Eigen::MatrixXd> takeDraws() { return std::move(draws_); }
+
+    /// Sweeps until so many are kept; false where time ran out before.
+    bool advanceTo(int kept)
+    {
+        for (Eigen::MatrixXd& d : draws_) d.conservativeResize(kept, Eigen::NoChange);
+        const int least = std::min(kLeastKept, problem_.keptPerChain);
+        while (done_ < kept) {
+            if (done_ >= least && watch_.outOfTime && watch_.outOfTime()) break;
+            round(std::min(kept - done_, sweepsPerRound()));
+        }
+        for (Eigen::MatrixXd& d : draws_) d.conservativeResize(done_, Eigen::NoChange);
+        return done_ == kept;
+    }
+
+    void reportEnd() { reporter_.end(); }
+
+private:
+    int sweepsPerRound() const
+    {
+        constexpr int kSideBySide = 4;  // so that starting threads costs little
+        if (!watch_.outOfTime) return std::numeric_limits<int>::max();
+        return parts_.size() > 1 ? kSideBySide : 1;
+    }
+
+    void round(int sweeps)
+    {
+        const auto count = static_cast<int>(parts_.size());
+        const auto run = [&](int part) {
+            for (int sweep = done_; sweep < done_ + sweeps; ++sweep) {
+                reporter_.step();
+                parts_[static_cast<std::size_t>(part)]->sweep(reporter_);
+                if (sweep >= 0) keep(part, sweep);
+            }
+        };
+        if (count > 1)
+            watch_.sideBySide(count, run);
+        else
+            run(0);
+        done_ += sweeps;
+    }
+
+    void keep(int part, int row)
+    {
+        const Sampler& sampler = *parts_[static_cast<std::size_t>(part)];
+        for (std::size_t k = 0; k < draws_.size(); ++k)
+            for (Eigen::Index c = 0; c < sampler.states().cols(); ++c)
+                draws_[k](row, part * each_ + c) = conditionals_.height(
+                    sampler.bins()[k], sampler.states()(static_cast<Eigen::Index>(k), c));
+    }
+
+    const Conditionals& conditionals_;
+    const GibbsProblem& problem_;
+    const Watch& watch_;
+    int each_;
+    int done_;  // kept sweeps; negative during the burn-in
+    std::vector<Eigen::MatrixXd> draws_;
+    Reporter reporter_;
+    std::vector<std::unique_ptr<Sampler>> parts_;
+};
+
+/// Whether every bin's draws are within the limits.
+class Judge {
+public:
+    bool converged(const std::vector<Eigen::MatrixXd>& draws)
+    {
+        for (std::size_t k = 0; k < draws.size(); ++k) {
+            const std::size_t bin = (doubtful_ + k) % draws.size();
+            if (bulkEss(draws[bin]) >= kEssLimit && rankNormalisedRhat(draws[bin]) <= kRhatLimit)
+                continue;
+            doubtful_ = bin;
+            return false;
+        }
+        return true;
+    }
+
+private:
+    std::size_t doubtful_ = 0;  // the bin that failed last comes first: mostly it fails again
+};
+
+Ending sample(Chains& chains, const GibbsProblem& problem)
+{
+    Judge judge;
+    int kept = problem.stopEarly ? kFirstCheck : problem.keptPerChain;
+    for (;; kept += (kept + 1) / 2) {
+        kept = std::min(kept, problem.keptPerChain);
+        if (!chains.advanceTo(kept)) return Ending::Time;
+        if (problem.stopEarly && judge.converged(chains.draws())) return Ending::Converged;
+        if (kept == problem.keptPerChain) return Ending::Sweeps;
+    }
 }
 
 }  // namespace
@@ -198,6 +300,7 @@ GibbsProblem problemFor(const Settings& settings)
     problem.chains = settings.chains;
     problem.burnIn = settings.burnIn;
     problem.precision = settings.precision;
+    problem.stopEarly = settings.stopEarly;
     problem.keptPerChain = (settings.draws + settings.chains - 1) / settings.chains;
     problem.inducing = settings.inducing;
     problem.seed = settings.seed;
@@ -213,24 +316,10 @@ GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& pr
             "the sampler needs at least one chain, one kept sweep and no negative burn-in");
     GibbsDraws result{unknownBins(problem.known), {}};
     if (result.bins.empty()) return result;
-
-    result.draws.assign(result.bins.size(), Eigen::MatrixXd(problem.keptPerChain, problem.chains));
-    stopIfCancelled(watch);
-    const int each = chainsPerPart(problem, watch);
-    std::vector<std::unique_ptr<Sampler>> parts;  // made here, so that one thread polls
-    for (int first = 0; first < problem.chains; first += each)
-        parts.push_back(std::make_unique<Sampler>(conditionals, problem, first,
-                                                  std::min(each, problem.chains - first)));
-    const auto count = static_cast<int>(parts.size());
-    Reporter reporter(watch, count * (problem.burnIn + problem.keptPerChain));
-    const auto run = [&](int part) {
-        runChains(*parts[static_cast<std::size_t>(part)], problem, part * each, reporter, result);
-    };
-    if (count > 1)
-        watch.sideBySide(count, run);
-    else
-        run(0);
-    reporter.step();
+    Chains chains(conditionals, problem, watch);
+    result.ending = sample(chains, problem);
+    result.draws = chains.takeDraws();
+    chains.reportEnd();
     return result;
 }
 

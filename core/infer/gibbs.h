@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/infer/conditionals.h"
+#include "core/infer/estimate.h"
 #include "core/infer/settings.h"
 #include "core/infer/watch.h"
 #include "core/learn/bin_models.h"
@@ -21,9 +22,10 @@ struct GibbsProblem {
     CeilingRule rule = CeilingRule::Truncate;
     ScanOrder scan = ScanOrder::Forward;
     int chains = 16;
-    int firstChain = 0;     ///< number of the first chain: it decides the chain's random numbers
-    int burnIn = 50;        ///< sweeps per chain that are thrown away
-    int keptPerChain = 63;  ///< sweeps per chain that are kept
+    int firstChain = 0;      ///< number of the first chain: it decides the chain's random numbers
+    int burnIn = 50;         ///< sweeps per chain that are thrown away
+    int keptPerChain = 63;   ///< sweeps per chain that are kept, at most
+    bool stopEarly = false;  ///< ends before that where the chains have converged
     Precision precision = Precision::Single;  ///< of variances; read by sampleHeights only
     int inducing = 0;  ///< of the models, see Settings; read by sampleHeights only
     std::uint64_t seed = 1;
@@ -32,12 +34,18 @@ struct GibbsProblem {
 /// Throws std::invalid_argument where a number of the settings is out of range.
 void checkSettings(const Settings& settings);
 
+/// Kept sweeps per chain after which chains are first judged; again after half as many more, and so on.
+inline constexpr int kFirstCheck = 25;
+/// Kept sweeps per chain that there are at least, however little time there is: R-hat needs as many.
+inline constexpr int kLeastKept = 4;
+
 /// Scan order, chains, sweeps, precision and seed from the settings; everything else is left to fill in.
 GibbsProblem problemFor(const Settings& settings);
 
 struct GibbsDraws {
     std::vector<int> bins;               ///< I, rear to front
-    std::vector<Eigen::MatrixXd> draws;  ///< per bin of I: kept sweeps × chains, states
+    std::vector<Eigen::MatrixXd> draws;  ///< per bin of I: kept sweeps × chains, heights [m]
+    Ending ending = Ending::NotSampled;
 };
 
 /// Section 4.3: random start (Conditionals::start, the ceiling applied), then sweeps that draw every
@@ -46,6 +54,12 @@ struct GibbsDraws {
 /// on whether watch.sideBySide runs groups of them in several threads.
 /// The conditionals are trained one by one and need not belong to one joint distribution: the result may
 /// depend on the order of the scan (domain: "dependency network").
+/// Ends after keptPerChain kept sweeps (Ending::Sweeps), or
+///   - with stopEarly, where the heights of every bin have R-hat ≤ kRhatLimit and ESS ≥ kEssLimit, judged after 25,
+///     38, 57 … and after the last kept sweep (Ending::Converged): numbers of sweeps that do not depend on the
+///     machine, so the same seed gives the same draws;
+///   - when watch.outOfTime says so, but not before the burn-in and kLeastKept kept sweeps (Ending::Time): the
+///     draws are the first of those that more time would have given.
 /// Throws std::invalid_argument unless chains ≥ 1, firstChain ≥ 0, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
                         const Watch& watch = {});

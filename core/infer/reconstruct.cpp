@@ -16,8 +16,6 @@ namespace terratact {
 
 namespace {
 
-constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
-
 void check(const Settings& settings, const BinModels& models)
 {
     if (!isOfPaper(settings.method))
@@ -29,18 +27,6 @@ void check(const Settings& settings, const BinModels& models)
                                                 name(settings.method), name(wanted),
                                                 name(models.set())));
     checkSettings(settings);
-}
-
-void fix(TerrainEstimate& estimate, std::size_t bin, const MeasuredHeight& measured)
-{
-    estimate.mean[bin] = measured.height;
-    estimate.height[bin] = measured.height;
-    estimate.sd[bin] = measured.sd;
-    estimate.q10[bin] = measured.height - kNormalQ90 * measured.sd;
-    estimate.q90[bin] = measured.height + kNormalQ90 * measured.sd;
-    estimate.origin[bin] = measured.origin;
-    estimate.rhat[bin] = 1.0;
-    estimate.ess[bin] = estimate.settings.draws;
 }
 
 }  // namespace
@@ -63,7 +49,7 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
     for (std::size_t i = 0; i < kBins; ++i) {
         if (!measured.bin[i]) continue;
         problem.known[i] = measured.bin[i]->height;
-        fix(estimate, i, *measured.bin[i]);
+        fixBin(estimate, static_cast<int>(i), *measured.bin[i]);
     }
 
     const GibbsDraws draws = sampleHeights(models, problem, watch);
@@ -72,8 +58,7 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
         summariseDraws(estimate, draws.bins[k], draws.draws[k], Origin::Sampled, Centre::Mean);
         warnIfMended(estimate, draws.bins[k], models.bin(draws.bins[k], settings.inducing));
     }
-    estimate.draws = jointDraws(draws, problem.known);
-    judgeConvergence(estimate, draws.bins);
+    conclude(estimate, draws, problem.known);
     return estimate;
 }
 

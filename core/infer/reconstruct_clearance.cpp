@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -33,13 +34,21 @@ ClearanceStates::Measured states(const MeasuredBins& measured, const Heights& ce
     return result;
 }
 
-/// Draws of y become draws of heights.
-void toHeights(GibbsDraws& draws, const Heights& ceiling)
+/// Exact measurements become known states of the problem.  Their heights, none above its ceiling.
+OptionalHeights fixExact(const MeasuredBins& measured, const ClearanceStates::Measured& states,
+                         GibbsProblem& problem, TerrainEstimate& estimate)
 {
-    for (std::size_t k = 0; k < draws.bins.size(); ++k) {
-        const double above = ceiling[static_cast<std::size_t>(draws.bins[k])];
-        for (double& value : draws.draws[k].reshaped()) value = fromLogClearance(value, above);
+    OptionalHeights known;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        if (!measured.bin[i] || measured.bin[i]->sd > kExactSd) continue;
+        problem.known[i] = states[i]->mean;
+        MeasuredHeight fixed = *measured.bin[i];
+        fixed.height = std::min(fixed.height, estimate.ceiling[i]);
+        known[i] = fixed.height;
+        fixBin(estimate, static_cast<int>(i), fixed);
+        estimate.q90[i] = std::min(estimate.q90[i], estimate.ceiling[i]);
     }
+    return known;
 }
 
 }  // namespace
@@ -59,20 +68,21 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
     GibbsProblem problem = problemFor(settings);
     problem.ceiling.fill(std::numeric_limits<double>::infinity());
     problem.rule = CeilingRule::None;  // the states keep below the ceiling by themselves
-    const ClearanceStates conditionals(models, estimate.ceiling, x,
-                                       states(measured, estimate.ceiling), settings.precision,
-                                       settings.inducing, [&watch] { stopIfCancelled(watch); });
-    GibbsDraws draws = sampleStates(conditionals, problem, watch);
-    toHeights(draws, estimate.ceiling);
-    for (std::size_t i = 0; i < kBins; ++i) {
+    const ClearanceStates::Measured measuredStates = states(measured, estimate.ceiling);
+    const OptionalHeights known = fixExact(measured, measuredStates, problem, estimate);
+    const ClearanceStates conditionals(models, estimate.ceiling, x, measuredStates,
+                                       settings.precision, settings.inducing,
+                                       [&watch] { stopIfCancelled(watch); });
+    const GibbsDraws draws = sampleStates(conditionals, problem, watch);
+    for (std::size_t k = 0; k < draws.bins.size(); ++k) {
         stopIfCancelled(watch);
-        summariseDraws(estimate, draws.bins[i], draws.draws[i],
+        const auto i = static_cast<std::size_t>(draws.bins[k]);
+        summariseDraws(estimate, draws.bins[k], draws.draws[k],
                        measured.bin[i] ? measured.bin[i]->origin : Origin::Sampled, Centre::Median);
-        warnIfMended(estimate, draws.bins[i],
-                     models.gp(draws.bins[i], regimeOf(estimate.ceiling[i]), settings.inducing));
+        warnIfMended(estimate, draws.bins[k],
+                     models.gp(draws.bins[k], regimeOf(estimate.ceiling[i]), settings.inducing));
     }
-    estimate.draws = jointDraws(draws, {});
-    judgeConvergence(estimate, draws.bins);
+    conclude(estimate, draws, known);
     return estimate;
 }
 

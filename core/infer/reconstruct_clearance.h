@@ -10,10 +10,13 @@
 
 namespace terratact {
 
-/// Method::Clearance: Gibbs sampling of all eleven bins, the state of a bin under the robot being its clearance
+/// A measurement this exact [m] is not moved by what the models know.
+inline constexpr double kExactSd = 0.001;
+
+/// Method::Clearance: Gibbs sampling of the bins, the state of a bin under the robot being its clearance
 /// (ClearanceStates).  Contacts and arm readings are noisy measurements of their bins, whose origin they become;
-/// those bins are drawn too.  The height to show is the median of the draws; no draw is above its ceiling.
-/// Convergence is judged over all bins.
+/// those bins are drawn too, unless the measurement's sd is at most kExactSd: then they stay there.  The height to show is the median of the draws; no draw is above its ceiling.
+/// Convergence is judged over all bins that are drawn.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for another method, settings or readings out of range, an s that lacks a
 /// feature, and where a bin is in a regime that was not trained; Cancelled.

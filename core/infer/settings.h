@@ -14,7 +14,8 @@ struct Settings {
     ContactRule contacts = ContactRule::Isolated;
     double forceThreshold = 2.0;  ///< [N] an element above it touches the ground (paper: 2 units)
     double contactSd = 0.02;      ///< [m] sd of a contact height
-    int draws = 1000;             ///< K: kept sweeps, all chains together
+    int draws = 1000;             ///< K: kept sweeps, all chains together, at most
+    bool stopEarly = true;        ///< sampling ends once the chains have converged
     int chains = 16;              ///< independent chains, run side by side
     int burnIn = 50;              ///< sweeps thrown away at the start of every chain
     ScanOrder scan = ScanOrder::Forward;      ///< in which a sweep visits the bins
@@ -22,7 +23,6 @@ struct Settings {
     /// Rows of the training set that a sampling method's predictions go through, at most; 0: as trained.  Fewer
     /// are cheaper and less exact (core/learn/sparse_process.h).
     int inducing = 0;
-    bool stopEarly = true;
     std::uint64_t seed = 1;
     double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)
     double rollLimit = 0.10;       ///< [rad] beyond it the 2-D assumption is doubtful

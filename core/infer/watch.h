@@ -11,6 +11,9 @@ namespace terratact {
 struct Watch {
     std::function<bool()> cancelled;             ///< true ends the work with Cancelled
     std::function<void(double share)> progress;  ///< 0 … 1
+    /// Asked between sweeps, every few where parts run side by side, by the thread that called; true ends
+    /// sampling with what there is.
+    std::function<bool()> outOfTime;
     ForEach
         sideBySide;  ///< runs parts that do not depend on each other; empty: one after the other
 };

@@ -47,7 +47,7 @@ Findings findingsOf(Shard shard)
                             "kind"});
     ProbeRun probes{"local", "sd", {}};
     for (const char* label : {"local", "flat"}) {
-        f.runs.push_back({label, end - begin, end - begin - 1, 1, 0.5});
+        f.runs.push_back({label, end - begin, end - begin - 1, 2, 1, 1, 0.5});
         for (std::size_t k = begin; k < end; ++k) {
             if (k % 4 == 3) continue;
             f.errors.push_back(errorOf(k, label));
@@ -195,6 +195,8 @@ TEST_F(FindingsFile, everyNumberSurvivesARoundTrip)
     ASSERT_EQ(read->runs.size(), 2U);
     EXPECT_EQ(read->runs[1].label, "flat");
     EXPECT_EQ(read->runs[1].converged, findings.runs[1].converged);
+    EXPECT_EQ(read->runs[1].endedBySweeps, 2U);
+    EXPECT_EQ(read->runs[1].endedByTime, 1U);
     EXPECT_EQ(read->runs[1].seconds, 0.5);
     EXPECT_EQ(read->probes[0].rule, "sd");
 }

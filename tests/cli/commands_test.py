@@ -8,7 +8,7 @@ import unittest
 
 from support import CLI, SOURCE, complaint, rows, run
 
-COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,p_step_sd,two_modes,novelty".split(",")
+COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,p_step_sd,two_modes,novelty,draws,ending".split(",")
 
 
 class Commands(unittest.TestCase):
@@ -45,6 +45,15 @@ class Commands(unittest.TestCase):
                           ("reconstruct", "--data", "x", "--out", "y", "--method", "pax"),
                           ("reconstruct", "--data", "x", "--out", "y", "--chains", "0")):
             self.assertTrue(complaint(*arguments, code=2))
+
+    def test_an_estimate_says_why_it_ended(self):
+        data = self.first_scenes(2)
+        method = ("--method", "pa", "--full")
+        self.assertEqual({(r["ending"], r["draws"]) for r in self.reconstruct(*method, data=data)}, {("sweeps", "64")})
+        hurried = self.reconstruct(*method, "--seconds", "1e-9", data=data)
+        self.assertEqual({(r["ending"], r["draws"]) for r in hurried}, {("time", "16")})
+        self.assertIn("when time was out", hurried[0]["note"])
+        self.assertEqual({r["ending"] for r in self.reconstruct("--method", "local", data=data)}, {"not sampled"})
 
     def test_simulation_repeats_for_a_seed(self):
         again, other = self.path / "again.csv", self.path / "other.csv"

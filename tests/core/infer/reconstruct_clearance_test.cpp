@@ -153,6 +153,36 @@ TEST(ReconstructClearance, takesAContactAsAMeasurement)
     EXPECT_EQ(std::count(e.origin.begin(), e.origin.end(), Origin::Sampled), kBins - 1);
 }
 
+TEST(ReconstructClearance, keepsAnExactReadingAndDrawsTheOthers)
+{
+    const ClearanceConditionals models(bench().training, plausibleConditionals(bench().training));
+    const ArmReading reading{10, -0.2, kExactSd};
+    const TerrainEstimate e = reconstructClearance(trainedScene().s, {&reading, 1}, bench().robot,
+                                                   models, clearanceSettings());
+    EXPECT_EQ(e.origin[10], Origin::Arm);
+    EXPECT_EQ(e.height[10], -0.2);
+    EXPECT_EQ(e.sd[10], kExactSd);
+    for (const Heights& h : e.draws) EXPECT_EQ(h[10], -0.2);
+    const BinSet factorised = models.factorised(Regime::Covered) | models.factorised(Regime::Open);
+    EXPECT_EQ(factorised, ~BinSet(1U << 10U));
+}
+
+TEST(ReconstructClearance, samplesNothingWhereEveryReadingIsExact)
+{
+    const ClearanceConditionals models(bench().training, plausibleConditionals(bench().training));
+    std::vector<ArmReading> arm;
+    for (int bin = 0; bin < kBins; ++bin) arm.push_back({bin, 0.5, kExactSd});
+    const TerrainEstimate e =
+        reconstructClearance(trainedScene().s, arm, bench().robot, models, clearanceSettings());
+    EXPECT_EQ(e.ending, Ending::NotSampled);
+    EXPECT_TRUE(e.converged);
+    for (const Regime regime : kRegimes) EXPECT_EQ(models.factorised(regime), BinSet{});
+    for (std::size_t i = 0; i < kBins; ++i) {
+        EXPECT_EQ(e.height[i], std::min(0.5, e.ceiling[i]));  // never above the robot's edge
+        EXPECT_LE(e.q90[i], e.ceiling[i]);
+    }
+}
+
 // ---- a world whose posterior is known
 
 struct KnownWorld {

@@ -117,7 +117,31 @@ TEST(Reconstruct, samplesNothingWhereEveryBinIsMeasured)
         reconstruct(bench().scene.s, arm, bench().robot, models, quick(Method::Pafc));
     EXPECT_EQ(models.factorised(), BinSet{});
     EXPECT_TRUE(e.converged);
+    EXPECT_EQ(e.ending, Ending::NotSampled);
     for (std::size_t i = 0; i < kBins; ++i) EXPECT_EQ(e.mean[i], -0.3);
+}
+
+TEST(Reconstruct, saysHowItsSamplingEndedAndCountsItsDraws)
+{
+    const ArmReading reading{4, -0.3, 0.03};
+    Settings settings = quick(Method::Pa);
+    settings.chains = 3;
+    settings.draws = 100;  // 34 of every chain
+    const auto run = [&](const Watch& watch) {
+        return reconstruct(bench().scene.s, {&reading, 1}, bench().robot, bench().pa, settings,
+                           watch);
+    };
+    const TerrainEstimate whole = run({});
+    EXPECT_EQ(whole.ending, Ending::Sweeps);
+    EXPECT_EQ(whole.draws.size(), 102U);
+    EXPECT_EQ(whole.ess[4], 102.0);
+    Watch hurried;
+    hurried.outOfTime = [] { return true; };
+    const TerrainEstimate cut = run(hurried);
+    EXPECT_EQ(cut.ending, Ending::Time);
+    EXPECT_EQ(cut.draws.size(), 12U);
+    EXPECT_EQ(cut.ess[4], 12.0);
+    EXPECT_NE(cut.warnings.back().find("when time was out"), std::string::npos);
 }
 
 TEST(Reconstruct, reportsAnArmReadingAboveTheBodyAndKeepsIt)

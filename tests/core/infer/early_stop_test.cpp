@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "core/infer/convergence.h"
+#include "core/infer/gibbs.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Toy conditionals of sd `sd`, whose mean is `pull` times the last of the other unknown bins' states.
+class Pulled final : public Conditionals, public SceneConditionals {
+public:
+    Pulled(double pull, double sd) : pull_(pull), sd_(sd) {}
+
+    StartDraw start(int) const override { return {0.0, 1.0}; }
+    double height(int, double state) const override { return 0.1 * state - 0.3; }
+    std::unique_ptr<SceneConditionals> at(const Heights&, const std::vector<int>&) const override
+    {
+        return std::make_unique<Pulled>(*this);
+    }
+    void predict(std::size_t k, const Eigen::MatrixXd& states, Eigen::VectorXd& mean,
+                 Eigen::VectorXd& variance) override
+    {
+        const Eigen::Index other = k == 0 ? states.rows() - 1 : 0;
+        mean = pull_ * states.row(other).transpose();
+        variance = Eigen::VectorXd::Constant(states.cols(), sd_ * sd_);
+    }
+
+private:
+    double pull_, sd_;
+};
+
+const Pulled& independent()
+{
+    static const Pulled conditionals(0.0, 1.0);
+    return conditionals;
+}
+
+/// Each state follows the other one: the chains stay where they started.
+const Pulled& stuck()
+{
+    static const Pulled conditionals(1.0, 1e-3);
+    return conditionals;
+}
+
+GibbsProblem twoUnknown()
+{
+    GibbsProblem problem;
+    for (auto& height : problem.known) height = 0.0;
+    problem.known[2].reset();
+    problem.known[7].reset();
+    problem.ceiling.fill(kInfinity);
+    problem.rule = CeilingRule::None;
+    problem.burnIn = 5;
+    problem.keptPerChain = 2000;
+    problem.stopEarly = true;
+    return problem;
+}
+
+Watch inThreads()
+{
+    Watch watch;
+    watch.sideBySide = [](int count, const std::function<void(int)>& work) {
+        std::vector<std::jthread> threads;
+        for (int i = 0; i < count; ++i) threads.emplace_back(work, i);
+    };
+    return watch;
+}
+
+bool withinLimits(const Eigen::MatrixXd& draws)
+{
+    return rankNormalisedRhat(draws) <= kRhatLimit && bulkEss(draws) >= kEssLimit;
+}
+
+void expectFirstRows(const GibbsDraws& few, const GibbsDraws& all)
+{
+    ASSERT_EQ(few.draws.size(), all.draws.size());
+    for (std::size_t k = 0; k < few.draws.size(); ++k)
+        EXPECT_EQ(few.draws[k], all.draws[k].topRows(few.draws[k].rows()));
+}
+
+TEST(EarlyStop, endsAtTheFirstCheckWhereEveryBinHasConverged)
+{
+    GibbsProblem problem = twoUnknown();
+    problem.chains = 8;  // the first checks see fewer than 400 draws
+    const GibbsDraws draws = sampleStates(independent(), problem);
+    EXPECT_EQ(draws.ending, Ending::Converged);
+    Eigen::Index before = 0;
+    Eigen::Index check = kFirstCheck;
+    while (check < draws.draws[0].rows()) {
+        before = check;
+        check += (check + 1) / 2;
+    }
+    EXPECT_EQ(check, draws.draws[0].rows());
+    EXPECT_LT(check, 300);
+    EXPECT_TRUE(withinLimits(draws.draws[0]) && withinLimits(draws.draws[1]));
+    ASSERT_GE(before, kFirstCheck);  // else the next line says nothing
+    EXPECT_FALSE(withinLimits(draws.draws[0].topRows(before))
+                 && withinLimits(draws.draws[1].topRows(before)));
+}
+
+TEST(EarlyStop, givesTheFirstDrawsOfTheWholeBudget)
+{
+    GibbsProblem problem = twoUnknown();
+    const GibbsDraws few = sampleStates(independent(), problem);
+    problem.stopEarly = false;
+    const GibbsDraws all = sampleStates(independent(), problem);
+    EXPECT_EQ(all.ending, Ending::Sweeps);
+    EXPECT_EQ(all.draws[0].rows(), 2000);
+    expectFirstRows(few, all);
+}
+
+TEST(EarlyStop, givesTheSameDrawsInSeveralThreads)
+{
+    GibbsProblem problem = twoUnknown();
+    problem.chains = 21;
+    const GibbsDraws alone = sampleStates(independent(), problem);
+    const GibbsDraws together = sampleStates(independent(), problem, inThreads());
+    EXPECT_EQ(alone.draws, together.draws);
+    EXPECT_EQ(together.ending, Ending::Converged);
+}
+
+TEST(EarlyStop, drawsTheWholeBudgetWhereChainsNeverMix)
+{
+    GibbsProblem problem = twoUnknown();
+    problem.keptPerChain = 301;
+    const GibbsDraws draws = sampleStates(stuck(), problem);
+    EXPECT_EQ(draws.ending, Ending::Sweeps);
+    EXPECT_EQ(draws.draws[0].rows(), 301);
+    EXPECT_GT(rankNormalisedRhat(draws.draws[0]), kRhatLimit);
+}
+
+TEST(EarlyStop, alsoJudgesTheLastSweepOfTheBudget)
+{
+    GibbsProblem problem = twoUnknown();
+    problem.keptPerChain = static_cast<int>(sampleStates(independent(), problem).draws[0].rows());
+    EXPECT_EQ(sampleStates(independent(), problem).ending, Ending::Converged);
+    problem.keptPerChain = 10;  // before the first regular check; 160 draws are too few
+    const GibbsDraws draws = sampleStates(independent(), problem);
+    EXPECT_EQ(draws.ending, Ending::Sweeps);
+    EXPECT_EQ(draws.draws[0].rows(), 10);
+}
+
+TEST(TimeOut, keepsWhatIsThereAndTheSameDrawsAsWithMoreTime)
+{
+    GibbsProblem problem = twoUnknown();
+    const GibbsDraws all = sampleStates(stuck(), problem);
+    for (const bool threads : {false, true}) {
+        Watch watch = threads ? inThreads() : Watch{};
+        int asked = 0;
+        watch.outOfTime = [&] { return ++asked > 20; };
+        const GibbsDraws draws = sampleStates(stuck(), problem, watch);
+        EXPECT_EQ(draws.ending, Ending::Time);
+        EXPECT_GE(draws.draws[0].rows(), 20);
+        EXPECT_LE(draws.draws[0].rows(), 100);
+        expectFirstRows(draws, all);
+    }
+}
+
+TEST(TimeOut, leavesFourKeptSweepsAndTheWholeBurnIn)
+{
+    GibbsProblem problem = twoUnknown();
+    const GibbsDraws all = sampleStates(stuck(), problem);
+    Watch watch;
+    watch.outOfTime = [] { return true; };
+    const GibbsDraws draws = sampleStates(stuck(), problem, watch);
+    EXPECT_EQ(draws.ending, Ending::Time);
+    EXPECT_EQ(draws.draws[0].rows(), kLeastKept);
+    expectFirstRows(draws, all);
+    problem.keptPerChain = 2;
+    EXPECT_EQ(sampleStates(stuck(), problem, watch).ending, Ending::Sweeps);
+}
+
+TEST(TimeOut, isNoReasonToMissAConvergence)
+{
+    int asked = 0;
+    Watch watch;
+    watch.outOfTime = [&] {
+        ++asked;
+        return false;
+    };
+    const GibbsDraws draws = sampleStates(independent(), twoUnknown(), watch);
+    EXPECT_EQ(draws.ending, Ending::Converged);
+    EXPECT_EQ(asked, draws.draws[0].rows() - kLeastKept);  // between all sweeps that may be last
+}
+
+TEST(Ending, ofAProblemWithoutUnknownsIsNotSampled)
+{
+    GibbsProblem problem = twoUnknown();
+    problem.known.fill(0.0);
+    const GibbsDraws draws = sampleStates(independent(), problem);
+    EXPECT_EQ(draws.ending, Ending::NotSampled);
+    EXPECT_TRUE(draws.draws.empty());
+}
+
+TEST(Draws, areHeightsOfTheStates)
+{
+    GibbsProblem problem = twoUnknown();
+    problem.stopEarly = false;
+    const GibbsDraws draws = sampleStates(independent(), problem);
+    EXPECT_NEAR(draws.draws[0].mean(), -0.3, 0.01);
+    EXPECT_NEAR(std::sqrt((draws.draws[0].array() + 0.3).square().mean()), 0.1, 0.01);
+}
+
+TEST(Progress, ofChainsThatEndEarlyReachesOne)
+{
+    std::vector<double> shares;
+    Watch watch;
+    watch.progress = [&](double share) { shares.push_back(share); };
+    (void)sampleStates(independent(), twoUnknown(), watch);
+    EXPECT_LT(shares[shares.size() - 2], 0.5);
+    EXPECT_EQ(shares.back(), 1.0);
+}
+
+}  // namespace
+}  // namespace terratact
