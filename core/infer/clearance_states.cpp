@@ -76,7 +76,7 @@ StartDraw ClearanceStates::start(int bin) const
 
 double ClearanceStates::height(int bin, double state) const
 {
-    return toHeight(state, ceiling_[static_cast<std::size_t>(bin)]);
+    return fromLogClearance(state, ceiling_[static_cast<std::size_t>(bin)]);
 }
 
 std::unique_ptr<SceneConditionals> ClearanceStates::at(const Heights& known,

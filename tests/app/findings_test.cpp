@@ -207,7 +207,7 @@ TEST_F(FindingsFile, isToldFromOtherFiles)
     EXPECT_FALSE(isFindingsFile(dir.file("none.tte")));
     EXPECT_FALSE(isFindingsFile(dir.write("short.tte", "SQLite format 3")));
     EXPECT_TRUE(refusesAfter("PRAGMA application_id = 7", {"another application"}));
-    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 2", {"version 2", "reads version 1"}));
+    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 9", {"version 9", "reads version 2"}));
     EXPECT_TRUE(refusesAfter("CREATE TABLE zebra(x)", {"tables"}));
 }
 
