@@ -1,7 +1,7 @@
 #include "widgets/status_header.h"
 
-#include <QHBoxLayout>
 #include <QActionGroup>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>

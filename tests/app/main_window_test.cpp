@@ -266,8 +266,7 @@ TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
     ASSERT_EQ(actions.size(), 3);
     EXPECT_EQ(actions[0]->text(),
               QStringLiteral("fast: 0.5 ms, quantiles ± 0.2 mm from a long run, mean error 25 mm"));
-    EXPECT_EQ(actions[1]->text(),
-              QStringLiteral("balanced: not measured (terratact tradeoff)"));
+    EXPECT_EQ(actions[1]->text(), QStringLiteral("balanced: not measured (terratact tradeoff)"));
     actions[0]->trigger();
     EXPECT_EQ(window->header()->qualityButton()->text(), QStringLiteral("fast"));
     const Settings& settings = window->exploration().options().settings;

@@ -65,7 +65,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, InverseFactorOf, testing::Values(1, 2, 24, 47, 48
 TEST(InverseFactor, knowsHowFarSinglePrecisionIsOff)
 {
     const auto errorWith = [](double noise) {
-        return InverseFactor(someFactor(200, noise), [=](const Poll&) { return someFactor(200, noise); })
+        return InverseFactor(someFactor(200, noise),
+                             [=](const Poll&) { return someFactor(200, noise); })
             .singleError();
     };
     EXPECT_LT(errorWith(0.1), 1e-5);
