@@ -139,6 +139,7 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
         panel->points(points);
     }
     std::vector<KeyEntry> entries;
+    entries.reserve(methods.size());
     for (const Method method : methods)
         entries.push_back({lookOf(method).words, [look = lookOf(method)](Canvas& c, Point at) {
                                drawMarker(c, look, at, 1.0);
