@@ -1,6 +1,6 @@
 #include "widgets/status_header.h"
 
-#include <QActionGroup>
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -88,13 +88,12 @@ void StatusHeader::setModel(const QString& text, Tone tone, const QString& detai
 void StatusHeader::setQualities(const QStringList& names, const QStringList& lines, int chosen)
 {
     auto* menu = new QMenu(quality_);
-    auto* group = new QActionGroup(menu);
     for (int k = 0; k < lines.size(); ++k) {
         QAction* action = menu->addAction(lines[k]);
         action->setCheckable(true);
         action->setChecked(k == chosen);
-        group->addAction(action);
-        connect(action, &QAction::triggered, this, [this, names, k] {
+        connect(action, &QAction::triggered, this, [this, menu, names, k] {
+            for (int i = 0; i < names.size(); ++i) menu->actions().at(i)->setChecked(i == k);
             quality_->setText(names[k]);
             emit qualityChosen(k);
         });

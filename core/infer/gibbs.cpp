@@ -232,9 +232,10 @@ private:
     void keep(int part, int row)
     {
         const Sampler& sampler = *parts_[static_cast<std::size_t>(part)];
+        const Eigen::Index first = static_cast<Eigen::Index>(part) * each_;
         for (std::size_t k = 0; k < draws_.size(); ++k)
             for (Eigen::Index c = 0; c < sampler.states().cols(); ++c)
-                draws_[k](row, part * each_ + c) = conditionals_.height(
+                draws_[k](row, first + c) = conditionals_.height(
                     sampler.bins()[k], sampler.states()(static_cast<Eigen::Index>(k), c));
     }
 

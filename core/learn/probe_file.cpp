@@ -12,7 +12,7 @@ constexpr double kMostHeight = 5.0;  // [m]
 
 Result<double> height(const CsvReader& csv, std::size_t field, std::string_view name)
 {
-    const Result<double> value = csv.number(field, name);
+    Result<double> value = csv.number(field, name);
     if (value && std::abs(*value) > kMostHeight)
         return csv.error(std::string(name) + " is " + numberText(*value)
                          + ", beyond ±5 m (is it in mm?)");
