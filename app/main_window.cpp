@@ -87,6 +87,7 @@ void MainWindow::build()
     terrain_ = new TerrainProfileView(terrainCard);
     terrainCard->note()->hide();
     terrainCard->titleRow()->addWidget(strip_, 1);
+    terrainCard->titleRow()->addWidget(header_->qualityButton());  // the header has no room
     terrainCard->body()->addWidget(strip_->warnings());
     terrainCard->body()->addWidget(terrain_, 1);
 
