@@ -17,8 +17,20 @@ struct PressCommand {
 struct ProbeCommand {
     int bin = 0;  ///< bin to touch with the arm
 };
+struct ArmCommand {
+    bool armed = false;  ///< false: disarm
+};
+struct BeginAtemCommand {};  ///< an exploration begins: halt, and refuse to drive until it ends
+struct AbortAtemCommand {};  ///< the exploration ends: halt
+struct HoldFlippersCommand {
+    double front = 0.0, rear = 0.0;  ///< [rad] tip up positive
+};
+struct AdvanceCommand {
+    double distance = 0.0;  ///< [m] forward, then halt
+};
 
 using Command = std::variant<StopCommand, ReleaseStopCommand, HaltCommand, DriveCommand,
-                             PressCommand, ProbeCommand>;
+                             PressCommand, ProbeCommand, ArmCommand, BeginAtemCommand,
+                             AbortAtemCommand, HoldFlippersCommand, AdvanceCommand>;
 
 }  // namespace terratact

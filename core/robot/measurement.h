@@ -25,7 +25,17 @@ struct Proprioception {
 enum class RobotActivity : std::uint8_t { Halted, Driving, Pressing, Pressed, Probing, Stopped };
 
 /// Why the robot did not do as told.
-enum class Refusal : std::uint8_t { None, StopLatched, Busy, OutOfReach, NotPressed, NoRestPose };
+enum class Refusal : std::uint8_t {
+    None,
+    StopLatched,
+    Busy,
+    OutOfReach,
+    NotPressed,
+    NoRestPose,
+    NotArmed,
+    WrongEpoch,  ///< the command was meant for an earlier arming
+    OutOfLimits,
+};
 
 std::string describe(RobotActivity activity);
 std::string describe(Refusal refusal);

@@ -34,6 +34,9 @@ constexpr Range kRadius{0.001, 0.5};    ///< [m]
 constexpr Range kMass{0.01, 1000.0};    ///< [kg]
 constexpr Range kShare{0.0, 1.0};
 constexpr Range kPositive{0.001, 10000.0};
+constexpr Range kForce{0.001, 1000.0};  ///< [N]
+constexpr Range kResistance{1.0, 1e8};  ///< [Ω]
+constexpr Range kSupply{1.0, 5.0};      ///< [V] what the link can carry
 
 std::string expectedNumber(Range range)
 {
@@ -173,6 +176,45 @@ void readFlipper(Section& section, FlipperGeometry& flipper)
     flipper.comDistance = section.number("com_distance_m", {0.0, flipper.axleDistance});
 }
 
+std::array<double, kForceElements> biasOf(Section& section, std::string_view name, double most)
+{
+    const std::string key = section.path(name);
+    const toml::array& array = arrayOf(section.node(name), key, kForceElements, kForceElements);
+    std::array<double, kForceElements> bias{};
+    for (std::size_t i = 0; i < bias.size(); ++i) bias[i] = numberOf(array[i], key, {0.0, most});
+    return bias;
+}
+
+std::vector<ForcePoint> curveOf(const toml::node& node, const std::string& key)
+{
+    std::vector<ForcePoint> curve;
+    for (const toml::node& point : arrayOf(node, key, 2, kMostPoints)) {
+        const toml::array& pair = arrayOf(point, key, 2, 2);
+        curve.push_back({numberOf(pair[0], key, kForce), numberOf(pair[1], key, kResistance)});
+        const std::size_t n = curve.size();
+        const bool falls = n < 2
+                        || (curve[n - 1].force > curve[n - 2].force
+                            && curve[n - 1].resistance < curve[n - 2].resistance);
+        if (!falls)
+            throw Refused{lineOf(point) + ": " + key
+                          + " must rise in force and fall in resistance from point to point"};
+    }
+    return curve;
+}
+
+void readForceCalibration(Section& section, const RobotModel& robot, ForceCalibration& calibration)
+{
+    calibration.supply = section.number("supply_v", kSupply);
+    calibration.reference = section.number("reference_ohm", kResistance);
+    const std::string key = section.path("curve_n_ohm");
+    calibration.curve = curveOf(section.node("curve_n_ohm"), key);
+    calibration.biasLeft = biasOf(section, "bias_left_n", robot.forceSaturation);
+    calibration.biasRight = biasOf(section, "bias_right_n", robot.forceSaturation);
+    calibration.openBelow = section.number("open_below_v", {0.0, calibration.supply});
+    calibration.shortAbove =
+        section.number("short_above_v", {calibration.openBelow, calibration.supply});
+}
+
 void readForceElements(Section& section, RobotModel& robot)
 {
     const std::string key = section.path("edge_share");
@@ -203,6 +245,8 @@ RobotModel robotOf(Section& file)
     file.section("front_flipper", [&](Section& s) { readFlipper(s, robot.front); });
     file.section("rear_flipper", [&](Section& s) { readFlipper(s, robot.rear); });
     file.section("force_elements", [&](Section& s) { readForceElements(s, robot); });
+    file.section("force_calibration",
+                 [&](Section& s) { readForceCalibration(s, robot, robot.forceCalibration); });
     file.section("flipper_drive", [&](Section& s) {
         robot.torquePerAmpere = s.number("torque_per_ampere_nm", kPositive);
         robot.maxFlipperTorque = s.number("max_torque_nm", kPositive);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "core/robot/force_sensor.h"
 #include "core/robot/measurement.h"
 
 namespace terratact {
@@ -54,7 +55,8 @@ struct RobotModel {
     /// Where the elements sit on the front flippers' lower edge, as a share of its length from the
     /// pivot end (0) to the tip end (1); element 6 is last.
     std::array<double, kForceElements> elementShare{};
-    double forceSaturation = 0.0;                   ///< [N] an element reads at most this
+    double forceSaturation = 0.0;  ///< [N] an element reads at most this
+    ForceCalibration forceCalibration;
     double torquePerAmpere = 0.0;                   ///< [N m / A] of one flipper motor
     double maxFlipperTorque = 0.0;                  ///< [N m] one motor, at the output
     double flipperSpeed = 0.0;                      ///< [rad/s]

@@ -30,9 +30,9 @@ TEST(Measurement, describesEveryActivityAndRefusalInWordsOfItsOwn)
     std::set<std::string> words;
     for (int i = 0; i <= static_cast<int>(RobotActivity::Stopped); ++i)
         words.insert(describe(static_cast<RobotActivity>(i)));
-    for (int i = 0; i <= static_cast<int>(Refusal::NoRestPose); ++i)
+    for (int i = 0; i <= static_cast<int>(Refusal::OutOfLimits); ++i)
         words.insert(describe(static_cast<Refusal>(i)));
-    EXPECT_EQ(words.size(), 12U);
+    EXPECT_EQ(words.size(), 15U);
     EXPECT_THROW(static_cast<void>(describe(static_cast<Refusal>(99))), std::invalid_argument);
 }
 

@@ -98,6 +98,21 @@ TEST(Absolem, hasSixElementsOfWhichTheLastIsAtTheTip)
     EXPECT_EQ(robot.forceSaturation, 20.0);
 }
 
+TEST(Absolem, hasTheCalibrationOfItsForceElements)
+{
+    const ForceCalibration calibration = absolem().forceCalibration;
+    EXPECT_EQ(calibration.supply, 5.0);
+    EXPECT_EQ(calibration.reference, 10e3);
+    EXPECT_EQ(calibration.curve,
+              (std::vector<ForcePoint>{{0.2, 30e3}, {1.0, 6e3}, {10.0, 1e3}, {100.0, 250.0}}));
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        EXPECT_EQ(calibration.biasLeft[e], 0.3);
+        EXPECT_EQ(calibration.biasRight[e], 0.3);
+    }
+    EXPECT_EQ(calibration.openBelow, 0.2);
+    EXPECT_EQ(calibration.shortAbove, 4.95);
+}
+
 TEST(Absolem, reachesTheBinsAheadOfItsTracksWithTheArm)
 {
     const RobotModel robot = absolem();
@@ -149,7 +164,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
             << section << key;
         ++keys;
     }
-    EXPECT_EQ(keys, 30);
+    EXPECT_EQ(keys, 37);
     EXPECT_TRUE(refusesChange("[arm]", "[arms]", {"arm is missing"}));
     EXPECT_TRUE(refuses(absolem + "\n[laser]\n", {"'laser' is not a known key"}));
 }
@@ -158,7 +173,7 @@ TEST_F(RobotFile, refusesNumbersOutOfRangeSayingWhatWasExpected)
 {
     EXPECT_TRUE(refusesChange(
         "wheel_radius_m = 0.089", "wheel_radius_m = 89",
-        {"line 26", "track.wheel_radius_m is 89", "expected a number from 0.001 to 0.5"}));
+        {"line 27", "track.wheel_radius_m is 89", "expected a number from 0.001 to 0.5"}));
     EXPECT_TRUE(
         refusesChange("height_m = 0.0705", "height_m = nan", {"base.height_m is nan", "expected"}));
     EXPECT_TRUE(refusesChange("height_m = 0.0705", "height_m = -inf",
@@ -189,6 +204,30 @@ TEST_F(RobotFile, refusesValuesOfOtherTypes)
     EXPECT_TRUE(refusesChange("0.5, 0.66", "0.1, 0.66", {"force_elements.edge_share", "increase"}));
     EXPECT_TRUE(
         refuses("arm = 1\n" + replaced(absolem, "[arm]\n", "[my_arm]\n"), {"arm is not a table"}));
+}
+
+TEST_F(RobotFile, refusesCalibrationsThatCannotBe)
+{
+    EXPECT_TRUE(refusesChange("[1, 6000]", "[0.1, 6000]",
+                              {"force_calibration.curve_n_ohm", "rise in force"}));
+    EXPECT_TRUE(refusesChange("[1, 6000]", "[1, 30000]",
+                              {"force_calibration.curve_n_ohm", "fall in resistance"}));
+    EXPECT_TRUE(refusesChange("[1, 6000]", "[1, 0]", {"force_calibration.curve_n_ohm is 0"}));
+    EXPECT_TRUE(refusesChange("[1, 6000]", "[1]", {"curve_n_ohm", "array of 2"}));
+    EXPECT_TRUE(refusesChange("[[0.2, 30000], [1, 6000], [10, 1000], [100, 250]]", "[[1, 2]]",
+                              {"curve_n_ohm", "array of 2 to 64"}));
+    EXPECT_TRUE(refusesChange("bias_left_n = [0.3, ", "bias_left_n = [-1, ",
+                              {"force_calibration.bias_left_n is -1"}));
+    EXPECT_TRUE(refusesChange("bias_right_n = [0.3, ", "bias_right_n = [99, ",
+                              {"force_calibration.bias_right_n is 99", "to 20"}));
+    EXPECT_TRUE(refusesChange("bias_right_n = [0.3, ", "bias_right_n = [",
+                              {"force_calibration.bias_right_n", "array of 6"}));
+    EXPECT_TRUE(refusesChange("open_below_v = 0.2", "open_below_v = 5.1",
+                              {"force_calibration.open_below_v is 5.1"}));
+    EXPECT_TRUE(refusesChange("short_above_v = 4.95", "short_above_v = 0.1",
+                              {"force_calibration.short_above_v is 0.1", "from 0.2 to 5"}));
+    EXPECT_TRUE(refusesChange("supply_v = 5.0", "supply_v = 12", {"supply_v is 12"}));
+    EXPECT_TRUE(refusesChange("reference_ohm = 10000", "reference_ohm = 0", {"reference_ohm"}));
 }
 
 TEST_F(RobotFile, takesWholeNumbersForNumbers)
