@@ -8,14 +8,17 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMaxSpeed = 0.6;  // [m/s]
-constexpr double kMargin = 0.7;    // [m] the robot stays this far from the terrain's ends
+constexpr double kMaxSpeed = 0.6;        // [m/s]
+constexpr double kMargin = 0.7;          // [m] the robot stays this far from the terrain's ends
+constexpr double kMaxAdvance = 0.1;      // [m]
+constexpr double kAdvanceSpeed = 0.1;    // [m/s]
+constexpr double kHighestFlipper = 3.1;  // [rad]
 
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options)
     : robot_(std::move(robot)), terrain_(std::move(terrain)), options_(options), rng_(options.seed),
-      x_(options.startX), frontTarget_(options.drivingAngle)
+      x_(options.startX), frontTarget_(options.drivingAngle), rearTarget_(options.rearAngle)
 {
     settle();
 }
@@ -28,34 +31,82 @@ void SimulatedRobot::command(const Command& command)
         if (activity_ == RobotActivity::Stopped) accept(RobotActivity::Halted);
         return;
     }
+    if (std::holds_alternative<ArmCommand>(command)) return;
     if (activity_ == RobotActivity::Stopped) return refuse(Refusal::StopLatched);
-    if (std::holds_alternative<HaltCommand>(command)) {
-        if (activity_ != RobotActivity::Pressed) accept(RobotActivity::Halted);
-        return;
-    }
+    if (std::holds_alternative<HaltCommand>(command)) return halt();
+    if (std::holds_alternative<BeginAtemCommand>(command)) return halt();
+    if (std::holds_alternative<AbortAtemCommand>(command)) return halt();
     if (activity_ == RobotActivity::Probing) return refuse(Refusal::Busy);
-    if (const auto* drive = std::get_if<DriveCommand>(&command)) {
-        speed_ = std::clamp(drive->speed, -kMaxSpeed, kMaxSpeed);
-        activity_ = RobotActivity::Driving;
-    } else if (const auto* press = std::get_if<PressCommand>(&command)) {
-        if (!(press->torque > 0.0) || press->torque > 2.0 * robot_.maxFlipperTorque)
-            return refuse(Refusal::OutOfReach);
-        torque_ = press->torque;
-        frontTarget_ = rest_.pose.front;
-        accept(RobotActivity::Pressing);
-    } else if (const auto* probe = std::get_if<ProbeCommand>(&command)) {
-        if (activity_ != RobotActivity::Pressed) return refuse(Refusal::NotPressed);
-        if (!robot_.armReaches(probe->bin)) return refuse(Refusal::OutOfReach);
-        probeBin_ = probe->bin;
-        probeLeft_ = options_.probeSeconds;
-        accept(RobotActivity::Probing);
-    }
+    if (const auto* drive = std::get_if<DriveCommand>(&command)) return obey(*drive);
+    if (const auto* press = std::get_if<PressCommand>(&command)) return obey(*press);
+    if (const auto* probe = std::get_if<ProbeCommand>(&command)) return obey(*probe);
+    if (const auto* advance = std::get_if<AdvanceCommand>(&command)) return obey(*advance);
+    if (const auto* hold = std::get_if<HoldFlippersCommand>(&command)) return obey(*hold);
+}
+
+void SimulatedRobot::halt()
+{
+    if (activity_ != RobotActivity::Pressed) accept(RobotActivity::Halted);
+}
+
+void SimulatedRobot::obey(const DriveCommand& drive)
+{
+    if (!std::isfinite(drive.speed)) return refuse(Refusal::OutOfLimits);
+    accept(RobotActivity::Driving);
+    speed_ = std::clamp(drive.speed, -kMaxSpeed, kMaxSpeed);
+}
+
+void SimulatedRobot::obey(const PressCommand& press)
+{
+    if (!(press.torque > 0.0) || press.torque > 2.0 * robot_.maxFlipperTorque)
+        return refuse(Refusal::OutOfReach);
+    torque_ = press.torque;
+    frontTarget_ = rest_.pose.front;
+    accept(RobotActivity::Pressing);
+}
+
+void SimulatedRobot::obey(const ProbeCommand& probe)
+{
+    if (activity_ != RobotActivity::Pressed) return refuse(Refusal::NotPressed);
+    if (!robot_.armReaches(probe.bin)) return refuse(Refusal::OutOfReach);
+    probeBin_ = probe.bin;
+    probeLeft_ = options_.probeSeconds;
+    accept(RobotActivity::Probing);
+}
+
+void SimulatedRobot::obey(const AdvanceCommand& advance)
+{
+    if (!standsStill()) return refuse(Refusal::Busy);
+    if (!(advance.distance > 0.0 && advance.distance <= kMaxAdvance))
+        return refuse(Refusal::OutOfLimits);
+    accept(RobotActivity::Driving);
+    speed_ = kAdvanceSpeed;
+    advanceLeft_ = advance.distance;
+}
+
+void SimulatedRobot::obey(const HoldFlippersCommand& hold)
+{
+    if (!standsStill()) return refuse(Refusal::Busy);
+    const auto fits = [](double angle) {
+        return angle >= kLowestFlipper && angle <= kHighestFlipper;
+    };
+    if (!fits(hold.front) || !fits(hold.rear)) return refuse(Refusal::OutOfLimits);
+    frontTarget_ = rest_.pose.front;
+    accept(RobotActivity::Halted);
+    hold_ = hold;
+}
+
+bool SimulatedRobot::standsStill() const
+{
+    return activity_ == RobotActivity::Halted || activity_ == RobotActivity::Pressed;
 }
 
 void SimulatedRobot::accept(RobotActivity activity)
 {
     activity_ = activity;
     speed_ = 0.0;
+    advanceLeft_.reset();
+    hold_.reset();
 }
 
 void SimulatedRobot::refuse(Refusal refusal)
@@ -70,40 +121,68 @@ void SimulatedRobot::step(double dt)
     time_ += dt;
     const double turn = robot_.flipperSpeed * dt;
     switch (activity_) {
-    case RobotActivity::Driving: {
-        // Flippers come up before the tracks move, so that they meet obstacles from above.
-        frontTarget_ = std::min(rest_.pose.front + turn, options_.drivingAngle);
-        if (rest_.pose.front >= options_.drivingAngle - 1e-9)
-            x_ = std::clamp(x_ + speed_ * dt, terrain_.begin() + kMargin, terrain_.end() - kMargin);
-        torque_ = 0.0;
-        arm_.reset();
-        settle();
-        break;
-    }
-    case RobotActivity::Pressing:
-        arm_.reset();
-        frontTarget_ -= turn;
-        settle();
-        if (activity_ == RobotActivity::Pressing
-            && (rest_.frontTorque >= torque_ || frontTarget_ < kLowestFlipper)) {
-            accept(RobotActivity::Pressed);
-            settle();
-        }
-        break;
-    case RobotActivity::Probing:
-        probeLeft_ -= dt;
-        if (probeLeft_ <= 0.0) {
-            const double height = truth()[static_cast<std::size_t>(probeBin_)];
-            arm_ = ArmReading{probeBin_,
-                              height + robot_.armSd * std::normal_distribution<double>()(rng_),
-                              robot_.armSd};
-            accept(RobotActivity::Pressed);
-        }
-        break;
-    case RobotActivity::Halted:
+    case RobotActivity::Driving: drive(dt); break;
+    case RobotActivity::Pressing: press(turn); break;
+    case RobotActivity::Probing: probe(dt); break;
+    case RobotActivity::Halted: hold(turn); break;
     case RobotActivity::Pressed:
     case RobotActivity::Stopped: break;
     }
+}
+
+// Flippers come up before the tracks move, so that they meet obstacles from above.
+void SimulatedRobot::drive(double dt)
+{
+    const double turn = robot_.flipperSpeed * dt;
+    frontTarget_ = std::min(rest_.pose.front + turn, options_.drivingAngle);
+    double moved = 0.0;
+    if (rest_.pose.front >= options_.drivingAngle - 1e-9) {
+        moved = speed_ * dt;
+        if (advanceLeft_) moved = std::min(moved, *advanceLeft_);
+        x_ = std::clamp(x_ + moved, terrain_.begin() + kMargin, terrain_.end() - kMargin);
+    }
+    torque_ = 0.0;
+    arm_.reset();
+    settle();
+    if (!advanceLeft_) return;
+    *advanceLeft_ -= moved;
+    if (*advanceLeft_ <= 0.0) accept(RobotActivity::Halted);
+}
+
+void SimulatedRobot::press(double turn)
+{
+    arm_.reset();
+    frontTarget_ -= turn;
+    settle();
+    if (activity_ == RobotActivity::Pressing
+        && (rest_.frontTorque >= torque_ || frontTarget_ < kLowestFlipper)) {
+        accept(RobotActivity::Pressed);
+        settle();
+    }
+}
+
+void SimulatedRobot::probe(double dt)
+{
+    probeLeft_ -= dt;
+    if (probeLeft_ > 0.0) return;
+    const double height = truth()[static_cast<std::size_t>(probeBin_)];
+    arm_ = ArmReading{probeBin_, height + robot_.armSd * std::normal_distribution<double>()(rng_),
+                      robot_.armSd};
+    accept(RobotActivity::Pressed);
+}
+
+void SimulatedRobot::hold(double turn)
+{
+    if (!hold_) return;
+    const auto towards = [turn](double from, double to) {
+        return std::abs(to - from) <= turn ? to : from + std::copysign(turn, to - from);
+    };
+    frontTarget_ = towards(frontTarget_, hold_->front);
+    rearTarget_ = towards(rearTarget_, hold_->rear);
+    const bool there = frontTarget_ == hold_->front && rearTarget_ == hold_->rear;
+    arm_.reset();
+    settle();
+    if (there) hold_.reset();
 }
 
 /// Finds the rest pose for the present position and flipper drive; keeps the old one where there is none.
@@ -113,7 +192,7 @@ void SimulatedRobot::settle()
                                  ? FlipperDrive{PressTorque{torque_, rest_.pose.front + 0.1}}
                                  : FlipperDrive{HoldAngle{frontTarget_}};
     const auto rest =
-        restPose(robot_, terrain_, x_, front, HoldAngle{options_.rearAngle}, rest_.pose.pitch);
+        restPose(robot_, terrain_, x_, front, HoldAngle{rearTarget_}, rest_.pose.pitch);
     if (rest) {
         rest_ = *rest;
     } else {

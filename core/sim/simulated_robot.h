@@ -27,7 +27,8 @@ public:
 
     SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options);
 
-    /// Takes or refuses a command; a refusal is in the next measure().
+    /// Takes or refuses a command; a refusal is in the next measure().  Arming is the link's business, so it
+    /// changes nothing here; the beginning and the end of an exploration halt.
     void command(const Command& command);
 
     /// Lets `dt` seconds pass.  Throws std::invalid_argument unless 0 < dt ≤ 1.
@@ -43,6 +44,17 @@ public:
 
 private:
     void settle();
+    void obey(const DriveCommand& drive);
+    void obey(const PressCommand& press);
+    void obey(const ProbeCommand& probe);
+    void obey(const AdvanceCommand& advance);
+    void obey(const HoldFlippersCommand& hold);
+    void halt();
+    bool standsStill() const;
+    void drive(double dt);
+    void press(double turn);
+    void probe(double dt);
+    void hold(double turn);
     void accept(RobotActivity activity);
     void refuse(Refusal refusal);
 
@@ -54,8 +66,11 @@ private:
     double time_ = 0.0;
     double x_ = 0.0;
     double speed_ = 0.0;
-    double frontTarget_ = 0.0;  ///< [rad] held angle while not pressed
-    double torque_ = 0.0;       ///< [N m] both front flippers while pressing or pressed
+    double frontTarget_ = 0.0;                 ///< [rad] held angle while not pressed
+    double rearTarget_ = 0.0;                  ///< [rad] held angle
+    std::optional<HoldFlippersCommand> hold_;  ///< where the flippers are going while halted
+    std::optional<double> advanceLeft_;        ///< [m] while driving a given distance
+    double torque_ = 0.0;  ///< [N m] both front flippers while pressing or pressed
     RobotActivity activity_ = RobotActivity::Halted;
     Refusal refusal_ = Refusal::None;
     int probeBin_ = 0;

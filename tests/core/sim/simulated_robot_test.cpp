@@ -47,6 +47,63 @@ TEST(SimulatedRobot, drivesWhenToldAndHaltsWhenTold)
     EXPECT_DOUBLE_EQ(robot.rest().pose.base.x, start + driven);
 }
 
+TEST(SimulatedRobot, advancesByTheDistanceItIsTold)
+{
+    SimulatedRobot robot = robotBefore(1.5);
+    const double start = robot.rest().pose.base.x;
+    robot.command(AdvanceCommand{0.1});
+    EXPECT_EQ(robot.measure().activity, RobotActivity::Driving);
+    ASSERT_TRUE(within(robot, 5.0,
+                       [](const Measurement& m) { return m.activity == RobotActivity::Halted; }));
+    EXPECT_NEAR(robot.rest().pose.base.x - start, 0.1, 1e-9);
+    for (const double distance : {0.0, -0.05, 0.11, std::nan("")}) {
+        robot.command(AdvanceCommand{distance});
+        EXPECT_EQ(robot.measure().refusal, Refusal::OutOfLimits) << distance;
+    }
+    robot.command(DriveCommand{0.1});
+    robot.command(AdvanceCommand{0.1});
+    EXPECT_EQ(robot.measure().refusal, Refusal::Busy);
+    robot.command(AdvanceCommand{0.1});
+    robot.command(HaltCommand{});
+    robot.command(DriveCommand{0.3});
+    EXPECT_FALSE(within(robot, 2.0, [](const Measurement& m) {
+        return m.activity != RobotActivity::Driving;
+    })) << "an advance that was halted is forgotten";
+}
+
+TEST(SimulatedRobot, bringsItsFlippersWhereItIsToldAtTheirSpeed)
+{
+    SimulatedRobot robot = robotBefore(1.5);
+    robot.command(HoldFlippersCommand{0.3, 0.2});
+    robot.step(0.1);
+    EXPECT_NEAR(robot.rest().pose.front, 0.7 - 0.0785, 1e-9);
+    for (int i = 0; i < 20; ++i) robot.step(0.05);
+    EXPECT_NEAR(robot.rest().pose.front, 0.3, 1e-9);
+    EXPECT_NEAR(robot.rest().pose.rear, 0.2, 1e-9);
+    EXPECT_EQ(robot.measure().activity, RobotActivity::Halted);
+    for (const double angle : {-2.0, 3.2, std::nan("")}) {
+        robot.command(HoldFlippersCommand{angle, 0.0});
+        EXPECT_EQ(robot.measure().refusal, Refusal::OutOfLimits) << angle;
+        robot.command(HoldFlippersCommand{0.0, angle});
+        EXPECT_EQ(robot.measure().refusal, Refusal::OutOfLimits) << angle;
+    }
+}
+
+TEST(SimulatedRobot, haltsWhenAnExplorationBeginsOrEnds)
+{
+    SimulatedRobot robot = robotBefore(1.5);
+    for (const Command& command : {Command{BeginAtemCommand{}}, Command{AbortAtemCommand{}}}) {
+        robot.command(DriveCommand{0.3});
+        robot.command(command);
+        EXPECT_EQ(robot.measure().activity, RobotActivity::Halted);
+        EXPECT_EQ(robot.measure().refusal, Refusal::None);
+    }
+    robot.command(ArmCommand{true});
+    EXPECT_EQ(robot.measure().refusal, Refusal::None);
+    robot.command(DriveCommand{std::nan("")});
+    EXPECT_EQ(robot.measure().refusal, Refusal::OutOfLimits);
+}
+
 TEST(SimulatedRobot, pressesUntilTheTorqueIsReached)
 {
     SimulatedRobot robot = robotBefore(0.5);
