@@ -10,7 +10,7 @@ if(NOT ROOT)
   cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROOT)
 endif()
 
-set(core_order wire robot terrain learn infer eval atem sim log)   # files of core/ itself come first
+set(core_order robot wire terrain learn infer eval atem sim log)   # files of core/ itself come first
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
 set(drivers_core "^core/(result\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h)$")

@@ -1,0 +1,349 @@
+#include "core/wire/can_codec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "core/wire/e2e.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kHeaderBits = 8 * static_cast<int>(kE2eHeader);
+constexpr std::uint8_t kLength = 8;
+constexpr FrameKind kFirstSensor = FrameKind::Attitude;
+
+using Values = std::array<double, kMostSignals>;
+
+// The frame as one little-endian word: bit i of the DBC is bit i of the word.
+std::uint64_t wordOf(const CanFrame& frame)
+{
+    std::uint64_t word = 0;
+    for (std::size_t i = frame.data.size(); i > 0; --i) word = (word << 8U) | frame.data[i - 1];
+    return word;
+}
+
+std::uint64_t lowBits(int count)
+{
+    return (std::uint64_t{1} << static_cast<unsigned>(count)) - 1U;
+}
+
+std::uint64_t maskOf(const SignalLayout& signal)
+{
+    return lowBits(signal.length) << static_cast<unsigned>(signal.start);
+}
+
+std::int64_t rawOf(std::uint64_t word, const SignalLayout& signal)
+{
+    const auto raw =
+        static_cast<std::int64_t>((word & maskOf(signal)) >> static_cast<unsigned>(signal.start));
+    const std::int64_t half = std::int64_t{1} << static_cast<unsigned>(signal.length - 1);
+    return signal.isSigned && raw >= half ? raw - 2 * half : raw;
+}
+
+std::uint64_t bitsOf(double value, const SignalLayout& signal)
+{
+    const double raw = std::round(value / signal.scale);
+    const bool fits =
+        raw >= static_cast<double>(leastRaw(signal)) && raw <= static_cast<double>(mostRaw(signal));
+    if (!fits) {
+        std::string text(signal.name);
+        text += ": the value does not fit into its signal";
+        throw std::invalid_argument(text);
+    }
+    const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(raw));
+    return (bits & lowBits(signal.length)) << static_cast<unsigned>(signal.start);
+}
+
+std::optional<FrameKind> kindOfId(std::uint32_t id)
+{
+    const auto layouts = frameLayouts();
+    for (std::size_t i = 0; i < layouts.size(); ++i)
+        if (layouts[i].id == id) return static_cast<FrameKind>(i);
+    return std::nullopt;
+}
+
+bool isClassicData(const CanFrame& frame)
+{
+    return !frame.extended && !frame.remote && !frame.error && !frame.fd;
+}
+
+CanFrame packed(FrameKind kind, std::uint8_t counter, const Values& values)
+{
+    return pack({.kind = kind, .counter = counter, .values = values});
+}
+
+struct CommandValues {
+    FrameKind kind;
+    Values values;  ///< the first one is the epoch
+};
+
+// One function per command, so that a new command does not compile without its frame.
+struct ToValues {
+    double epoch;
+    CommandValues operator()(const StopCommand&) const { return {FrameKind::Stop, {}}; }
+    CommandValues operator()(const ReleaseStopCommand&) const
+    {
+        return {FrameKind::ReleaseStop, {epoch}};
+    }
+    CommandValues operator()(const HaltCommand&) const { return {FrameKind::Halt, {epoch}}; }
+    CommandValues operator()(const DriveCommand& c) const
+    {
+        return {FrameKind::Drive, {epoch, c.speed}};
+    }
+    CommandValues operator()(const PressCommand& c) const
+    {
+        return {FrameKind::PressFlippers, {epoch, c.torque}};
+    }
+    CommandValues operator()(const ProbeCommand& c) const
+    {
+        return {FrameKind::ProbeBin, {epoch, static_cast<double>(c.bin)}};
+    }
+    CommandValues operator()(const ArmCommand& c) const
+    {
+        return {FrameKind::Arm, {epoch, c.armed ? 1.0 : 0.0}};
+    }
+    CommandValues operator()(const BeginAtemCommand&) const
+    {
+        return {FrameKind::BeginAtem, {epoch}};
+    }
+    CommandValues operator()(const AbortAtemCommand&) const
+    {
+        return {FrameKind::AbortAtem, {epoch}};
+    }
+    CommandValues operator()(const HoldFlippersCommand& c) const
+    {
+        return {FrameKind::HoldFlippers, {epoch, c.front, c.rear}};
+    }
+    CommandValues operator()(const AdvanceCommand& c) const
+    {
+        return {FrameKind::Advance, {epoch, c.distance}};
+    }
+};
+
+std::optional<Command> commandFrom(FrameKind kind, const Values& v)
+{
+    switch (kind) {
+    case FrameKind::Stop: return StopCommand{};
+    case FrameKind::ReleaseStop: return ReleaseStopCommand{};
+    case FrameKind::Arm: return ArmCommand{v[1] != 0.0};
+    case FrameKind::Halt: return HaltCommand{};
+    case FrameKind::Drive: return DriveCommand{v[1]};
+    case FrameKind::BeginAtem: return BeginAtemCommand{};
+    case FrameKind::AbortAtem: return AbortAtemCommand{};
+    case FrameKind::PressFlippers: return PressCommand{v[1]};
+    case FrameKind::HoldFlippers: return HoldFlippersCommand{v[1], v[2]};
+    case FrameKind::ProbeBin: return ProbeCommand{static_cast<int>(v[1])};
+    case FrameKind::Advance: return AdvanceCommand{v[1]};
+    default: return std::nullopt;
+    }
+}
+
+Values valuesOf(const std::optional<Pair>& pair)
+{
+    return pair ? Values{pair->left, pair->right, 1.0} : Values{};
+}
+
+std::optional<Pair> pairOf(const Values& v)
+{
+    return v[2] != 0.0 ? std::optional(Pair{v[0], v[1]}) : std::nullopt;
+}
+
+void takeVoltages(SensorLine& line, std::size_t set, const Values& v)
+{
+    line.voltages[set] =
+        v[3] != 0.0 ? std::optional(SensorLine::Three{v[0], v[1], v[2]}) : std::nullopt;
+}
+
+// Fills in what a sensor frame says.
+void takeSensors(SensorLine& line, FrameKind kind, const Values& v)
+{
+    switch (kind) {
+    case FrameKind::Attitude:
+        line.attitude =
+            v[2] != 0.0 ? std::optional(SensorLine::Attitude{v[0], v[1]}) : std::nullopt;
+        return;
+    case FrameKind::FrontAngles: line.frontAngles = pairOf(v); return;
+    case FrameKind::RearAngles: line.rearAngles = pairOf(v); return;
+    case FrameKind::FrontCurrents: line.frontCurrents = pairOf(v); return;
+    case FrameKind::RearCurrents: line.rearCurrents = pairOf(v); return;
+    case FrameKind::LeftForces1To3: takeVoltages(line, 0, v); return;
+    case FrameKind::LeftForces4To6: takeVoltages(line, 1, v); return;
+    case FrameKind::RightForces1To3: takeVoltages(line, 2, v); return;
+    case FrameKind::RightForces4To6: takeVoltages(line, 3, v); return;
+    case FrameKind::ArmResult:
+        line.arm = v[3] != 0.0 ? std::optional(ArmReading{static_cast<int>(v[0]), v[1], v[2]})
+                               : std::nullopt;
+        return;
+    default: return;
+    }
+}
+
+// A reading without an sd would count as exact.
+bool isExactArm(FrameKind kind, const Values& v)
+{
+    return kind == FrameKind::ArmResult && v[3] != 0.0 && !(v[2] > 0.0);
+}
+
+}  // namespace
+
+std::string describe(FrameFault fault)
+{
+    switch (fault) {
+    case FrameFault::UnknownId: return "unknown identifier";
+    case FrameFault::NotClassicData: return "extended, remote, error or FD frame";
+    case FrameFault::WrongLength: return "not eight bytes";
+    case FrameFault::WrongCrc: return "wrong checksum";
+    case FrameFault::ReservedBits: return "a bit without meaning is set";
+    case FrameFault::OutOfRange: return "a value is beyond its range";
+    }
+    throw std::invalid_argument("describe: no such FrameFault");
+}
+
+CanFrame pack(const Unpacked& content)
+{
+    const FrameLayout& layout = layoutOf(content.kind);
+    for (std::size_t i = layout.signals.size(); i < content.values.size(); ++i)
+        if (content.values[i] != 0.0)
+            throw std::invalid_argument("pack: a value that the frame has no signal for");
+    if (isExactArm(content.kind, content.values))
+        throw std::invalid_argument("pack: the sd of an arm's reading must be positive");
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < layout.signals.size(); ++i)
+        word |= bitsOf(content.values[i], layout.signals[i]);
+    CanFrame frame{.id = layout.id, .length = kLength};
+    for (std::size_t i = 0; i < frame.data.size(); ++i)
+        frame.data[i] = static_cast<std::uint8_t>(word >> (8U * static_cast<unsigned>(i)));
+    protect(frame.data, content.counter, layout.dataId);
+    return frame;
+}
+
+std::variant<Unpacked, FrameFault> unpack(const CanFrame& frame)
+{
+    if (!isClassicData(frame)) return FrameFault::NotClassicData;
+    const std::optional<FrameKind> kind = kindOfId(frame.id);
+    if (!kind) return FrameFault::UnknownId;
+    if (frame.length != kLength) return FrameFault::WrongLength;
+    const FrameLayout& layout = layoutOf(*kind);
+    if (!isIntact(frame.data, layout.dataId)) return FrameFault::WrongCrc;
+
+    Unpacked content{.kind = *kind, .counter = frame.data[2]};
+    const std::uint64_t word = wordOf(frame);
+    std::uint64_t named = lowBits(kHeaderBits);
+    for (std::size_t i = 0; i < layout.signals.size(); ++i) {
+        const SignalLayout& signal = layout.signals[i];
+        const std::int64_t raw = rawOf(word, signal);
+        if (raw < leastRaw(signal) || raw > mostRaw(signal)) return FrameFault::OutOfRange;
+        content.values[i] = static_cast<double>(raw) * signal.scale;
+        named |= maskOf(signal);
+    }
+    if ((word & ~named) != 0) return FrameFault::ReservedBits;
+    if (isExactArm(*kind, content.values)) return FrameFault::OutOfRange;
+    return content;
+}
+
+bool meansStop(const CanFrame& frame)
+{
+    return !frame.extended && !frame.error && frame.id == layoutOf(FrameKind::Stop).id;
+}
+
+FrameKind kindOf(const Command& command)
+{
+    return std::visit(ToValues{0.0}, command).kind;
+}
+
+CanFrame frameOf(const Command& command, std::uint8_t epoch, std::uint8_t counter)
+{
+    const CommandValues content = std::visit(ToValues{static_cast<double>(epoch)}, command);
+    return packed(content.kind, counter, content.values);
+}
+
+std::optional<ReceivedCommand> commandOf(const Unpacked& content)
+{
+    const std::optional<Command> command = commandFrom(content.kind, content.values);
+    if (!command) return std::nullopt;
+    return ReceivedCommand{*command, static_cast<std::uint8_t>(content.values[0])};
+}
+
+CanFrame consoleHeartbeat(std::uint16_t token, std::uint8_t counter)
+{
+    return packed(FrameKind::ConsoleHeartbeat, counter, {static_cast<double>(token)});
+}
+
+CanFrame robotHeartbeat(std::uint16_t token, std::uint8_t counter)
+{
+    return packed(FrameKind::RobotHeartbeat, counter, {static_cast<double>(token)});
+}
+
+std::optional<std::uint16_t> tokenOf(const Unpacked& content)
+{
+    if (content.kind != FrameKind::ConsoleHeartbeat && content.kind != FrameKind::RobotHeartbeat)
+        return std::nullopt;
+    return static_cast<std::uint16_t>(content.values[0]);
+}
+
+CanFrame frameOf(const RobotStatus& s, std::uint8_t counter)
+{
+    const std::uint32_t last = s.lastCommand ? layoutOf(*s.lastCommand).id : 0U;
+    return packed(FrameKind::RobotStatus, counter,
+                  {static_cast<double>(s.epoch), static_cast<double>(s.activity),
+                   static_cast<double>(s.refusal), s.armed ? 1.0 : 0.0, s.exploring ? 1.0 : 0.0,
+                   static_cast<double>(last), static_cast<double>(s.lastCounter)});
+}
+
+std::optional<RobotStatus> statusOf(const Unpacked& content)
+{
+    if (content.kind != FrameKind::RobotStatus) return std::nullopt;
+    const Values& v = content.values;
+    const auto last = static_cast<std::uint32_t>(v[5]);
+    const std::optional<FrameKind> command = kindOfId(last);
+    if (last != 0 && !command) return std::nullopt;
+    return RobotStatus{.epoch = static_cast<std::uint8_t>(v[0]),
+                       .activity = static_cast<RobotActivity>(v[1]),
+                       .refusal = static_cast<Refusal>(v[2]),
+                       .armed = v[3] != 0.0,
+                       .exploring = v[4] != 0.0,
+                       .lastCommand = command,
+                       .lastCounter = static_cast<std::uint8_t>(v[6])};
+}
+
+std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_t counter)
+{
+    const auto voltages = [&](std::size_t set) {
+        const auto& three = line.voltages[set];
+        return three ? Values{(*three)[0], (*three)[1], (*three)[2], 1.0} : Values{};
+    };
+    const Values attitude =
+        line.attitude ? Values{line.attitude->pitch, line.attitude->roll, 1.0} : Values{};
+    const Values arm =
+        line.arm ? Values{static_cast<double>(line.arm->bin), line.arm->height, line.arm->sd, 1.0}
+                 : Values{};
+    return {packed(FrameKind::Attitude, counter, attitude),
+            packed(FrameKind::FrontAngles, counter, valuesOf(line.frontAngles)),
+            packed(FrameKind::RearAngles, counter, valuesOf(line.rearAngles)),
+            packed(FrameKind::FrontCurrents, counter, valuesOf(line.frontCurrents)),
+            packed(FrameKind::RearCurrents, counter, valuesOf(line.rearCurrents)),
+            packed(FrameKind::LeftForces1To3, counter, voltages(0)),
+            packed(FrameKind::LeftForces4To6, counter, voltages(1)),
+            packed(FrameKind::RightForces1To3, counter, voltages(2)),
+            packed(FrameKind::RightForces4To6, counter, voltages(3)),
+            packed(FrameKind::ArmResult, counter, arm)};
+}
+
+std::optional<SensorLine> SensorLineReader::take(const Unpacked& content)
+{
+    if (content.kind < kFirstSensor) return std::nullopt;
+    if (have_ != 0 && content.counter != counter_) {
+        ++unfinished_;
+        have_ = 0;
+    }
+    counter_ = content.counter;
+    takeSensors(line_, content.kind, content.values);
+    have_ |= 1U << (static_cast<unsigned>(content.kind) - static_cast<unsigned>(kFirstSensor));
+    if (have_ != (1U << kSensorFrames) - 1U) return std::nullopt;
+    have_ = 0;
+    return line_;
+}
+
+}  // namespace terratact

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace terratact {
+
+/// Every frame of resources/dbc/terratact.dbc, which says in words what each of them means.
+enum class FrameKind : std::uint8_t {
+    Stop,
+    ReleaseStop,
+    Arm,
+    Halt,
+    Drive,
+    BeginAtem,
+    AbortAtem,
+    PressFlippers,
+    HoldFlippers,
+    ProbeBin,
+    Advance,
+    ConsoleHeartbeat,
+    RobotStatus,
+    RobotHeartbeat,
+    Attitude,
+    FrontAngles,
+    RearAngles,
+    FrontCurrents,
+    RearCurrents,
+    LeftForces1To3,
+    LeftForces4To6,
+    RightForces1To3,
+    RightForces4To6,
+    ArmResult,
+};
+
+inline constexpr std::size_t kFrameKinds = 24;
+inline constexpr std::size_t kMostSignals = 7;  ///< of one frame
+
+/// A signal behind the E2E header: `length` bits from bit `start` on, little-endian, bit 0 being the
+/// lowest of byte 0.  Its value is raw · scale, in SI units.
+struct SignalLayout {
+    std::string_view name;
+    int start = 0;
+    int length = 0;
+    bool isSigned = false;
+    double scale = 1.0;
+    double least = 0.0, most = 0.0;  ///< both belong to the range
+    std::string_view unit;
+};
+
+/// A frame as the DBC has it.  Always a standard identifier and eight bytes.
+struct FrameLayout {
+    std::string_view name;
+    std::uint32_t id = 0;
+    std::uint16_t dataId = 0;  ///< of E2E Profile 5
+    bool fromConsole = false;
+    double period = 0.0;  ///< [s] 0: on occasion
+    std::span<const SignalLayout> signals;
+};
+
+/// Throws std::invalid_argument for no FrameKind.
+const FrameLayout& layoutOf(FrameKind kind);
+
+/// The layouts of all frames, in the order of FrameKind.
+std::span<const FrameLayout, kFrameKinds> frameLayouts();
+
+/// Raw ends of a signal's range: its least and most over its scale.
+std::int64_t leastRaw(const SignalLayout& signal);
+std::int64_t mostRaw(const SignalLayout& signal);
+
+}  // namespace terratact

@@ -1,0 +1,150 @@
+#include "core/wire/telemetry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kPerFrame = 3;  ///< voltages
+
+bool isWhole(const std::optional<ElementForce>& element)
+{
+    return element
+        && (element->state == ElementState::Sound || element->state == ElementState::Saturated);
+}
+
+std::optional<double> joined(const std::optional<ElementForce>& left,
+                             const std::optional<ElementForce>& right)
+{
+    if (isWhole(left) && isWhole(right)) return (left->force + right->force) / 2.0;
+    if (isWhole(left)) return left->force;
+    if (isWhole(right)) return right->force;
+    return std::nullopt;
+}
+
+std::optional<std::array<double, kForceElements>> joined(const ElementForces& elements)
+{
+    std::array<double, kForceElements> forces{};
+    for (std::size_t e = 0; e < forces.size(); ++e) {
+        const std::optional<double> force = joined(elements.left[e], elements.right[e]);
+        if (!force) return std::nullopt;
+        forces[e] = *force;
+    }
+    return forces;
+}
+
+double clamped(FrameKind kind, std::size_t signal, double value)
+{
+    const SignalLayout& layout = layoutOf(kind).signals[signal];
+    return std::clamp(value, layout.least, layout.most);
+}
+
+Pair angles(double left, double right)
+{
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    return {std::remainder(left, kTurn), std::remainder(right, kTurn)};
+}
+
+Pair currents(FrameKind kind, double left, double right)
+{
+    return {clamped(kind, 0, left), clamped(kind, 1, right)};
+}
+
+// The resistance at which the curve has this force [Ω].
+double curveResistance(double force, const std::vector<ForcePoint>& curve)
+{
+    std::size_t i = 1;
+    while (i + 1 < curve.size() && force > curve[i].force) ++i;
+    const ForcePoint& a = curve[i - 1];
+    const ForcePoint& b = curve[i];
+    const double share = std::log(force / a.force) / std::log(b.force / a.force);
+    return a.resistance * std::pow(b.resistance / a.resistance, share);
+}
+
+double voltageOf(double force, double bias, const RobotModel& robot)
+{
+    const ForceCalibration& c = robot.forceCalibration;
+    const double total = std::clamp(force + bias, 1e-6, robot.forceSaturation);
+    const double voltage = c.supply * c.reference / (c.reference + curveResistance(total, c.curve));
+    return std::clamp(voltage, c.openBelow, c.shortAbove);
+}
+
+SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotModel& robot)
+{
+    const ForceCalibration& c = robot.forceCalibration;
+    const auto& bias = set < 2 ? c.biasLeft : c.biasRight;
+    SensorLine::Three three{};
+    for (std::size_t i = 0; i < kPerFrame; ++i) {
+        const std::size_t e = kPerFrame * (set % 2) + i;
+        three[i] = clamped(FrameKind::LeftForces1To3, i, voltageOf(m.force[e], bias[e], robot));
+    }
+    return three;
+}
+
+}  // namespace
+
+ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
+{
+    ElementForces forces;
+    for (std::size_t set = 0; set < line.voltages.size(); ++set) {
+        if (!line.voltages[set]) continue;
+        const Side side = set < 2 ? Side::Left : Side::Right;
+        auto& array = side == Side::Left ? forces.left : forces.right;
+        for (std::size_t i = 0; i < kPerFrame; ++i) {
+            const std::size_t e = kPerFrame * (set % 2) + i;
+            array[e] = elementForce((*line.voltages[set])[i], side, static_cast<int>(e),
+                                    robot.forceCalibration, robot.forceSaturation);
+        }
+    }
+    return forces;
+}
+
+std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStatus& status,
+                                         const RobotModel& robot, double time)
+{
+    const auto forces = joined(elementForces(line, robot));
+    const bool whole = line.attitude && line.frontAngles && line.rearAngles && line.frontCurrents
+                    && line.rearCurrents && forces;
+    if (!whole) return std::nullopt;
+    return Measurement{.time = time,
+                       .pitch = line.attitude->pitch,
+                       .roll = line.attitude->roll,
+                       .frontLeft = line.frontAngles->left,
+                       .frontRight = line.frontAngles->right,
+                       .rearLeft = line.rearAngles->left,
+                       .rearRight = line.rearAngles->right,
+                       .frontLeftCurrent = line.frontCurrents->left,
+                       .frontRightCurrent = line.frontCurrents->right,
+                       .rearLeftCurrent = line.rearCurrents->left,
+                       .rearRightCurrent = line.rearCurrents->right,
+                       .force = *forces,
+                       .activity = status.activity,
+                       .refusal = status.refusal,
+                       .arm = line.arm};
+}
+
+SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
+{
+    SensorLine line;
+    line.attitude = SensorLine::Attitude{clamped(FrameKind::Attitude, 0, m.pitch),
+                                         clamped(FrameKind::Attitude, 1, m.roll)};
+    line.frontAngles = angles(m.frontLeft, m.frontRight);
+    line.rearAngles = angles(m.rearLeft, m.rearRight);
+    line.frontCurrents =
+        currents(FrameKind::FrontCurrents, m.frontLeftCurrent, m.frontRightCurrent);
+    line.rearCurrents = currents(FrameKind::RearCurrents, m.rearLeftCurrent, m.rearRightCurrent);
+    for (std::size_t set = 0; set < line.voltages.size(); ++set)
+        line.voltages[set] = voltages(m, set, robot);
+    line.arm = m.arm;
+    if (line.arm) {
+        line.arm->height = clamped(FrameKind::ArmResult, 1, line.arm->height);
+        // At least one raw step: a reading is never exact.
+        line.arm->sd = std::max(clamped(FrameKind::ArmResult, 2, line.arm->sd),
+                                layoutOf(FrameKind::ArmResult).signals[2].scale);
+    }
+    return line;
+}
+
+}  // namespace terratact

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/robot/force_sensor.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+#include "core/wire/can_codec.h"
+
+namespace terratact {
+
+/// What the elements of both arrays feel; an empty optional was not measured.
+struct ElementForces {
+    std::array<std::optional<ElementForce>, kForceElements> left, right;
+    bool operator==(const ElementForces&) const = default;
+};
+
+ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
+
+/// A line of sensors and the status beside it as the rest of the core knows them.  A force is the mean of
+/// left and right, or the one of them that is not broken; empty optional where both are, and where
+/// attitude, angles or currents were not measured: half a measurement is none.
+std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStatus& status,
+                                         const RobotModel& robot, double time);
+
+/// The other way round, for a robot that is simulated: the voltages are those that give the forces back.
+/// Angles are wrapped into one turn; values beyond their signal's range are sent as its end.
+SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot);
+
+}  // namespace terratact

@@ -1,0 +1,214 @@
+#include "core/wire/command_receiver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+using Verdict = CommandVerdict;
+using Silence = CommandReceiver::Silence;
+
+struct RobotEnd : testing::Test {
+    Verdict send(const Command& command) { return send(command, robot.epoch()); }
+    Verdict send(const Command& command, std::uint8_t epoch)
+    {
+        return robot.receive(frameOf(command, epoch, next++), now).verdict;
+    }
+    void beat(int times)
+    {
+        for (int i = 0; i < times; ++i, now += 0.1)
+            robot.receive(consoleHeartbeat(token, heartbeats++), now);
+        now -= 0.1;
+    }
+    void arm()
+    {
+        beat(10);
+        ASSERT_EQ(send(ArmCommand{true}), Verdict::Accepted);
+        ASSERT_TRUE(robot.armed());
+    }
+
+    CommandReceiver robot{7};
+    double now = 50.0;
+    std::uint8_t next = 0, heartbeats = 0;
+    std::uint16_t token = 4711;
+};
+
+TEST_F(RobotEnd, armsOnlyForAConsoleThatHasBeenAliveForAWhile)
+{
+    EXPECT_EQ(send(ArmCommand{true}), Verdict::NoHeartbeat);
+    beat(9);
+    EXPECT_EQ(send(ArmCommand{true}), Verdict::NoHeartbeat);
+    now += 0.1;
+    beat(1);
+    EXPECT_EQ(send(DriveCommand{0.1}), Verdict::NotArmed);
+    EXPECT_EQ(send(ArmCommand{true}), Verdict::Accepted);
+    EXPECT_TRUE(robot.armed());
+}
+
+TEST_F(RobotEnd, answersSoundHeartbeatsWithTheirToken)
+{
+    const auto answer = robot.receive(consoleHeartbeat(99, 0), now);
+    EXPECT_EQ(answer.verdict, Verdict::Heartbeat);
+    EXPECT_EQ(answer.token, 99);
+    EXPECT_EQ(robot.receive(consoleHeartbeat(98, 0), now).verdict, Verdict::Repeated);
+    EXPECT_EQ(robot.receive(consoleHeartbeat(97, 9), now).verdict, Verdict::WrongSequence);
+    CanFrame damaged = consoleHeartbeat(97, 10);
+    damaged.data[6] ^= 1U;
+    EXPECT_EQ(robot.receive(damaged, now).verdict, Verdict::Malformed);
+}
+
+TEST_F(RobotEnd, beginsANewEpochWheneverItArmsDisarmsOrStops)
+{
+    std::uint8_t before = robot.epoch();
+    const auto changed = [&] { return std::exchange(before, robot.epoch()) != robot.epoch(); };
+    arm();
+    EXPECT_TRUE(changed());
+    send(ArmCommand{false});
+    EXPECT_TRUE(changed());
+    EXPECT_FALSE(robot.armed());
+    arm();
+    EXPECT_TRUE(changed());
+    send(StopCommand{});
+    EXPECT_TRUE(changed());
+    EXPECT_FALSE(robot.armed());
+    for (int i = 0; i < 600; ++i) {
+        robot.disarm();
+        ASSERT_TRUE(changed());
+        ASSERT_NE(robot.epoch(), 0);
+    }
+    EXPECT_THROW(CommandReceiver(0), std::invalid_argument);
+}
+
+TEST_F(RobotEnd, takesEveryMotionOnceAndInOrder)
+{
+    arm();
+    const std::uint8_t epoch = robot.epoch();
+    const CanFrame drive = frameOf(DriveCommand{0.1}, epoch, 250);
+    EXPECT_EQ(robot.receive(drive, now).verdict, Verdict::Accepted);
+    EXPECT_EQ(robot.receive(drive, now).verdict, Verdict::Repeated);
+    EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, epoch, 253), now).verdict,
+              Verdict::Accepted);
+    EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, epoch, 0), now).verdict, Verdict::Accepted)
+        << "over the counter's end";
+    EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, epoch, 4), now).verdict,
+              Verdict::WrongSequence);
+    EXPECT_EQ(robot.receive(drive, now).verdict, Verdict::WrongSequence);
+    EXPECT_EQ(robot.receive(frameOf(ProbeCommand{7}, epoch, 99), now).verdict, Verdict::Accepted)
+        << "every kind has its own counter";
+}
+
+TEST_F(RobotEnd, takesWhatMakesSafeFromAnyEpochAndInAnyOrder)
+{
+    for (const Command& command : {Command{StopCommand{}}, Command{HaltCommand{}},
+                                   Command{AbortAtemCommand{}}, Command{ArmCommand{false}}}) {
+        const CanFrame frame = frameOf(command, 200, 5);
+        for (int i = 0; i < 2; ++i) {
+            const auto answer = robot.receive(frame, now);
+            EXPECT_EQ(answer.verdict, Verdict::Accepted) << command.index();
+            ASSERT_TRUE(answer.command);
+            EXPECT_EQ(answer.command->index(), command.index());
+            EXPECT_EQ(answer.kind, kindOf(command));
+            EXPECT_EQ(answer.counter, 5);
+        }
+    }
+}
+
+TEST_F(RobotEnd, stopsOnADamagedStop)
+{
+    arm();
+    CanFrame frame = frameOf(StopCommand{}, 0, 0);
+    frame.data.fill(0xFF);
+    frame.length = 1;
+    const auto answer = robot.receive(frame, now);
+    ASSERT_TRUE(answer.command);
+    EXPECT_TRUE(std::holds_alternative<StopCommand>(*answer.command));
+    EXPECT_FALSE(robot.armed());
+}
+
+TEST_F(RobotEnd, releasesItsStopOnlyInThisEpoch)
+{
+    const std::uint8_t old = robot.epoch();
+    send(StopCommand{});
+    EXPECT_EQ(send(ReleaseStopCommand{}, old), Verdict::WrongEpoch);
+    EXPECT_EQ(send(ReleaseStopCommand{}), Verdict::Accepted);
+    EXPECT_FALSE(robot.armed()) << "and does not arm by it";
+}
+
+TEST_F(RobotEnd, refusesEveryFrameOfARecordedSession)
+{
+    std::vector<CanFrame> recorded;
+    arm();
+    for (int i = 0; i < 500; ++i)  // 10 s of driving
+        recorded.push_back(frameOf(DriveCommand{0.2}, robot.epoch(), static_cast<std::uint8_t>(i)));
+    recorded.push_back(frameOf(ArmCommand{true}, robot.epoch(), 9));
+    recorded.push_back(frameOf(ReleaseStopCommand{}, robot.epoch(), 9));
+    recorded.push_back(frameOf(ProbeCommand{7}, robot.epoch(), 9));
+    send(ArmCommand{false});
+    arm();
+    int accepted = 0;
+    for (const CanFrame& frame : recorded)
+        accepted += robot.receive(frame, now).verdict != Verdict::WrongEpoch;
+    EXPECT_EQ(accepted, 0);
+}
+
+TEST_F(RobotEnd, takesNothingThatWaitedOnAStalledBus)
+{
+    arm();
+    std::vector<CanFrame> queued;
+    for (int i = 0; i < 100; ++i) {  // 2 s at 50 Hz, and the heartbeats between
+        queued.push_back(frameOf(DriveCommand{0.2}, robot.epoch(), static_cast<std::uint8_t>(i)));
+        if (i % 5 == 0) queued.push_back(consoleHeartbeat(token, heartbeats++));
+    }
+    for (double end = now + 2.0; now < end; now += 0.05) robot.tick(now);
+    EXPECT_FALSE(robot.armed());
+    int obeyed = 0;
+    for (const CanFrame& frame : queued) obeyed += robot.receive(frame, now).command.has_value();
+    EXPECT_EQ(obeyed, 0);
+}
+
+TEST_F(RobotEnd, haltsAndDisarmsWhenItsConsoleFallsSilent)
+{
+    arm();
+    const std::uint8_t epoch = robot.epoch();
+    EXPECT_EQ(robot.tick(now + 0.249), Silence::None);
+    EXPECT_EQ(robot.tick(now + 0.251), Silence::OfConsole);
+    EXPECT_FALSE(robot.armed());
+    EXPECT_NE(robot.epoch(), epoch);
+    EXPECT_EQ(robot.tick(now + 0.3), Silence::None) << "said once";
+}
+
+TEST_F(RobotEnd, haltsWhenTheDriveIsNotRenewed)
+{
+    arm();
+    ASSERT_EQ(send(DriveCommand{0.2}), Verdict::Accepted);
+    const double sent = now;
+    now += 0.1;
+    beat(2);
+    EXPECT_EQ(robot.tick(sent + 0.249), Silence::None);
+    EXPECT_EQ(robot.tick(sent + 0.251), Silence::OfDrive);
+    EXPECT_EQ(robot.tick(sent + 0.252), Silence::None);
+    EXPECT_TRUE(robot.armed());
+    ASSERT_EQ(send(DriveCommand{0.2}), Verdict::Accepted);
+    ASSERT_EQ(send(HaltCommand{}), Verdict::Accepted);
+    beat(5);
+    EXPECT_EQ(robot.tick(now), Silence::None) << "a halt ends the drive";
+}
+
+TEST_F(RobotEnd, knowsFramesThatAreNoCommands)
+{
+    EXPECT_EQ(robot.receive({.id = 0x123, .length = 8}, now).verdict, Verdict::NotACommand);
+    EXPECT_EQ(robot.receive(frameOf(RobotStatus{}, 0), now).verdict, Verdict::NotACommand);
+    CanFrame frame = frameOf(HaltCommand{}, 0, 0);
+    frame.extended = true;
+    EXPECT_EQ(robot.receive(frame, now).verdict, Verdict::NotACommand);
+    frame.extended = false;
+    frame.length = 7;
+    EXPECT_EQ(robot.receive(frame, now).verdict, Verdict::Malformed);
+    EXPECT_THROW(robot.receive(consoleHeartbeat(1, 1), std::nan("")), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,174 @@
+#include "core/wire/telemetry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "tests/support/absolem.h"
+
+namespace terratact {
+namespace {
+
+Measurement measured()
+{
+    return {.time = 12.5,
+            .pitch = 0.21,
+            .roll = -0.05,
+            .frontLeft = -0.31,
+            .frontRight = -0.32,
+            .rearLeft = 0.11,
+            .rearRight = 0.12,
+            .frontLeftCurrent = 1.6,
+            .frontRightCurrent = 1.7,
+            .rearLeftCurrent = -0.4,
+            .rearRightCurrent = -0.5,
+            .force = {0.0, 0.5, 2.0, 7.5, 12.0, 19.0},
+            .activity = RobotActivity::Pressed,
+            .refusal = Refusal::OutOfReach,
+            .arm = ArmReading{8, -0.12, 0.03}};
+}
+
+RobotStatus statusOf(const Measurement& m)
+{
+    return {.epoch = 3, .activity = m.activity, .refusal = m.refusal};
+}
+
+struct Wire : testing::Test {
+    const RobotModel robot = absolem();
+
+    std::optional<SensorLine> overTheWire(const SensorLine& line)
+    {
+        SensorLineReader reader;
+        std::optional<SensorLine> got;
+        for (const CanFrame& frame : framesOf(line, 1))
+            got = reader.take(std::get<Unpacked>(unpack(frame)));
+        return got;
+    }
+    std::optional<Measurement> overTheWire(const Measurement& m)
+    {
+        const auto line = overTheWire(sensorLineOf(m, robot));
+        return line ? measurementOf(*line, statusOf(m), robot, m.time) : std::nullopt;
+    }
+};
+
+TEST_F(Wire, carriesAWholeMeasurement)
+{
+    const Measurement sent = measured();
+    const auto got = overTheWire(sent);
+    ASSERT_TRUE(got);
+    EXPECT_EQ(got->time, sent.time);
+    EXPECT_NEAR(got->pitch, sent.pitch, 0.51e-4);
+    EXPECT_NEAR(got->roll, sent.roll, 0.51e-4);
+    EXPECT_NEAR(got->frontLeft, sent.frontLeft, 0.51e-4);
+    EXPECT_NEAR(got->frontRight, sent.frontRight, 0.51e-4);
+    EXPECT_NEAR(got->rearLeft, sent.rearLeft, 0.51e-4);
+    EXPECT_NEAR(got->rearRight, sent.rearRight, 0.51e-4);
+    EXPECT_NEAR(got->frontLeftCurrent, sent.frontLeftCurrent, 0.51e-3);
+    EXPECT_NEAR(got->frontRightCurrent, sent.frontRightCurrent, 0.51e-3);
+    EXPECT_NEAR(got->rearLeftCurrent, sent.rearLeftCurrent, 0.51e-3);
+    EXPECT_NEAR(got->rearRightCurrent, sent.rearRightCurrent, 0.51e-3);
+    EXPECT_EQ(got->activity, sent.activity);
+    EXPECT_EQ(got->refusal, sent.refusal);
+    EXPECT_EQ(got->arm->bin, 8);
+    EXPECT_NEAR(got->arm->height, -0.12, 1e-9);
+    EXPECT_NEAR(got->arm->sd, 0.03, 1e-9);
+    for (std::size_t e = 0; e < got->force.size(); ++e)
+        EXPECT_NEAR(got->force[e], sent.force[e], 0.005 + 0.003 * sent.force[e]) << e;
+}
+
+TEST_F(Wire, losesLittleOfAForceToItsRawVoltage)
+{
+    Measurement m = measured();
+    double worst = 0.0;
+    for (double force = 0.0; force <= 19.7; force += 0.01) {
+        m.force.fill(force);
+        const auto got = overTheWire(m);
+        ASSERT_TRUE(got);
+        for (const double f : got->force) worst = std::max(worst, std::abs(f - force));
+    }
+    RecordProperty("worst_mN", static_cast<int>(std::lround(1e3 * worst)));
+    EXPECT_LT(worst, 0.05) << "a sixth of what a force's noise is";
+}
+
+TEST_F(Wire, sendsWhatIsBeyondASignalAsItsEnd)
+{
+    Measurement m = measured();
+    m.frontLeft = 3.0 * std::numbers::pi;
+    m.rearRight = -1.0 - 2.0 * std::numbers::pi;
+    m.frontLeftCurrent = 99.0;
+    m.rearLeftCurrent = -99.0;
+    m.force.fill(1000.0);
+    m.arm->sd = 0.0;
+    m.arm->height = 17.0;
+    const auto got = overTheWire(m);
+    ASSERT_TRUE(got);
+    EXPECT_NEAR(std::abs(got->frontLeft), std::numbers::pi, 1e-4);
+    EXPECT_NEAR(got->rearRight, -1.0, 1e-4);
+    EXPECT_NEAR(got->frontLeftCurrent, 20.0, 1e-9);
+    EXPECT_NEAR(got->rearLeftCurrent, -20.0, 1e-9);
+    EXPECT_NEAR(got->force[0], 19.7, 0.05);
+    EXPECT_GT(got->arm->sd, 0.0);
+    EXPECT_NEAR(got->arm->height, 2.0, 1e-9);
+}
+
+TEST_F(Wire, makesNoMeasurementOfHalfALine)
+{
+    const SensorLine whole = sensorLineOf(measured(), robot);
+    const auto has = [&](const SensorLine& line) {
+        return measurementOf(line, statusOf(measured()), robot, 0.0).has_value();
+    };
+    ASSERT_TRUE(has(whole));
+    SensorLine line = whole;
+    line.arm.reset();
+    EXPECT_TRUE(has(line)) << "no probe is no loss";
+    (line = whole).attitude.reset();
+    EXPECT_FALSE(has(line));
+    (line = whole).frontAngles.reset();
+    EXPECT_FALSE(has(line));
+    (line = whole).rearAngles.reset();
+    EXPECT_FALSE(has(line));
+    (line = whole).frontCurrents.reset();
+    EXPECT_FALSE(has(line));
+    (line = whole).rearCurrents.reset();
+    EXPECT_FALSE(has(line));
+}
+
+TEST_F(Wire, takesTheOtherSideForABrokenElement)
+{
+    SensorLine line = sensorLineOf(measured(), robot);
+    (*line.voltages[0])[1] = 0.0;  // left element 2: wire broken
+    (*line.voltages[3])[2] = 5.0;  // right element 6: short
+    const ElementForces elements = elementForces(line, robot);
+    EXPECT_EQ(elements.left[1]->state, ElementState::Open);
+    EXPECT_EQ(elements.right[5]->state, ElementState::Short);
+    EXPECT_EQ(elements.left[5]->state, ElementState::Sound);
+    const auto got = measurementOf(line, RobotStatus{}, robot, 0.0);
+    ASSERT_TRUE(got);
+    EXPECT_NEAR(got->force[1], 0.5, 1e-6);
+    EXPECT_NEAR(got->force[5], 19.0, 1e-6);
+    (*line.voltages[2])[1] = 0.0;  // and right element 2
+    EXPECT_FALSE(measurementOf(line, RobotStatus{}, robot, 0.0));
+}
+
+TEST_F(Wire, averagesLeftAndRightAndDoesWithoutOneArray)
+{
+    Measurement m = measured();
+    m.force.fill(4.0);
+    SensorLine line = sensorLineOf(m, robot);
+    m.force.fill(2.0);
+    const SensorLine weaker = sensorLineOf(m, robot);
+    line.voltages[2] = weaker.voltages[2];
+    line.voltages[3] = weaker.voltages[3];
+    EXPECT_NEAR(measurementOf(line, RobotStatus{}, robot, 0.0)->force[4], 3.0, 1e-6);
+    line.voltages[0].reset();
+    line.voltages[1].reset();
+    EXPECT_NEAR(measurementOf(line, RobotStatus{}, robot, 0.0)->force[0], 2.0, 1e-6);
+    EXPECT_FALSE(elementForces(line, robot).left[0]);
+    line.voltages[3].reset();
+    EXPECT_FALSE(measurementOf(line, RobotStatus{}, robot, 0.0));
+}
+
+}  // namespace
+}  // namespace terratact
