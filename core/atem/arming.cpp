@@ -1,0 +1,114 @@
+#include "core/atem/arming.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+ArmingState disarmed(DisarmCause cause, double now)
+{
+    return {.phase = ArmingPhase::Disarmed, .cause = cause, .since = now, .epoch = 0};
+}
+
+ArmingState entered(ArmingPhase phase, double now, std::uint8_t epoch = 0)
+{
+    return {.phase = phase, .cause = DisarmCause::None, .since = now, .epoch = epoch};
+}
+
+// What forbids every phase but Disarmed.
+DisarmCause fault(const ArmingInput& in)
+{
+    if (in.stopLatched) return DisarmCause::Stop;
+    if (in.disarmed) return DisarmCause::Operator;
+    if (!in.operatorPresent) return DisarmCause::OperatorAbsent;
+    if (in.foreignSender) return DisarmCause::ForeignSender;
+    if (!(in.linkGoodFor > 0.0)) return DisarmCause::LinkNotGood;
+    return DisarmCause::None;
+}
+
+bool late(const ArmingState& state, const ArmingInput& in, double limit)
+{
+    return !(in.now - state.since < limit);
+}
+
+ArmingState whenDisarmed(const ArmingState& state, const ArmingInput& in,
+                         const ArmingLimits& limits)
+{
+    if (!in.wanted) return state;
+    if (const DisarmCause cause = fault(in); cause != DisarmCause::None)
+        return disarmed(cause, in.now);
+    if (!(in.linkGoodFor >= limits.linkGood)) return disarmed(DisarmCause::LinkNotGood, in.now);
+    if (in.robotArmed) return disarmed(DisarmCause::AlreadyArmed, in.now);
+    return entered(ArmingPhase::Confirming, in.now);
+}
+
+ArmingState whenConfirming(const ArmingState& state, const ArmingInput& in,
+                           const ArmingLimits& limits)
+{
+    if (in.robotArmed) return disarmed(DisarmCause::AlreadyArmed, in.now);
+    if (late(state, in, limits.confirm)) return disarmed(DisarmCause::ConfirmTimeout, in.now);
+    return in.confirmed ? entered(ArmingPhase::Requested, in.now) : state;
+}
+
+ArmingState whenRequested(const ArmingState& state, const ArmingInput& in,
+                          const ArmingLimits& limits)
+{
+    if (in.robotArmed && in.robotEpoch != 0)
+        return entered(ArmingPhase::Armed, in.now, in.robotEpoch);
+    return late(state, in, limits.request) ? disarmed(DisarmCause::RequestTimeout, in.now) : state;
+}
+
+ArmingState whenArmed(const ArmingState& state, const ArmingInput& in)
+{
+    if (!in.robotArmed) return disarmed(DisarmCause::RobotDisarmed, in.now);
+    return in.robotEpoch == state.epoch ? state : disarmed(DisarmCause::EpochChanged, in.now);
+}
+
+}  // namespace
+
+ArmingState nextArming(const ArmingState& state, const ArmingInput& in, const ArmingLimits& limits)
+{
+    if (!std::isfinite(in.now)) throw std::invalid_argument("nextArming: the time must be finite");
+    if (state.phase == ArmingPhase::Disarmed) return whenDisarmed(state, in, limits);
+    if (const DisarmCause cause = fault(in); cause != DisarmCause::None)
+        return disarmed(cause, in.now);
+    switch (state.phase) {
+    case ArmingPhase::Disarmed: break;
+    case ArmingPhase::Confirming: return whenConfirming(state, in, limits);
+    case ArmingPhase::Requested: return whenRequested(state, in, limits);
+    case ArmingPhase::Armed: return whenArmed(state, in);
+    }
+    throw std::invalid_argument("nextArming: no such phase");
+}
+
+std::string describe(ArmingPhase phase)
+{
+    switch (phase) {
+    case ArmingPhase::Disarmed: return "disarmed";
+    case ArmingPhase::Confirming: return "confirm to arm";
+    case ArmingPhase::Requested: return "waiting for the robot to arm";
+    case ArmingPhase::Armed: return "armed";
+    }
+    throw std::invalid_argument("describe: no such ArmingPhase");
+}
+
+std::string describe(DisarmCause cause)
+{
+    switch (cause) {
+    case DisarmCause::None: return "not armed yet";
+    case DisarmCause::Operator: return "disarmed by the operator";
+    case DisarmCause::Stop: return "the stop is latched";
+    case DisarmCause::OperatorAbsent: return "window or panel does not answer";
+    case DisarmCause::ForeignSender: return "somebody else sends this console's frames";
+    case DisarmCause::LinkNotGood: return "the link is not good";
+    case DisarmCause::AlreadyArmed: return "the robot is armed, but not by this console";
+    case DisarmCause::ConfirmTimeout: return "not confirmed in time";
+    case DisarmCause::RequestTimeout: return "the robot did not arm in time";
+    case DisarmCause::RobotDisarmed: return "the robot has disarmed";
+    case DisarmCause::EpochChanged: return "the robot has begun anew";
+    }
+    throw std::invalid_argument("describe: no such DisarmCause");
+}
+
+}  // namespace terratact

@@ -1,0 +1,180 @@
+#include "core/atem/command_gate.h"
+
+#include <stdexcept>
+#include <variant>
+
+namespace terratact {
+namespace {
+
+using enum GateRefusal;
+
+// The slack of a value that went through its raw number: far below every scale.
+constexpr double kSlack = 1e-9;
+
+bool within(double value, double least, double most)
+{
+    return value >= least - kSlack && value <= most + kSlack;
+}
+
+// An age from the future is none.
+bool isFresh(double age, double limit)
+{
+    return age >= 0.0 && age <= limit;
+}
+
+bool standsStill(RobotActivity activity)
+{
+    return activity == RobotActivity::Halted || activity == RobotActivity::Pressed;
+}
+
+// One command against all conditions; a new command does not compile without its own.
+struct Judge {
+    const GateView& view;
+    const GateLimits& limits;
+    std::uint8_t epoch;
+
+    // What makes safe.
+    GateRefusal operator()(const StopCommand&) const { return None; }
+    GateRefusal operator()(const HaltCommand&) const { return None; }
+    GateRefusal operator()(const AbortAtemCommand&) const { return None; }
+
+    GateRefusal operator()(const ReleaseStopCommand&) const
+    {
+        if (const GateRefusal refusal = linkRefusal(); refusal != None) return refusal;
+        if (view.stopLatched) return StopLatched;
+        return view.robot->activity == RobotActivity::Stopped ? None : NotStopped;
+    }
+
+    GateRefusal operator()(const ArmCommand& arm) const
+    {
+        if (!arm.armed) return None;
+        if (const GateRefusal refusal = stopRefusal(); refusal != None) return refusal;
+        if (view.arming.phase != ArmingPhase::Requested) return NotConfirmed;
+        return standsStill(view.robot->activity) ? None : Busy;
+    }
+
+    GateRefusal operator()(const BeginAtemCommand&) const
+    {
+        if (const GateRefusal refusal = motionRefusal(); refusal != None) return refusal;
+        if (view.robot->exploring) return Exploring;
+        return standsStill(view.robot->activity) || driving() ? None : Busy;
+    }
+
+    GateRefusal operator()(const DriveCommand& drive) const
+    {
+        if (const GateRefusal refusal = motionRefusal(); refusal != None) return refusal;
+        if (view.robot->exploring) return Exploring;
+        if (!standsStill(view.robot->activity) && !driving()) return Busy;
+        return within(drive.speed, -limits.speed, limits.speed) ? None : OverLimit;
+    }
+
+    GateRefusal operator()(const AdvanceCommand& advance) const
+    {
+        if (const GateRefusal refusal = motionRefusal(); refusal != None) return refusal;
+        if (view.robot->exploring) return Exploring;
+        if (!standsStill(view.robot->activity)) return Busy;
+        return within(advance.distance, 0.0, limits.advance) ? None : OverLimit;
+    }
+
+    GateRefusal operator()(const HoldFlippersCommand& hold) const
+    {
+        if (const GateRefusal refusal = motionRefusal(); refusal != None) return refusal;
+        if (!standsStill(view.robot->activity)) return Busy;
+        const bool fits = within(hold.front, limits.lowestFlipper, limits.highestFlipper)
+                       && within(hold.rear, limits.lowestFlipper, limits.highestFlipper);
+        return fits ? None : OverLimit;
+    }
+
+    GateRefusal operator()(const PressCommand& press) const
+    {
+        if (const GateRefusal refusal = motionRefusal(); refusal != None) return refusal;
+        if (!view.robot->exploring) return NotExploring;
+        if (!standsStill(view.robot->activity)) return Busy;
+        return within(press.torque, 0.0, limits.torque) ? None : OverLimit;
+    }
+
+    GateRefusal operator()(const ProbeCommand& probe) const
+    {
+        if (const GateRefusal refusal = motionRefusal(); refusal != None) return refusal;
+        if (!view.robot->exploring) return NotExploring;
+        if (view.robot->activity != RobotActivity::Pressed) return NotPressed;
+        if (!view.approval) return NotApproved;
+        if (!isFresh(view.approval->age, limits.approvalAge)) return ApprovalExpired;
+        return view.approval->bin == probe.bin ? None : OtherBin;
+    }
+
+    bool driving() const { return view.robot->activity == RobotActivity::Driving; }
+
+    // Whether there is an operator, a robot, and a link between them; after None, view.robot is there.
+    GateRefusal linkRefusal() const
+    {
+        if (!isFresh(view.operatorAge, limits.operatorAge)) return OperatorAbsent;
+        if (view.foreignSender) return ForeignSender;
+        if (view.link != LinkState::Good || !view.robot) return LinkNotGood;
+        if (!isFresh(view.statusAge, limits.statusAge)) return LinkNotGood;
+        if (!isFresh(view.answerAge, limits.answerAge)) return NotAnswered;
+        return epoch == view.robot->epoch ? None : WrongEpoch;
+    }
+
+    GateRefusal stopRefusal() const
+    {
+        if (const GateRefusal refusal = linkRefusal(); refusal != None) return refusal;
+        const bool stopped = view.robot->activity == RobotActivity::Stopped;
+        return view.stopLatched || stopped ? StopLatched : None;
+    }
+
+    GateRefusal motionRefusal() const
+    {
+        if (const GateRefusal refusal = stopRefusal(); refusal != None) return refusal;
+        const bool here = view.arming.phase == ArmingPhase::Armed && view.arming.epoch == epoch;
+        return here && view.robot->armed ? None : NotArmed;
+    }
+};
+
+GateRefusal refusalOf(FrameFault fault)
+{
+    const bool foreign = fault == FrameFault::UnknownId || fault == FrameFault::NotClassicData;
+    return foreign ? NotAllowed : Malformed;
+}
+
+}  // namespace
+
+GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits)
+{
+    const auto unpacked = unpack(frame);
+    if (const auto* fault = std::get_if<FrameFault>(&unpacked)) return refusalOf(*fault);
+    const auto& content = std::get<Unpacked>(unpacked);
+    if (content.kind == FrameKind::ConsoleHeartbeat)
+        return isFresh(view.operatorAge, limits.operatorAge) ? None : OperatorAbsent;
+    const std::optional<ReceivedCommand> sent = commandOf(content);
+    return sent ? std::visit(Judge{view, limits, sent->epoch}, sent->command) : NotAllowed;
+}
+
+std::string describe(GateRefusal refusal)
+{
+    switch (refusal) {
+    case None: return "may be sent";
+    case NotAllowed: return "not a frame that a console sends";
+    case Malformed: return "the frame is damaged";
+    case OperatorAbsent: return "window or panel does not answer";
+    case ForeignSender: return "somebody else sends this console's frames";
+    case LinkNotGood: return "the link to the robot is not good";
+    case NotAnswered: return "the robot does not answer: what arrives may be a recording";
+    case WrongEpoch: return "the robot has begun a new arming";
+    case StopLatched: return "the stop is latched";
+    case NotStopped: return "the robot is not stopped";
+    case NotArmed: return "not armed";
+    case NotConfirmed: return "arming is not confirmed";
+    case Exploring: return "an exploration is running";
+    case NotExploring: return "no exploration is running";
+    case Busy: return "the robot is busy";
+    case NotPressed: return "the front flippers are not pressed to the ground";
+    case OverLimit: return "the value is over its limit";
+    case NotApproved: return "nobody has approved the probe";
+    case ApprovalExpired: return "the approval is too old";
+    case OtherBin: return "another bin was approved";
+    }
+    throw std::invalid_argument("describe: no such GateRefusal");
+}
+
+}  // namespace terratact
