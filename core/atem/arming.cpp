@@ -70,11 +70,11 @@ ArmingState whenArmed(const ArmingState& state, const ArmingInput& in)
 ArmingState nextArming(const ArmingState& state, const ArmingInput& in, const ArmingLimits& limits)
 {
     if (!std::isfinite(in.now)) throw std::invalid_argument("nextArming: the time must be finite");
-    if (state.phase == ArmingPhase::Disarmed) return whenDisarmed(state, in, limits);
-    if (const DisarmCause cause = fault(in); cause != DisarmCause::None)
+    const DisarmCause cause = fault(in);
+    if (state.phase != ArmingPhase::Disarmed && cause != DisarmCause::None)
         return disarmed(cause, in.now);
     switch (state.phase) {
-    case ArmingPhase::Disarmed: break;
+    case ArmingPhase::Disarmed: return whenDisarmed(state, in, limits);
     case ArmingPhase::Confirming: return whenConfirming(state, in, limits);
     case ArmingPhase::Requested: return whenRequested(state, in, limits);
     case ArmingPhase::Armed: return whenArmed(state, in);

@@ -300,6 +300,8 @@ TEST(Gate, isOpenOverTheWholeDbcByDefaultAndNeverBeyond)
     EXPECT_EQ(verdict(DriveCommand{-0.6}, ready()), None);
     EXPECT_EQ(verdict(AdvanceCommand{0.1}, ready()), None);
     EXPECT_EQ(verdict(PressCommand{60.0}, ready(RobotActivity::Pressed, true)), None);
+    EXPECT_EQ(verdict(AdvanceCommand{0.001}, ready()), None);
+    EXPECT_EQ(verdict(PressCommand{0.01}, ready(RobotActivity::Pressed, true)), None);
     EXPECT_EQ(verdict(HoldFlippersCommand{3.1416, -1.6}, ready()), None);
     EXPECT_EQ(verdict(HoldFlippersCommand{-1.6001, 0.0}, ready()), OverLimit);
     // A frame with 0.1001 m: built by hand, because the codec does not.
