@@ -159,6 +159,7 @@ struct Arguments {
     TradeoffOptions tradeoff;
     ContactsOptions contacts;
     std::string probes;
+    CalibrateOptions calibrate;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -312,6 +313,15 @@ void addProbes(CLI::App& app, Arguments& a)
     c->add_option("--data", a.probes, "CSV with place,height_m,truth_m")->required();
 }
 
+void addCalibrate(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand(
+        "calibrate", "The force elements' bias and curve, from a recording of known forces");
+    c->add_option("--data", a.calibrate.data, "CSV with side,element,force_n,voltage_v")
+        ->required();
+    addRobot(*c, a.calibrate.robot);
+}
+
 void addDemo(CLI::App& app, Arguments& a)
 {
     auto* c = app.add_subcommand(
@@ -354,6 +364,7 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("merge")) return merge(a.merge);
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);
     if (app.got_subcommand("probes")) return showProbes(a.probes);
+    if (app.got_subcommand("calibrate")) return calibrateForces(a.calibrate);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
@@ -364,7 +375,7 @@ void useShippedFiles(Arguments& a)
 {
     for (std::string* robot :
          {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot, &a.evaluate.robot,
-          &a.merge.robot, &a.demo.robot, &a.contacts.robot, &a.tradeoff.robot})
+          &a.merge.robot, &a.demo.robot, &a.contacts.robot, &a.tradeoff.robot, &a.calibrate.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
     for (std::string* model :
          {&a.reconstruct.model, &a.evaluate.model, &a.demo.model, &a.tradeoff.model})
@@ -396,6 +407,7 @@ int realMain(int argc, char** argv)
     addTradeoff(app, arguments);
     addContacts(app, arguments);
     addProbes(app, arguments);
+    addCalibrate(app, arguments);
     addModel(app, arguments);
     addDemo(app, arguments);
     try {

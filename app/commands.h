@@ -91,6 +91,13 @@ Status showContacts(const ContactsOptions& options);
 /// robot file.
 Status showProbes(const std::string& path);
 
+struct CalibrateOptions {
+    std::string robot, data;
+};
+/// Prints the force elements' calibration for the robot file, from a CSV side,element,force_n,voltage_v of
+/// known forces laid on them (core/robot/force_calibration.h).
+Status calibrateForces(const CalibrateOptions& options);
+
 Status showModel(const std::string& path, bool csv);
 
 /// Prints mean and sd of every conditional p(hᵢ | h_{J∖i}, s) for complete scenes, as CSV.

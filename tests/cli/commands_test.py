@@ -36,7 +36,7 @@ class Commands(unittest.TestCase):
         return few
 
     def test_every_command_explains_itself(self):
-        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "probes", "demo", "model"):
+        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "probes", "calibrate", "demo", "model"):
             self.assertIn("--help", run(command, "--help"))
         self.assertIn("terratact", run("--version"))
 
@@ -183,6 +183,34 @@ class Commands(unittest.TestCase):
             self.assertIn(word, text)
         self.assertEqual((out / "fig8.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertIn(b"<svg", (out / "pit.svg").read_bytes())
+
+    def test_calibrate_gives_a_section_that_the_robot_file_takes(self):
+        def volts(force):  # of an element of 9 kΩ at 1 N, whose sandwich presses with 0.4 N
+            return 5e4 / (1e4 + 9000 / (force + 0.4) ** 0.9)
+
+        lines = [f"{side},{element},{force},{volts(force)}" for side in ("left", "right")
+                 for element in range(1, 7) for force in (0, 1, 2, 4, 8, 16)]
+        recording = self.path / "forces.csv"
+        recording.write_text("side,element,force_n,voltage_v\n" + "\n".join(lines) + "\n")
+        text = run("calibrate", "--data", recording)
+        self.assertIn("72 readings", text)
+        self.assertIn("median 0.000 N, worst 0.000 N", text)
+        section = text[text.index("[force_calibration]"):]
+        shipped = pathlib.Path(SOURCE, "resources/robots/absolem.toml").read_text()
+        before, rest = shipped.split("[force_calibration]")
+        robot = self.path / "mine.toml"
+        robot.write_text(before + section + "\n[flipper_drive]" + rest.split("[flipper_drive]")[1])
+        again = run("calibrate", "--data", recording, "--robot", robot)
+        self.assertEqual(again.splitlines()[1], text.splitlines()[1])
+
+        for line, cause in (("up,1,0,1.0", "'up', expected left or right"), ("left,7,0,1", "element is 7"),
+                            ("left,1.5,0,1", "element is 1.5"), ("left,1,-1,1", "force_n is negative"),
+                            ("left,1,0,nan", "voltage_v"), ("left,1,0", "has 3 fields"),
+                            ("left,1,0,0", "wire broken"), ("left,1,0,1", "left element 2 has no unloaded reading")):
+            recording.write_text(f"side,element,force_n,voltage_v\n{line}\n")
+            self.assertIn(cause, complaint("calibrate", "--data", recording))
+        recording.write_text("side,element\n")
+        self.assertIn("is not the header", complaint("calibrate", "--data", recording))
 
     def test_evaluate_tells_classes_apart_and_tries_probes(self):
         out, index = self.path / "classes", self.path / "index.csv"

@@ -1,0 +1,112 @@
+#include "core/robot/force_calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/support/absolem.h"
+
+namespace terratact {
+namespace {
+
+/// Resistance of an element that the world has, other than the file believes: R = 9000 / F^0.9.
+double resistanceAt(double force)
+{
+    return 9000.0 / std::pow(force, 0.9);
+}
+
+double biasOf(int element, Side side)
+{
+    return 0.25 + 0.02 * element + (side == Side::Right ? 0.05 : 0.0);
+}
+
+struct Recording : testing::Test {
+    ForceCalibration present = absolem().forceCalibration;
+    std::vector<ForceReading> readings;
+
+    void record(double applied)
+    {
+        for (const Side side : {Side::Left, Side::Right})
+            for (int e = 0; e < kForceElements; ++e) {
+                const double r = resistanceAt(applied + biasOf(e, side));
+                readings.push_back({side, e, applied,
+                                    present.supply * present.reference / (present.reference + r)});
+            }
+    }
+};
+
+TEST_F(Recording, givesTheAppliedForcesBack)
+{
+    for (const double applied : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) record(applied);
+    const auto fitted = calibrate(readings, present);
+    ASSERT_TRUE(fitted) << fitted.error().text;
+    EXPECT_EQ(fitted->calibration.curve.size(), 7U);
+    EXPECT_LT(fitted->medianError, 0.05);
+    EXPECT_LT(fitted->worstError, 0.15) << "the elements' biases differ by 0.15 N";
+    double before = 0.0;
+    for (const ForceReading& r : readings) {
+        const ElementForce felt = elementForce(r.voltage, r.side, r.element, present, 1000.0);
+        before = std::max(before, std::abs(felt.force - r.applied));
+    }
+    EXPECT_GT(before, 10.0 * fitted->worstError) << "than the file's own curve";
+}
+
+TEST_F(Recording, ofNothingButTheSandwichMakesTheBiasAlone)
+{
+    record(0.0);
+    const auto fitted = calibrate(readings, present);
+    ASSERT_TRUE(fitted);
+    EXPECT_EQ(fitted->calibration.curve, present.curve);
+    EXPECT_NEAR(fitted->worstError, 0.0, 1e-9);
+    EXPECT_NEAR(fitted->calibration.biasRight[5],
+                curveForce(resistanceAt(biasOf(5, Side::Right)), present), 1e-9);
+    EXPECT_LT(fitted->calibration.biasLeft[0], fitted->calibration.biasLeft[5]);
+}
+
+TEST_F(Recording, takesTheMedianOfTheUnloadedReadings)
+{
+    for (int i = 0; i < 3; ++i) record(0.0);
+    const auto clean = calibrate(readings, present);
+    readings[0].voltage = 4.9;  // somebody stood on it
+    const auto disturbed = calibrate(readings, present);
+    ASSERT_TRUE(clean && disturbed);
+    EXPECT_NEAR(disturbed->calibration.biasLeft[0], clean->calibration.biasLeft[0], 1e-12);
+}
+
+TEST_F(Recording, isRefusedWithTheReason)
+{
+    const auto why = [&] {
+        const auto fitted = calibrate(readings, present);
+        return fitted ? std::string("accepted") : fitted.error().text;
+    };
+    EXPECT_EQ(why(), "left element 1 has no unloaded reading");
+    record(0.0);
+    readings[11].applied = 1.0;
+    EXPECT_EQ(why(), "right element 6 has no unloaded reading");
+    readings.clear();
+    record(0.0);
+    record(2.0);
+    readings[14].voltage = 0.0;
+    EXPECT_EQ(why(), "left element 3 at 0 V: wire broken");
+    readings[14].voltage = 4.99;
+    EXPECT_EQ(why(), "left element 3 at 4.99 V: short circuit");
+    readings.clear();
+    record(0.0);
+    record(2.0);
+    for (std::size_t i = 12; i < 24; ++i) readings[i].applied = 0.5, readings[i].voltage = 1.0;
+    EXPECT_EQ(why(), "the resistance does not fall up to 0.5 N");
+    readings[3].element = 6;
+    EXPECT_THROW(static_cast<void>(why()), std::invalid_argument);
+    readings[3].element = 3;
+    readings[3].applied = -1.0;
+    EXPECT_THROW(static_cast<void>(why()), std::invalid_argument);
+    readings[3].applied = std::nan("");
+    EXPECT_THROW(static_cast<void>(why()), std::invalid_argument);
+    readings[3].applied = 0.0;
+    readings[3].voltage = std::nan("");
+    EXPECT_THROW(static_cast<void>(why()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact
