@@ -77,7 +77,7 @@ struct RobotStatus {
     bool armed = false;
     bool exploring = false;
     std::optional<FrameKind> lastCommand{};  ///< obeyed or refused; empty before the first
-    std::uint8_t lastCounter = 0;          ///< of that command's frame
+    std::uint8_t lastCounter = 0;            ///< of that command's frame
     bool operator==(const RobotStatus&) const = default;
 };
 CanFrame frameOf(const RobotStatus& status, std::uint8_t counter);
