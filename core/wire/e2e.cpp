@@ -76,8 +76,7 @@ FrameCheck E2eReceiver::receive(std::span<const std::uint8_t> bytes, double now)
 {
     const bool anew = state(now) == LinkState::Lost;
     if (anew) {
-        history_ = 0;
-        seen_ = 0;
+        seen_ = 0;  // history_ has forgotten all before once it counts again
         wasGood_ = good_ = false;
     }
     const FrameCheck check = judge(bytes, anew);

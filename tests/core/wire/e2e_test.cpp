@@ -198,6 +198,30 @@ TEST_F(Link, beginsAnewAfterAnOutageOfExactlyAWholeTurnOfTheCounter)
     EXPECT_EQ(receiver.state(now), LinkState::Good);
 }
 
+TEST_F(Link, needsAWholeWindowAgainAfterItWasLost)
+{
+    receiveGood(10);
+    now += 0.3;
+    last += 100;
+    EXPECT_EQ(receive(++last), FrameCheck::Ok) << "a sender that has begun anew is no error";
+    now += 0.05;
+    receiveGood(8);
+    EXPECT_EQ(receiver.state(now), LinkState::Starting);
+    now += 0.05;
+    receiveGood(1);
+    EXPECT_EQ(receiver.state(now), LinkState::Good);
+}
+
+TEST_F(Link, countsItsLimitsThemselvesAsInTime)
+{
+    receiver = E2eReceiver(kId, {.stale = 0.125, .lost = 0.25});
+    now = 0.0;
+    for (int i = 0; i < 10; ++i) receive(++last);
+    EXPECT_EQ(receiver.state(0.125), LinkState::Good);
+    EXPECT_EQ(receiver.state(0.25), LinkState::Stale);
+    EXPECT_NO_THROW(E2eReceiver(kId, {.stale = 0.25, .lost = 0.25}));
+}
+
 TEST_F(Link, isLostWhenTimeRunsBackwards)
 {
     receiveGood(10);
