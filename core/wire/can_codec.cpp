@@ -56,14 +56,6 @@ std::uint64_t bitsOf(double value, const SignalLayout& signal)
     return (bits & lowBits(signal.length)) << static_cast<unsigned>(signal.start);
 }
 
-std::optional<FrameKind> kindOfId(std::uint32_t id)
-{
-    const auto layouts = frameLayouts();
-    for (std::size_t i = 0; i < layouts.size(); ++i)
-        if (layouts[i].id == id) return static_cast<FrameKind>(i);
-    return std::nullopt;
-}
-
 bool isClassicData(const CanFrame& frame)
 {
     return !frame.extended && !frame.remote && !frame.error && !frame.fd;

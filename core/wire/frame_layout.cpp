@@ -103,6 +103,14 @@ const FrameLayout& layoutOf(FrameKind kind)
     return kLayouts[i];
 }
 
+std::optional<FrameKind> kindOfId(std::uint32_t id)
+{
+    const auto layouts = frameLayouts();
+    for (std::size_t i = 0; i < layouts.size(); ++i)
+        if (layouts[i].id == id) return static_cast<FrameKind>(i);
+    return std::nullopt;
+}
+
 std::int64_t leastRaw(const SignalLayout& signal)
 {
     return std::llround(signal.least / signal.scale);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -65,6 +66,9 @@ const FrameLayout& layoutOf(FrameKind kind);
 
 /// The layouts of all frames, in the order of FrameKind.
 std::span<const FrameLayout, kFrameKinds> frameLayouts();
+
+/// The frame with this standard identifier.
+std::optional<FrameKind> kindOfId(std::uint32_t id);
 
 /// Raw ends of a signal's range: its least and most over its scale.
 std::int64_t leastRaw(const SignalLayout& signal);
