@@ -1,0 +1,127 @@
+#include "core/atem/panel.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+constexpr double kLampTime = 0.3;    ///< [s] of each lamp's test
+constexpr double kBuzzerTime = 0.1;  ///< [s]
+
+/// What is known of a contact that has just come into sight.
+ContactState firstSight(bool closed, double now)
+{
+    ContactState contact;
+    contact.closed = closed;
+    contact.since = now;
+    return contact;
+}
+
+bool undisturbed(const ContactState& contact, double now, const PanelLimits& limits)
+{
+    return now - contact.since >= limits.settle;
+}
+
+ContactState looked(ContactState contact, bool closed, bool disturbed, double now,
+                    const PanelLimits& limits)
+{
+    if (disturbed || closed != contact.closed) contact.since = now;
+    contact.closed = closed;
+    contact.trusted = closed && undisturbed(contact, now, limits);
+    return contact;
+}
+
+ButtonPhase nextPhase(const ContactState& button, double now, const PanelLimits& limits)
+{
+    if (!button.closed && undisturbed(button, now, limits)) return ButtonPhase::Released;
+    switch (button.phase) {
+    case ButtonPhase::Starting:
+        return button.trusted ? ButtonPhase::HeldAtStart : ButtonPhase::Starting;
+    case ButtonPhase::Released:
+        return button.trusted ? ButtonPhase::Pressed : ButtonPhase::Released;
+    case ButtonPhase::Pressed:
+        return now - button.pressedAt > limits.stuck ? ButtonPhase::Stuck : ButtonPhase::Pressed;
+    case ButtonPhase::HeldAtStart:
+    case ButtonPhase::Stuck: return button.phase;
+    }
+    throw std::invalid_argument("nextPanel: a button's phase is none");
+}
+
+/// Moves the button on; whether it was pressed anew.
+bool pressedAnew(ContactState& button, double now, const PanelLimits& limits)
+{
+    const ButtonPhase before = button.phase;
+    button.phase = nextPhase(button, now, limits);
+    const bool anew = before == ButtonPhase::Released && button.phase == ButtonPhase::Pressed;
+    if (anew) button.pressedAt = now;
+    return anew;
+}
+
+}  // namespace
+
+std::string_view name(PanelContact contact)
+{
+    switch (contact) {
+    case PanelContact::Atem: return "atem";
+    case PanelContact::Approve: return "approve";
+    case PanelContact::Refuse: return "refuse";
+    case PanelContact::Stop: return "stop";
+    }
+    throw std::invalid_argument("name: no such contact");
+}
+
+bool PanelState::held(PanelContact button) const
+{
+    return contacts[button].trusted && contacts[button].phase == ButtonPhase::Pressed;
+}
+
+PanelState nextPanel(const PanelState& state, const PanelInput& in, const PanelLimits& limits)
+{
+    if (!std::isfinite(in.now)) throw std::invalid_argument("nextPanel: the time is not finite");
+    PanelState next;
+    next.time = in.now;
+    if (!in.closed) return next;
+    next.present = true;
+    for (const PanelContact c : kAllPanelContacts)
+        next.contacts[c] = state.present ? looked(state.contacts[c], (*in.closed)[c],
+                                                  in.disturbed[c], in.now, limits)
+                                         : firstSight((*in.closed)[c], in.now);
+    for (const PanelContact c : kPanelButtons)
+        next.pressed[c] = pressedAnew(next.contacts[c], in.now, limits);
+    next.stop = !next.contacts[PanelContact::Stop].trusted;
+    return next;
+}
+
+std::string buttonTrouble(PanelContact button, ButtonPhase phase)
+{
+    std::string text = "the panel's button ";
+    text.append(name(button));
+    switch (phase) {
+    case ButtonPhase::Starting:
+    case ButtonPhase::Released:
+    case ButtonPhase::Pressed: return {};
+    case ButtonPhase::HeldAtStart: text += " was held when the panel came up"; break;
+    case ButtonPhase::Stuck: text += " has been held for longer than anybody presses"; break;
+    }
+    return text
+         + ": it counts as not pressed until it is let go; if nobody holds it, its contact sticks "
+           "or its wires touch";
+}
+
+std::array<bool, kPanelOutputs> outputsOf(const LampState& lamps)
+{
+    return {lamps.link, lamps.armed, lamps.probing, lamps.buzzer};
+}
+
+std::optional<LampState> lampTest(double elapsed)
+{
+    const double buzzerFrom = 3.0 * kLampTime, darkFrom = buzzerFrom + kBuzzerTime;
+    if (!(elapsed >= 0.0 && elapsed < darkFrom + kLampTime)) return std::nullopt;
+    return LampState{.link = elapsed < kLampTime,
+                     .armed = elapsed >= kLampTime && elapsed < 2.0 * kLampTime,
+                     .probing = elapsed >= 2.0 * kLampTime && elapsed < buzzerFrom,
+                     .buzzer = elapsed >= buzzerFrom && elapsed < darkFrom};
+}
+
+}  // namespace terratact
