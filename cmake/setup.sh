@@ -17,7 +17,7 @@ log=$PWD/.deps/setup.log
 declare -A packages=(
   [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libnlopt-dev
           libboost-math-dev libsqlite3-dev libsodium-dev libtomlplusplus-dev libcli11-dev libfmt-dev
-          libcairo2-dev fonts-dejavu-core"
+          libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-wayland qmake6 libgl-dev make bzip2 fonts-dejavu-core"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           sqlite3 parallel xvfb xauth xdotool"

@@ -1,7 +1,7 @@
 # Who may include whom, and is every file built?  Run with cmake -P; fails with a list of all
 # offences.  -D ROOT=<tree> checks another tree.  The rules:
 #   core     a folder includes itself and the folders before it in core_order; no Qt, no Linux
-#   drivers  core/result.h and core/{wire,robot,sim,log}, the bins; no Qt
+#   drivers  core/result.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
 #   widgets  the values of core that they draw, Qt, Qwt
 #   app      all four (its command line: no Qt)
 #   tests    anything, through headers
@@ -13,7 +13,7 @@ endif()
 set(core_order robot wire terrain learn infer eval atem sim log)   # files of core/ itself come first
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
-set(drivers_core "^core/(result\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h)$")
+set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
 set(widgets_core "^core/(robot/(measurement|command)|terrain/(bins|outline)|infer/(estimate|settings|variant)|atem/[a-z_]+)\\.h$")
 
 set(offences "")
