@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what is missing for the named groups, and says nothing if nothing is missing:
-#   cmake/setup.sh [core] [gui] [test] [tidy]
+#   cmake/setup.sh [core] [gui] [test] [tidy] [kernel]
 #   core  compiler and libraries of the core, the drivers and the command line
 #   gui   Qt 6, and Qwt for Qt 6: the system's where it has one, else built into .deps/qwt
 #   test  libraries and tools of the tests      tidy  clang, clang-tidy, clang-format
+#   kernel  what tests/kernel/ needs to build and use a kernel of its own; libgpiod 2 into .deps/libgpiod2
 # Packages come through apt (sudo where needed); the system's apt sources stay as they are.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,6 +13,10 @@ qwt_version=6.3.0
 qwt_sha256=dcb085896c28aaec5518cbc08c0ee2b4e60ada7ac929d82639f6189851a6129a
 qwt_suites="forky sid"
 qwt_prefix=$PWD/.deps/qwt
+gpiod_version=2.2.1
+gpiod_sha256=0e948049c309b87c220fb24ee0d605d7cd5b72f22376e608470903fffa2d4b18
+gpiod_suites="trixie forky sid"
+gpiod_prefix=$PWD/.deps/libgpiod2
 log=$PWD/.deps/setup.log
 
 declare -A packages=(
@@ -22,6 +27,7 @@ declare -A packages=(
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           sqlite3 parallel xvfb xauth xdotool"
   [tidy]="clang clang-tidy clang-format libclang-rt-14-dev git"
+  [kernel]="linux-source-6.1 gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
 )
 
 fail() {
@@ -64,43 +70,54 @@ debian_mirror() {
     awk -v release="$release" '$1 == release || $1 ~ /^(old)*stable$/ { print $2; exit }'
 }
 
-# Fetches Qwt's source through a second, private set of apt lists.
-fetch_qwt() {
-  local mirror suite dir=$1
+# fetch_source PACKAGE VERSION SHA256 SUITES DIR: its source tarball into DIR, from the first of the
+# suites that has this very one, through a second, private set of apt lists.
+fetch_source() {
+  local package=$1 version=$2 sha256=$3 suites=$4 dir=$5 mirror suite
   mirror=$(debian_mirror)
-  [ -n "$mirror" ] || fail "found no Debian mirror in the apt sources for Qwt's source"
+  [ -n "$mirror" ] || fail "found no Debian mirror in the apt sources for the source of $package"
   mkdir -p "$dir"/lists/partial "$dir"/cache/archives/partial
   local apt=(env LC_ALL=C apt-get -q -o Dir::State::Lists="$dir/lists" -o Dir::Cache="$dir/cache"
     -o Dir::Etc::SourceList="$dir/sources.list" -o Dir::Etc::SourceParts=/dev/null
     -o Acquire::Languages=none -o Acquire::Check-Valid-Until=false -o Debug::NoLocking=1)
   [ "$(id -u)" != 0 ] || apt+=(-o APT::Sandbox::User=root)
-  for suite in $qwt_suites; do
+  for suite in $suites; do
     echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" >"$dir/sources.list"
-    if "${apt[@]}" update && (cd "$dir" && "${apt[@]}" source --download-only --tar-only qwt) &&
-      echo "$qwt_sha256 $(echo "$dir"/qwt_*.orig.tar.*)" | sha256sum --check; then
+    if "${apt[@]}" update && (cd "$dir" && "${apt[@]}" source --download-only --tar-only "$package") &&
+      echo "$sha256 $(echo "$dir/$package"_*.orig.tar.*)" | sha256sum --check; then
       return 0
     fi >>"$log" 2>&1
-    rm -f "$dir"/qwt_*
+    rm -f "$dir/$package"_*
   done
-  fail "could not fetch the source of Qwt $qwt_version from the Debian mirror (see ${log#"$PWD"/})"
+  fail "could not fetch the source of $package $version from the Debian mirror (see ${log#"$PWD"/})"
+}
+
+# build_source NAME PACKAGE VERSION SHA256 SUITES PREFIX COMMAND: fetches and unpacks a source and has
+# COMMAND build and install it into PREFIX, which is then marked complete.
+build_source() {
+  local name=$1 package=$2 version=$3 sha256=$4 suites=$5 prefix=$6 build=$7
+  local dir=$prefix-build
+  echo "set-up: building $name $version, a minute or two"
+  rm -rf "$dir" "$prefix"
+  mkdir -p "$dir/source"
+  fetch_source "$package" "$version" "$sha256" "$suites" "$dir"
+  (tar -xf "$dir/$package"_*.orig.tar.* -C "$dir/source" --strip-components=1 && cd "$dir/source" && "$build") \
+    >>"$log" 2>&1 || fail "$name $version did not build (see ${log#"$PWD"/})"
+  touch "$prefix/complete"
+  rm -rf "$dir"
 }
 
 build_qwt() {
-  local dir=$PWD/.deps/qwt-build
-  echo "set-up: building Qwt $qwt_version, a minute or two"
-  rm -rf "$dir" "$qwt_prefix"
-  mkdir -p "$dir/source"
-  fetch_qwt "$dir"
-  (
-    tar -xf "$dir"/qwt_*.orig.tar.* -C "$dir/source" --strip-components=1 &&
-      cd "$dir/source" &&
-      sed -i -E -e "s|^( *QWT_INSTALL_PREFIX *= ).*|\1$qwt_prefix|" \
-        -e 's/^( *QWT_CONFIG *\+= *Qwt(Dll|Polar|Designer|Examples|Playground|Tests|OpenGL))/#\1/' \
-        qwtconfig.pri &&
-      qmake6 && make -j"$(nproc)" && make install
-  ) >>"$log" 2>&1 || fail "Qwt $qwt_version did not build (see ${log#"$PWD"/})"
-  touch "$qwt_prefix/complete"
-  rm -rf "$dir"
+  sed -i -E -e "s|^( *QWT_INSTALL_PREFIX *= ).*|\1$qwt_prefix|" \
+    -e 's/^( *QWT_CONFIG *\+= *Qwt(Dll|Polar|Designer|Examples|Playground|Tests|OpenGL))/#\1/' \
+    qwtconfig.pri &&
+    qmake6 && make -j"$(nproc)" && make install
+}
+
+# A library only, to be linked into the tests.
+build_gpiod() {
+  ./configure --prefix="$gpiod_prefix" --enable-tools=no --disable-shared --with-pic &&
+    make -j"$(nproc)" && make install
 }
 
 [ -w . ] || fail "cannot write to $PWD"
@@ -109,7 +126,7 @@ exec 9>.deps/lock
 flock 9
 wanted=()
 for group in "$@"; do
-  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy)"
+  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy, kernel)"
   # shellcheck disable=SC2206
   wanted+=(${packages[$group]})
 done
@@ -119,6 +136,9 @@ if [[ " $* " == *" gui "* ]] && [ ! -e "$qwt_prefix/complete" ] && [ -n "$(missi
   if [ -n "$(apt-cache madison libqwt-qt6-dev 2>/dev/null)" ]; then
     install_packages libqwt-qt6-dev
   else
-    build_qwt
+    build_source Qwt qwt $qwt_version $qwt_sha256 "$qwt_suites" "$qwt_prefix" build_qwt
   fi
+fi
+if [[ " $* " == *" kernel "* ]] && [ ! -e "$gpiod_prefix/complete" ]; then
+  build_source libgpiod libgpiod $gpiod_version $gpiod_sha256 "$gpiod_suites" "$gpiod_prefix" build_gpiod
 fi

@@ -1,0 +1,54 @@
+#include "drivers/can_bus.h"
+
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+std::string matter(BusState state)
+{
+    switch (state) {
+    case BusState::Up: return "works";
+    case BusState::Stalled:
+        return "does not take frames: nobody acknowledges them or the bus is full; is the robot "
+               "on, are the "
+               "wires and the bit rate right?";
+    case BusState::ErrorPassive: return "has many errors: check wires, terminators and bit rate";
+    case BusState::BusOff:
+        return "is bus-off after too many errors: check the wires, then restart it";
+    case BusState::Down: return "is down: bring it up";
+    case BusState::Absent: return "does not exist: plug the adapter in, or make the interface";
+    }
+    throw std::invalid_argument("BusState: no such state");
+}
+
+std::string cure(BusState state, const std::string& bus)
+{
+    const bool isVirtual = bus.starts_with("vcan");
+    switch (state) {
+    case BusState::Up:
+    case BusState::Stalled: return {};
+    case BusState::ErrorPassive: return "ip -details -statistics link show " + bus;
+    case BusState::BusOff: return "sudo ip link set " + bus + " type can restart";
+    case BusState::Down:
+        if (isVirtual) return "sudo ip link set " + bus + " up";
+        return "sudo ip link set " + bus + " up type can bitrate 500000";
+    case BusState::Absent:
+        if (isVirtual) return "sudo ip link add dev " + bus + " type vcan";
+        return "ip -brief link show type can";
+    }
+    throw std::invalid_argument("BusState: no such state");
+}
+
+}  // namespace
+
+std::string describe(BusState state, const std::string& bus)
+{
+    std::string sentence = bus;
+    sentence.append(" ").append(matter(state));
+    if (const std::string command = cure(state, bus); !command.empty())
+        sentence.append(" (").append(command).append(")");
+    return sentence;
+}
+
+}  // namespace terratact

@@ -1,0 +1,41 @@
+#!/bin/bash
+# Process 1 inside the kernel of run.sh, which left in $terratact_state what is to be done.
+stty -opost -echo 2>/dev/null   # the console is a pipe to a file, not a terminal
+mount -t proc proc /proc
+mount -t sysfs sysfs /sys
+mount -t configfs configfs /sys/kernel/config
+mount -t devtmpfs devtmpfs /dev
+ln -sf /proc/self/fd /dev/fd
+mkdir -p /dev/pts /dev/shm
+mount -t devpts devpts /dev/pts
+mount -t tmpfs tmpfs /dev/shm
+mount -t tmpfs tmpfs /run
+
+ip link set lo up
+ip link add dev vcan0 type vcan && ip link set vcan0 up
+
+# A gpio-sim chip from LABEL:NAME,NAME...
+make_chip() {
+  local label=${1%%:*} bank=/sys/kernel/config/gpio-sim/panel/bank0 names i
+  IFS=, read -ra names <<<"${1#*:}"
+  mkdir -p "$bank"
+  echo "${#names[@]}" >"$bank/num_lines"
+  echo "$label" >"$bank/label"
+  for i in "${!names[@]}"; do
+    mkdir "$bank/line$i" && echo "${names[i]}" >"$bank/line$i/name"
+  done
+  echo 1 >/sys/kernel/config/gpio-sim/panel/live
+}
+gpio=$(cat "$terratact_state/gpio")
+[ -z "$gpio" ] || make_chip "$gpio"
+
+(
+  # shellcheck disable=SC1091
+  . "$terratact_state/environment"
+  cd "$(cat "$terratact_state/directory")" || exit 125
+  eval "exec $(cat "$terratact_state/command")"
+)
+echo $? >"$terratact_state/status"
+sync
+echo o >/proc/sysrq-trigger   # power off
+sleep infinity

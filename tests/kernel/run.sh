@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Runs a program inside the user-mode Linux that tests/kernel/build.sh makes, as root of that kernel, on
+# the host's files, with the caller's environment and directory:
+#   tests/kernel/run.sh [--timeout SECONDS] [--gpio LABEL:NAME,NAME...] PROGRAM [ARGUMENT...]
+#   --timeout  of the host's clock, until the kernel is ended from outside; 120 unless given
+#   --gpio     a gpio-sim chip with this label and lines of these names
+# vcan0 is there and up; its frames come back to their sender when they have left, as a controller's do.
+# Output goes to standard output while it comes.  Exit status: the program's; 77 where there is no
+# kernel, 124 after the timeout, 125 where the kernel ended without the program.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+linux=$(cd "$here/../.." && pwd)/.deps/kernel/linux
+seconds=120
+gpio=
+while [ $# -gt 1 ]; do
+  case $1 in
+    --timeout) seconds=$2; shift 2 ;;
+    --gpio) gpio=$2; shift 2 ;;
+    *) break ;;
+  esac
+done
+[ $# -gt 0 ] || { echo "run.sh: which program?" >&2; exit 125; }
+[ -x "$linux" ] || { echo "SKIPPED: no kernel for the kernel tests (tests/kernel/build.sh makes it)"; exit 77; }
+
+state=$(mktemp -d /tmp/terratact-kernel.XXXXXX)
+trap 'rm -rf "$state"' EXIT
+export -p >"$state/environment"
+printf '%s\n' "$PWD" >"$state/directory"
+printf '%s\n' "$gpio" >"$state/gpio"
+printf '%q ' "$@" >"$state/command"
+
+# The guest's memory is a file: in /dev/shm where that is large enough.
+memory=$state
+[ "$(df --output=avail -k /dev/shm 2>/dev/null | tail -n 1)" -lt 1048576 ] 2>/dev/null || memory=/dev/shm
+
+status=0
+TMPDIR=$memory timeout --kill-after=5 "$seconds" "$linux" mem=512M uml_dir="$state/" umid=guest \
+  rootfstype=hostfs rootflags=/ rw init="$here/init.sh" terratact_state="$state" vcan.echo=1 \
+  loglevel=1 panic=-1 con=null con0=null,fd:1 ssl=null </dev/null || status=$?
+if [ -s "$state/status" ]; then exit "$(cat "$state/status")"; fi
+if [ "$status" = 124 ] || [ "$status" = 137 ]; then
+  echo "run.sh: still running after $seconds s, ended: $*" >&2
+  exit 124
+fi
+echo "run.sh: the kernel ended before the program did (its exit status was $status): $*" >&2
+exit 125
