@@ -8,17 +8,12 @@
 #include <string>
 #include <thread>
 
+#include "app/steady_now.h"
 #include "drivers/measurement_source.h"
 
 namespace terratact {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
-
-/// [s] on the steady clock.
-inline double secondsOf(SteadyTime time)
-{
-    return std::chrono::duration<double>(time.time_since_epoch()).count();
-}
 
 /// The newest telemetry.
 struct Received {

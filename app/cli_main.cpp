@@ -160,6 +160,7 @@ struct Arguments {
     ContactsOptions contacts;
     std::string probes;
     CalibrateOptions calibrate;
+    RobotOptions onBus;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -334,6 +335,27 @@ void addDemo(CLI::App& app, Arguments& a)
     addSettings(*c, a.demo.settings, a.demo.seconds, a.scratch);
 }
 
+void addRobotOnBus(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand(
+        "robot", "A simulated robot as a process of its own on a CAN bus: the protocol of "
+                 "resources/dbc/terratact.dbc, obeys and refuses as a real one has to");
+    addRobot(*c, a.onBus.robot);
+    c->add_option("--can", a.onBus.can, "Interface, such as vcan0")->required();
+    c->add_option("--terrain", a.onBus.terrain,
+                  "File with a profile, or 'varied' for random ground (default: the demo's)");
+    c->add_option("--fault", a.onBus.fault,
+                  "What goes wrong: silence, stuck-imu, dead-element, refuse-probe, slow-arm or "
+                  "reboot, from the start or @SECONDS later")
+        ->capture_default_str();
+    c->add_option("--seed", a.onBus.seed, "Of terrain and sensor noise")->capture_default_str();
+    c->add_option("--speed", a.onBus.speed, "Simulated seconds per second")
+        ->capture_default_str()
+        ->check(CLI::Range(0.01, 1000.0));
+    c->add_option("--seconds", a.onBus.seconds, "Ends after this time (default: when interrupted)")
+        ->check(CLI::NonNegativeNumber);
+}
+
 void addModel(CLI::App& app, Arguments& a)
 {
     auto* c = app.add_subcommand("model", "Look at models");
@@ -365,6 +387,7 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);
     if (app.got_subcommand("probes")) return showProbes(a.probes);
     if (app.got_subcommand("calibrate")) return calibrateForces(a.calibrate);
+    if (app.got_subcommand("robot")) return runRobot(a.onBus);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
@@ -373,9 +396,9 @@ Status run(const CLI::App& app, Arguments& a)
 
 void useShippedFiles(Arguments& a)
 {
-    for (std::string* robot :
-         {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot, &a.evaluate.robot,
-          &a.merge.robot, &a.demo.robot, &a.contacts.robot, &a.tradeoff.robot, &a.calibrate.robot})
+    for (std::string* robot : {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot,
+                               &a.evaluate.robot, &a.merge.robot, &a.demo.robot, &a.contacts.robot,
+                               &a.tradeoff.robot, &a.calibrate.robot, &a.onBus.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
     for (std::string* model :
          {&a.reconstruct.model, &a.evaluate.model, &a.demo.model, &a.tradeoff.model})
@@ -410,6 +433,7 @@ int realMain(int argc, char** argv)
     addCalibrate(app, arguments);
     addModel(app, arguments);
     addDemo(app, arguments);
+    addRobotOnBus(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

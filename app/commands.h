@@ -110,4 +110,16 @@ struct DemoOptions {
 };
 Status demo(const DemoOptions& options);
 
+struct RobotOptions {
+    std::string robot;
+    std::string can;             ///< interface
+    std::string terrain;         ///< file of a profile, "varied", or empty: the demo's
+    std::string fault = "none";  ///< NAME or NAME@SECONDS
+    std::uint64_t seed = 1;
+    double speed = 1.0;    ///< simulated seconds per second
+    double seconds = 0.0;  ///< 0: until it is interrupted
+};
+/// A simulated robot as a process of its own on a CAN bus.
+Status runRobot(const RobotOptions& options);
+
 }  // namespace terratact

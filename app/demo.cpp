@@ -15,15 +15,10 @@ constexpr double kPatience = 120.0;  // [s] for the whole demonstration
 constexpr double kSettle = 0.4;      // [s] the picture stands before it is taken
 constexpr double kStepSeen = 0.08;   // [m] the ground 0.5 m ahead has risen by more than this
 
-double now()
-{
-    return secondsOf(std::chrono::steady_clock::now());
-}
-
 }  // namespace
 
 ScreenshotDemo::ScreenshotDemo(MainWindow& window, QString file)
-    : window_(window), file_(std::move(file)), began_(now())
+    : window_(window), file_(std::move(file)), began_(steadyNow())
 {
     connect(&timer_, &QTimer::timeout, this, &ScreenshotDemo::tick);
     timer_.start(10);
@@ -32,7 +27,7 @@ ScreenshotDemo::ScreenshotDemo(MainWindow& window, QString file)
 void ScreenshotDemo::tick()
 {
     Exploration& exploration = window_.exploration();
-    if (now() - began_ > kPatience) return fail(tr("the demonstration took too long"));
+    if (steadyNow() - began_ > kPatience) return fail(tr("the demonstration took too long"));
     if (!window_.modelTrouble().isEmpty()) return fail(window_.modelTrouble());
     if (exploration.state().phase == AtemPhase::Failed)
         return fail(QString::fromStdString(describe(exploration.state().failure)));
@@ -60,11 +55,11 @@ void ScreenshotDemo::tick()
     }
     case Stage::Exploring:
         if (!window_.showsEstimate()) return;
-        settled_ = now();
+        settled_ = steadyNow();
         stage_ = Stage::Settling;
         break;
     case Stage::Settling:
-        if (now() - settled_ >= kSettle) finish();
+        if (steadyNow() - settled_ >= kSettle) finish();
         break;
     }
 }

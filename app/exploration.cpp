@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/atem/arm_choice.h"
+#include "core/atem/probe_grounds.h"
 #include "core/infer/estimate_words.h"
 #include "widgets/words.h"
 
@@ -20,14 +21,16 @@ constexpr int kLiveDraws = 200;          // enough for what a glance asks of a p
 }  // namespace
 
 Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
-                         const Options& options)
-    : source_(source), robot_(std::move(robot)), worker_(worker), options_(options),
+                         const Options& options, CanSource* link)
+    : source_(source), link_(link), robot_(std::move(robot)), worker_(worker), options_(options),
       whyNoEstimate_(tr("No estimate yet: explore the terrain (A)"))
 {
-    connect(&worker_, &EstimatorWorker::modelLoaded, this, [this](const QString& name) {
-        modelName_ = name;
-        emit happened(tr("model %1 loaded").arg(name), Weight::Note);
-    });
+    connect(&worker_, &EstimatorWorker::modelLoaded, this,
+            [this](const QString& name, const QString& details) {
+                modelName_ = name;
+                modelDetails_ = details;
+                emit happened(tr("model %1 loaded").arg(name), Weight::Note);
+            });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         modelTrouble_ = why;
         emit happened(why, Weight::Bad);
@@ -54,6 +57,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                                               .limit = estimate.settings.probeAbove,
                                               .armSd = robot_.armSd,
                                               .seconds = options_.probeSeconds};
+                    proposedOn_ = grounds();
                 }
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
                 for (const std::string& warning : estimate.warnings)
@@ -88,6 +92,8 @@ void Exploration::approve(quint64 proposal)
 {
     if (!proposal_ || proposal_->id != proposal) return;
     pending_.approved = true;
+    pending_.approvedFor = proposedOn_;
+    approvedAt_ = now_;
 }
 
 void Exploration::refuse(quint64 proposal)
@@ -136,7 +142,8 @@ void Exploration::setQuality(Quality quality)
 void Exploration::leave()
 {
     halt();
-    if (exploring(state_.phase)) command(HaltCommand{});
+    if (exploring(state_.phase)) command(AbortAtemCommand{});
+    if (link_) link_->disarm();
     cancelEstimate();
 }
 
@@ -148,6 +155,21 @@ void Exploration::command(const Command& command)
     if (!sent)
         emit happened(tr("command not sent: %1").arg(QString::fromStdString(sent.error().text)),
                       Weight::Bad);
+}
+
+bool Exploration::armed() const
+{
+    return !link_ || link_->view().link.arming.phase == ArmingPhase::Armed;
+}
+
+std::string Exploration::grounds() const
+{
+    if (!scene_ || !estimate_ || !proposal_) return {};
+    return fingerprint({.scene = scene_->measurement,
+                        .readings = readings_,
+                        .settings = estimate_->settings,
+                        .model = (modelName_ + modelDetails_).toStdString(),
+                        .bin = proposal_->bin});
 }
 
 bool Exploration::answered() const
@@ -229,6 +251,11 @@ void Exploration::tick(double now, const std::optional<Received>& latest)
     latest_ = latest;
     AtemInput in = std::exchange(pending_, AtemInput{});
     in.now = now;
+    in.armed = armed();
+    if (in.approved) {
+        in.approvalAge = now_ - approvedAt_;
+        in.grounds = grounds();
+    }
     look(in);
     if (in.aborted && !exploring(state_.phase) && estimate_)
         forget(tr("No estimate: explore the terrain (A)"));
@@ -273,7 +300,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Halting:
         forget(tr("Exploring: the robot halts"));
         note(tr("exploration requested"));
-        command(HaltCommand{});
+        command(BeginAtemCommand{});
         break;
     case AtemPhase::Pressing:
         whyNoEstimate_ = tr("Exploring: the front flippers press down");
@@ -292,6 +319,7 @@ void Exploration::enter(const AtemState& before)
         note(tr("probe at %1 approved").arg(words::binName(approved_->bin)));
         sawProbing_ = false;
         armBefore_ = latest_->sample.measurement.arm;
+        if (link_) link_->approve(approved_->bin);
         command(ProbeCommand{.bin = approved_->bin});
         break;
     case AtemPhase::EstimatingAgain: finishProbe(); break;
@@ -303,11 +331,12 @@ void Exploration::enter(const AtemState& before)
                 note(tr("probe refused"));
         }
         proposal_.reset();
+        command(AbortAtemCommand{});
         break;
     case AtemPhase::Idle:
         if (exploring(before.phase)) {
             cancelEstimate();
-            command(HaltCommand{});
+            command(AbortAtemCommand{});
             note(tr("exploration ended by the operator"), Weight::Doubt);
             if (!estimate_) forget(tr("No estimate: explore the terrain (A)"));
         }
@@ -320,7 +349,7 @@ void Exploration::enter(const AtemState& before)
         break;
     case AtemPhase::Failed:
         cancelEstimate();
-        if (linkAlive_) command(HaltCommand{});
+        if (linkAlive_) command(AbortAtemCommand{});
         note(tr("exploration failed: %1").arg(QString::fromStdString(describe(state_.failure))),
              Weight::Bad);
         if (!estimate_)
@@ -394,6 +423,7 @@ QString Exploration::whyNotDriving() const
     if (state_.phase == AtemPhase::Stopped) return tr("STOP is latched: release it first");
     if (exploring(state_.phase)) return tr("An exploration is running: end it with Esc first");
     if (!linkAlive_) return tr("No telemetry from the robot");
+    if (!armed()) return tr("The robot is not armed");
     return {};
 }
 
@@ -411,6 +441,9 @@ QList<Precondition> Exploration::preconditions() const
                                         : tr("STOP is latched")};
     else
         list << Precondition{Level::Met, tr("STOP is not latched")};
+    if (link_)
+        list << (armed() ? Precondition{Level::Met, tr("the robot is armed")}
+                         : Precondition{Level::Missing, tr("the robot is not armed")});
     if (!modelTrouble_.isEmpty())
         list << Precondition{Level::Missing, tr("no model: %1").arg(modelTrouble_)};
     else if (modelName_.isEmpty())

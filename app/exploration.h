@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/acquisition.h"
+#include "app/can_source.h"
 #include "app/estimator_worker.h"
 #include "core/atem/atem_machine.h"
 #include "core/eval/calibration_ledger.h"
@@ -25,8 +26,8 @@ struct CapturedScene {
 };
 
 /// Joins the exploration's state machine to the world: telemetry, the operator and the estimator go in,
-/// commands go out.  GUI thread only; it looks at the world when tick() is called.  The source and the
-/// worker must outlive it.
+/// commands go out.  GUI thread only; it looks at the world when tick() is called.  Source, worker and
+/// link must outlive it.
 class Exploration final : public QObject {
     Q_OBJECT
 public:
@@ -39,8 +40,9 @@ public:
         double probeSeconds = 45.0;   ///< what a probe costs, as told to the operator
     };
 
+    /// link: the source again where its robot has to be armed; else null.
     Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
-                const Options& options);
+                const Options& options, CanSource* link = nullptr);
 
     // What the operator did.
     void request();
@@ -61,6 +63,7 @@ public:
     const AtemState& state() const { return state_; }
     std::optional<double> timeLeft() const;
     bool linkAlive() const { return linkAlive_; }
+    bool armed() const;  ///< true without a link: what is simulated in here needs no arming
     const std::optional<CapturedScene>& scene() const { return scene_; }
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     /// Every probe beside the band shown before it, since the console started.
@@ -93,8 +96,10 @@ private:
     void takeLive(const TerrainEstimate& estimate);
     void forget(const QString& why);
     void finishProbe();
+    std::string grounds() const;  ///< fingerprint of what the proposal rests on now
 
     MeasurementSource& source_;
+    CanSource* link_;
     RobotModel robot_;
     EstimatorWorker& worker_;
     Options options_;
@@ -118,6 +123,8 @@ private:
     double estimateSeconds_ = 0.0;
     QString whyNoEstimate_;
     std::optional<ProbeProposal> proposal_;
+    std::string proposedOn_;  ///< grounds() when it was proposed
+    double approvedAt_ = 0.0;
     std::optional<ProbeProposal> approved_;
     std::optional<ArmReading> armBefore_;
     std::vector<ArmReading> readings_;  ///< at this pose
@@ -130,7 +137,7 @@ private:
     int liveJob_ = 0;              ///< 0: none under way
     std::uint64_t liveCount_ = 0;  ///< telemetry that the newest live job is about
 
-    QString modelName_;
+    QString modelName_, modelDetails_;
     QString modelTrouble_;
 };
 

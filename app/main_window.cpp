@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/terrain/body_ceiling.h"
+#include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/card.h"
 #include "widgets/drive_pad.h"
@@ -46,14 +47,31 @@ Tone toneOf(RobotActivity activity)
     return Tone::Plain;
 }
 
+// Short enough for the header; the whole sentence is describe()'s.
+QString glance(RobotActivity activity)
+{
+    switch (activity) {
+    case RobotActivity::Halted: return MainWindow::tr("halted");
+    case RobotActivity::Driving: return MainWindow::tr("driving");
+    case RobotActivity::Pressing: return MainWindow::tr("pressing down");
+    case RobotActivity::Pressed: return MainWindow::tr("flippers pressed");
+    case RobotActivity::Probing: return MainWindow::tr("arm is probing");
+    case RobotActivity::Stopped: return MainWindow::tr("stopped");
+    }
+    return {};
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Options options)
-    : robot_(std::move(options.robot)), source_(std::move(options.source)),
+    : robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
-      exploration_(std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration))
+      exploration_(
+          std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_))
 {
+    if (options.panel)
+        panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
     setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
     build();
     connectAll();
@@ -78,6 +96,7 @@ void MainWindow::build()
     header_ = new StatusHeader(this);
     header_->setSource(QString::fromStdString(source_->name()));
     header_->setModel(tr("model loading …"), Tone::Doubt);
+    header_->arming()->setVisible(link_ != nullptr);
     banner_ = new QLabel(this);
     banner_->setObjectName(QStringLiteral("banner"));
     banner_->setVisible(false);
@@ -168,18 +187,26 @@ void MainWindow::connectAll()
         exploration->setQuality(kQualities.at(static_cast<std::size_t>(index)));
     });
     connect(header_, &StatusHeader::stopPressed, exploration, &Exploration::stop);
+    if (link_) {
+        connect(header_->arming(), &ArmingControl::armingWanted, this,
+                [this] { link_->wantArming(); });
+        connect(header_->arming(), &ArmingControl::armingConfirmed, this,
+                [this] { link_->confirmArming(); });
+        connect(header_->arming(), &ArmingControl::disarmed, this, [this] { link_->disarm(); });
+    }
     connect(atem_, &AtemPanel::requested, exploration, &Exploration::request);
     connect(atem_, &AtemPanel::aborted, exploration, &Exploration::abort);
-    connect(atem_, &AtemPanel::stopReleased, exploration, &Exploration::releaseStop);
+    connect(atem_, &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
     connect(strip_, &EstimateStrip::cancelled, exploration, &Exploration::abort);
     connect(probe_, &ProbeCard::approved, exploration, &Exploration::approve);
     connect(probe_, &ProbeCard::refused, exploration, &Exploration::refuse);
     connect(drive_, &DrivePad::driveRequested, exploration, &Exploration::drive);
     connect(drive_, &DrivePad::haltRequested, exploration, &Exploration::halt);
-    connect(exploration, &Exploration::happened, events_,
-            [this](const QString& text, Weight weight) {
-                events_->add(text, weight, QTime::currentTime());
-            });
+    const auto note = [this](const QString& text, Weight weight) {
+        events_->add(text, weight, QTime::currentTime());
+    };
+    connect(exploration, &Exploration::happened, events_, note);
+    if (panel_) connect(panel_.get(), &PanelControl::happened, events_, note);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
             [this](const QString& name, const QString& details) {
                 header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
@@ -192,11 +219,14 @@ void MainWindow::connectAll()
 
 void MainWindow::tick()
 {
-    const double now = secondsOf(std::chrono::steady_clock::now());
+    const double now = steadyNow();
+    tickPanel(now);
+    if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     const auto latest = acquisition_->latest();
     exploration_->tick(now, latest);
 
     showLink(now, latest);
+    showArming();
     showTerrain(latest);
     showProbe();
     // A preview takes a telemetry's time: its progress would only flicker.
@@ -204,8 +234,25 @@ void MainWindow::tick()
     strip_->setProgress(preview ? std::nullopt : worker_->progress());
     header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
     atem_->setState(exploration_->state(), exploration_->timeLeft());
-    atem_->setPreconditions(exploration_->preconditions());
+    QList<Precondition> preconditions = exploration_->preconditions();
+    if (panel_) preconditions << panel_->precondition(now);
+    atem_->setPreconditions(preconditions);
     drive_->setBlocked(exploration_->whyNotDriving());
+}
+
+void MainWindow::tickPanel(double now)
+{
+    if (panel_) panel_->tick(now, atem_->requestButton()->isEnabled());
+}
+
+void MainWindow::releaseStop()
+{
+    if (panel_ && panel_->stopPressed()) {
+        events_->add(tr("STOP is pressed on the panel: release it there first"), Weight::Bad,
+                     QTime::currentTime());
+        return;
+    }
+    exploration_->releaseStop();
 }
 
 void MainWindow::showLink(double now, const std::optional<Received>& latest)
@@ -252,11 +299,29 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
         std::array<std::optional<double>, kForceElements> forces;
         std::copy(m.force.begin(), m.force.end(), forces.begin());
         if (latest->count != shownCount_) forces_->setForces(forces);
-        header_->setRobot(QString::fromStdString(describe(m.activity)), toneOf(m.activity));
+        header_->setRobot(glance(m.activity), toneOf(m.activity));
     } else {
         forces_->clearForces();
         header_->setRobot(tr("robot: --"), Tone::Doubt);
     }
+}
+
+void MainWindow::showArming()
+{
+    if (!link_) return;
+    const CanView view = link_->view();
+    const QString whyNot = QString::fromStdString(whyNotArming(view));
+    if (!view.transmits) return header_->arming()->setListening(whyNot);
+    const ArmingState& state = view.link.arming;
+    header_->arming()->setState(state, whyNot);
+    if (state.phase == armingWas_) return;
+    if (state.phase == ArmingPhase::Armed)
+        events_->add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
+    if (state.phase == ArmingPhase::Disarmed)
+        events_->add(tr("not armed: %1").arg(QString::fromStdString(describe(state.cause))),
+                     state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
+                     QTime::currentTime());
+    armingWas_ = state.phase;
 }
 
 void MainWindow::showTerrain(const std::optional<Received>& latest)
@@ -336,6 +401,7 @@ void MainWindow::showHelp()
             {tr("R, held"), tr("release STOP")},
             {tr("W or Up, held"), tr("drive forward")},
             {tr("S or Down, held"), tr("drive back")},
+            {tr("M, then M held"), tr("arm a robot on a bus; M again disarms it")},
             {tr("A"), tr("explore the terrain")},
             {tr("Space, held"), tr("approve the proposed probe")},
             {tr("N"), tr("refuse it")},
@@ -371,6 +437,7 @@ bool MainWindow::keyPressed(int key)
         if (probe_->asks()) probe_->refuseButton()->click();
         return true;
     case Qt::Key_R: atem_->releaseButton()->hold(); return true;
+    case Qt::Key_M: header_->arming()->pressKey(); return true;
     case Qt::Key_W:
     case Qt::Key_Up: drive_->forwardButton()->hold(); return true;
     case Qt::Key_S:
@@ -384,6 +451,7 @@ bool MainWindow::keyReleased(int key)
     switch (key) {
     case Qt::Key_Space: probe_->approveButton()->letGoSoon(); return true;
     case Qt::Key_R: atem_->releaseButton()->letGoSoon(); return true;
+    case Qt::Key_M: header_->arming()->releaseKey(); return true;
     case Qt::Key_W:
     case Qt::Key_Up: drive_->forwardButton()->letGoSoon(); return true;
     case Qt::Key_S:

@@ -8,12 +8,14 @@
 #include "app/acquisition.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
+#include "app/panel_control.h"
 #include "core/eval/tradeoff.h"
 
 class QLabel;
 
 namespace terratact {
 
+class ArmingControl;
 class AtemPanel;
 class DrivePad;
 class EstimateStrip;
@@ -32,6 +34,8 @@ public:
     struct Options {
         RobotModel robot;
         std::unique_ptr<MeasurementSource> source;
+        CanSource* link = nullptr;             ///< the source again, where it is a bus
+        std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
         ModelLoader model;
         Exploration::Options exploration;
         std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
@@ -45,6 +49,7 @@ public:
     bool showsEstimate() const { return shownEstimate_; }
     QString modelTrouble() const { return modelTrouble_; }
 
+    CanSource* link() const { return link_; }
     AtemPanel* atemPanel() const { return atem_; }
     DrivePad* drivePad() const { return drive_; }
     EventList* events() const { return events_; }
@@ -64,6 +69,9 @@ private:
     void connectAll();
     void tick();
     void showLink(double now, const std::optional<Received>& latest);
+    void showArming();
+    void tickPanel(double now);
+    void releaseStop();
     void showTerrain(const std::optional<Received>& latest);
     void showProbe();
     void showHelp();
@@ -73,9 +81,11 @@ private:
 
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
+    CanSource* link_;  ///< null where the source is no bus
     std::unique_ptr<Acquisition> acquisition_;
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;
+    std::unique_ptr<PanelControl> panel_;  ///< may be null
     QTimer redraw_;
 
     // Qt's parents own the widgets.
@@ -97,6 +107,7 @@ private:
     QString shownReason_;
     bool shownEstimate_ = false;
     bool linkWasAlive_ = false;
+    ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     double linkShownAt_ = 0.0;
     double worstAge_ = 0.0;
     QString modelTrouble_;

@@ -87,12 +87,24 @@ void AtemPanel::setState(const AtemState& state, std::optional<double> timeLeft)
     setTone(*stateText_, toneOf(state.phase));
     timeText_->setText(timeLeft ? tr("%1 left").arg(words::countdown(*timeLeft)) : QString());
     setTone(*timeText_, Tone::Strong);
+    showList();
     showButtons();
 }
 
 void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)
 {
-    if (preconditions == preconditions_ && list_->count() > 0) return;
+    preconditions_ = preconditions;
+    showList();
+    showButtons();
+}
+
+void AtemPanel::showList()
+{
+    QList<Precondition> preconditions = preconditions_;
+    if (exploring(state_.phase))
+        preconditions.removeIf(
+            [](const Precondition& p) { return p.level == Precondition::Level::Met; });
+    if (preconditions == shown_) return;
     while (list_->count() < 2 * preconditions.size()) {
         const int row = list_->count() / 2;
         auto* mark = new QLabel(this);
@@ -120,8 +132,7 @@ void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)
         setTone(*mark, kTones[level]);
         setTone(*reason, condition.level == Precondition::Level::Met ? Tone::Plain : kTones[level]);
     }
-    preconditions_ = preconditions;
-    showButtons();
+    shown_ = preconditions;
 }
 
 void AtemPanel::showButtons()

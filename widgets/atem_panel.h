@@ -31,7 +31,8 @@ public:
 
     /// timeLeft: [s] until the phase runs out; empty where it does not.
     void setState(const AtemState& state, std::optional<double> timeLeft);
-    /// The request is possible unless one is Missing.
+    /// The request is possible unless one is Missing.  While an exploration runs, those that are met are not
+    /// shown: their room is the probe's.
     void setPreconditions(const QList<Precondition>& preconditions);
 
     QPushButton* requestButton() const { return request_; }
@@ -44,10 +45,11 @@ signals:
     void stopReleased();
 
 private:
+    void showList();
     void showButtons();
 
     AtemState state_;
-    QList<Precondition> preconditions_;
+    QList<Precondition> preconditions_, shown_;
     QLabel* stateText_ = nullptr;
     QLabel* timeText_ = nullptr;
     QGridLayout* list_ = nullptr;

@@ -46,6 +46,8 @@ QPushButton[latched="true"] { background: #7d0b0b; border: 2px dashed #ffffff; }
 
 QFrame#statusHeader { background: @header; }
 QFrame#statusHeader QPushButton[role="quiet"] { background: #33444f; color: @headertext; border-color: #4d606d; }
+QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: #b4c0c9; border-color: #46565f; }
+QFrame#statusHeader QPushButton[role="armed"] { background: #9a5b00; color: #ffffff; border-color: #ffd9a0; font-weight: bold; }
 QFrame#statusHeader QLabel { color: @headertext; }
 QFrame#statusHeader QLabel#sourceName { color: @source; font-size: 19px; font-weight: bold; }
 QFrame#statusHeader QLabel[chip="true"] { border-radius: 5px; padding: 5px 10px; background: #33444f; }

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QStyle>
 
+#include "widgets/arming_control.h"
 #include "widgets/look.h"
 
 namespace terratact {
@@ -33,6 +34,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     quality_->setAccessibleName(tr("Quality of the estimate"));
     quality_->setToolTip(tr("How much time an estimate may take for its accuracy"));
     quality_->setVisible(false);
+    arming_ = new ArmingControl(this);
     help_ = new QPushButton(tr("Keys (F1)"), this);
     help_->setProperty("role", "quiet");
     help_->setFocusPolicy(Qt::TabFocus);
@@ -52,6 +54,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     row->addWidget(source_);
     row->addSpacing(6);
     for (QLabel* label : {link_, robot_, model_}) row->addWidget(label, 0, Qt::AlignVCenter);
+    row->addWidget(arming_, 0, Qt::AlignVCenter);
     row->addStretch(1);
     row->addWidget(quality_, 0, Qt::AlignVCenter);
     row->addWidget(help_, 0, Qt::AlignVCenter);

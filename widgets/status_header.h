@@ -7,6 +7,7 @@ class QPushButton;
 
 namespace terratact {
 
+class ArmingControl;
 enum class Tone;
 
 /// The dark strip at the top: where the data come from, how the link is, what the robot does, and STOP.
@@ -26,6 +27,10 @@ public:
 
     QString sourceName() const;
     QString linkText() const;
+    ArmingControl* arming() const
+    {
+        return arming_;
+    }  ///< to be hidden where nothing is to be armed
     QPushButton* stopButton() const { return stop_; }
     QPushButton* helpButton() const { return help_; }
     QPushButton* qualityButton() const { return quality_; }
@@ -41,6 +46,7 @@ private:
     QLabel* robot_ = nullptr;
     QLabel* model_ = nullptr;
     QPushButton* quality_ = nullptr;
+    ArmingControl* arming_ = nullptr;
     QPushButton* help_ = nullptr;
     QPushButton* stop_ = nullptr;
 };

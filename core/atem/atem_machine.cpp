@@ -24,6 +24,18 @@ bool sceneCaptured(AtemPhase phase)
     return false;
 }
 
+/// An age from the future or NaN is no age.
+bool isStale(double approvalAge, const AtemLimits& limits)
+{
+    return !(approvalAge >= 0.0 && approvalAge < limits.approval);
+}
+
+/// The approval is of what stands now.
+bool fits(const AtemInput& in)
+{
+    return !in.grounds.empty() && in.approvedFor == in.grounds;
+}
+
 }  // namespace
 
 AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits& limits)
@@ -44,13 +56,15 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
     };
     const auto begin = [&](AtemPhase phase) { return AtemState{.phase = phase, .since = in.now}; };
     const auto request = [&] {
-        return in.linkAlive ? begin(AtemPhase::Halting) : fail(AtemFailure::LinkLost);
+        if (!in.linkAlive) return fail(AtemFailure::LinkLost);
+        return in.armed ? begin(AtemPhase::Halting) : fail(AtemFailure::Disarmed);
     };
 
     if (in.stop) return now.phase == AtemPhase::Stopped ? now : enter(AtemPhase::Stopped);
     if (in.aborted && now.phase != AtemPhase::Stopped)
         return now.phase == AtemPhase::Idle ? now : begin(AtemPhase::Idle);
     if (exploring(now.phase) && !in.linkAlive) return fail(AtemFailure::LinkLost);
+    if (exploring(now.phase) && !in.armed) return fail(AtemFailure::Disarmed);
     if (sceneCaptured(now.phase) && in.poseChanged) return fail(AtemFailure::PoseChanged);
 
     const std::optional<double> end = deadline(now, limits);
@@ -72,12 +86,13 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
         return late ? fail(AtemFailure::EstimateTimeout) : now;
     case AtemPhase::ProposingProbe:
         if (in.refused) return enter(AtemPhase::Presenting);
-        if (late) {
+        if (late || (in.approved && isStale(in.approvalAge, limits))) {
             AtemState next = enter(AtemPhase::Presenting);
             next.approvalExpired = true;
             return next;
         }
-        return in.approved ? enter(AtemPhase::Probing) : now;
+        if (!in.approved) return now;
+        return fits(in) ? enter(AtemPhase::Probing) : fail(AtemFailure::ApprovalVoid);
     case AtemPhase::Probing:
         if (in.probeRefused) return fail(AtemFailure::ProbeRefused);
         if (in.probeDone) {
@@ -168,6 +183,8 @@ std::string describe(AtemFailure failure)
     case AtemFailure::PressRefused: return "the robot refused to press";
     case AtemFailure::LinkLost: return "the link to the robot was lost";
     case AtemFailure::PoseChanged: return "the robot moved, so what it felt no longer holds";
+    case AtemFailure::ApprovalVoid: return "the approval was of another scene, settings or model";
+    case AtemFailure::Disarmed: return "the robot is not armed";
     }
     return "unknown failure";
 }

@@ -16,7 +16,8 @@ namespace terratact {
 ///                                                              ▲ estimateReady        │ probeDone
 ///                                                              └── EstimatingAgain ◀──┘
 ///   any state: stop ▶ Stopped, stopReleased ▶ Idle.   any but Stopped: aborted ▶ Idle.
-///   while exploring: a lost link, a time limit, a refusal, an error, a moved robot ▶ Failed.
+///   while exploring: a lost link, a disarmed robot, a time limit, a refusal, an error, a moved robot ▶ Failed.
+///   an approval that is not of what stands ▶ Failed.
 ///   Presenting and Failed: requested ▶ Halting.
 enum class AtemPhase : std::uint8_t {
     Idle,             ///< nothing requested
@@ -43,6 +44,8 @@ enum class AtemFailure : std::uint8_t {
     PressRefused,
     LinkLost,
     PoseChanged,
+    ApprovalVoid,  ///< given for another scene, other settings or another model
+    Disarmed,
 };
 
 struct AtemState {
@@ -62,8 +65,12 @@ struct AtemInput {
     bool stop = false;          ///< STOP is pressed
     bool stopReleased = false;  ///< the operator released STOP
     bool approved = false;      ///< operator approved the proposed probe
+    double approvalAge = 0.0;   ///< [s] with approved: since the operator said so
+    std::string approvedFor{};  ///< with approved: fingerprint of what it was said of
+    std::string grounds{};      ///< fingerprint of what stands now, see core/atem/probe_grounds.h
     bool refused = false;       ///< operator refused it
     bool linkAlive = true;
+    bool armed = true;     ///< the robot takes motion commands from here
     bool halted = false;   ///< robot stands still
     bool pressed = false;  ///< torque threshold reached, scene captured
     bool pressRefused = false;

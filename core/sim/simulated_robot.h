@@ -41,6 +41,7 @@ public:
     Heights truth() const;
 
     const RestPose& rest() const { return rest_; }
+    RobotActivity activity() const { return activity_; }
 
 private:
     void settle();

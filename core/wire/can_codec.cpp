@@ -196,14 +196,14 @@ std::string describe(FrameFault fault)
 CanFrame pack(const Unpacked& content)
 {
     const FrameLayout& layout = layoutOf(content.kind);
-    for (std::size_t i = layout.signals.size(); i < content.values.size(); ++i)
+    for (std::size_t i = layout.payload.size(); i < content.values.size(); ++i)
         if (content.values[i] != 0.0)
             throw std::invalid_argument("pack: a value that the frame has no signal for");
     if (isExactArm(content.kind, content.values))
         throw std::invalid_argument("pack: the sd of an arm's reading must be positive");
     std::uint64_t word = 0;
-    for (std::size_t i = 0; i < layout.signals.size(); ++i)
-        word |= bitsOf(content.values[i], layout.signals[i]);
+    for (std::size_t i = 0; i < layout.payload.size(); ++i)
+        word |= bitsOf(content.values[i], layout.payload[i]);
     CanFrame frame{.id = layout.id, .length = kLength};
     for (std::size_t i = 0; i < frame.data.size(); ++i)
         frame.data[i] = static_cast<std::uint8_t>(word >> (8U * static_cast<unsigned>(i)));
@@ -223,8 +223,8 @@ std::variant<Unpacked, FrameFault> unpack(const CanFrame& frame)
     Unpacked content{.kind = *kind, .counter = frame.data[2]};
     const std::uint64_t word = wordOf(frame);
     std::uint64_t named = lowBits(kHeaderBits);
-    for (std::size_t i = 0; i < layout.signals.size(); ++i) {
-        const SignalLayout& signal = layout.signals[i];
+    for (std::size_t i = 0; i < layout.payload.size(); ++i) {
+        const SignalLayout& signal = layout.payload[i];
         const std::int64_t raw = rawOf(word, signal);
         if (raw < leastRaw(signal) || raw > mostRaw(signal)) return FrameFault::OutOfRange;
         content.values[i] = static_cast<double>(raw) * signal.scale;

@@ -57,8 +57,8 @@ struct FrameLayout {
     std::uint32_t id = 0;
     std::uint16_t dataId = 0;  ///< of E2E Profile 5
     bool fromConsole = false;
-    double period = 0.0;  ///< [s] 0: on occasion
-    std::span<const SignalLayout> signals;
+    double period = 0.0;                    ///< [s] 0: on occasion
+    std::span<const SignalLayout> payload;  ///< its signals; that word is a macro of Qt
 };
 
 /// Throws std::invalid_argument for no FrameKind.

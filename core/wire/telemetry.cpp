@@ -37,7 +37,7 @@ std::optional<std::array<double, kForceElements>> joined(const ElementForces& el
 
 double clamped(FrameKind kind, std::size_t signal, double value)
 {
-    const SignalLayout& layout = layoutOf(kind).signals[signal];
+    const SignalLayout& layout = layoutOf(kind).payload[signal];
     return std::clamp(value, layout.least, layout.most);
 }
 
@@ -142,7 +142,7 @@ SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
         line.arm->height = clamped(FrameKind::ArmResult, 1, line.arm->height);
         // At least one raw step: a reading is never exact.
         line.arm->sd = std::max(clamped(FrameKind::ArmResult, 2, line.arm->sd),
-                                layoutOf(FrameKind::ArmResult).signals[2].scale);
+                                layoutOf(FrameKind::ArmResult).payload[2].scale);
     }
     return line;
 }

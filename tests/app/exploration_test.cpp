@@ -118,7 +118,7 @@ TEST_F(Bench, theWholeLoop)
     exploration->request();
     tick();
     EXPECT_EQ(phase(), AtemPhase::Halting);
-    EXPECT_EQ(sent<HaltCommand>(), 1);
+    EXPECT_EQ(sent<BeginAtemCommand>(), 1);
     tick(5);
     EXPECT_EQ(phase(), AtemPhase::Halting) << "still rolling";
     telemetry.activity = RobotActivity::Halted;
@@ -358,11 +358,11 @@ TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
     blocked = true;
     press();
     ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    const int before = sent<HaltCommand>();
+    const int before = sent<AbortAtemCommand>();
     exploration->abort();
     tick();
     EXPECT_EQ(phase(), AtemPhase::Idle);
-    EXPECT_EQ(sent<HaltCommand>(), before + 1);
+    EXPECT_EQ(sent<AbortAtemCommand>(), before + 1);
     blocked = false;
     QTest::qWait(50);
     tick(3);
@@ -436,9 +436,9 @@ TEST_F(Bench, leavingHaltsWhatWasSetInMotion)
     exploration->leave();
     EXPECT_EQ(sent<HaltCommand>(), 1);
     press();
-    const int before = sent<HaltCommand>();
+    const int before = sent<AbortAtemCommand>();
     exploration->leave();
-    EXPECT_EQ(sent<HaltCommand>(), before + 1);
+    EXPECT_EQ(sent<AbortAtemCommand>(), before + 1);
 }
 
 TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)

@@ -2,10 +2,14 @@
 
 #include <QElapsedTimer>
 #include <QImage>
+#include <QLabel>
+#include <QPushButton>
 #include <QTest>
 #include <QWidget>
 #include <array>
 #include <limits>
+#include <string>
+#include <vector>
 
 /// What the GUI tests share.
 namespace terratact::gui {
@@ -32,6 +36,24 @@ inline void showActive(QWidget& widget)
     (void)QTest::qWaitForWindowExposed(&widget);
     widget.activateWindow();
     (void)QTest::qWaitForWindowActive(&widget);
+}
+
+/// The texts of visible labels and buttons that have less room than they need.
+inline std::vector<std::string> cutText(const QWidget& window)
+{
+    std::vector<std::string> cut;
+    const auto look = [&](const QWidget& widget, const QString& text, const QSize& needed) {
+        if (!widget.isVisible() || text.isEmpty()) return;
+        if (widget.width() + 1 < needed.width() || widget.height() + 1 < needed.height())
+            cut.push_back(text.toStdString());
+    };
+    for (const QLabel* label : window.findChildren<QLabel*>())
+        look(*label, label->text(),
+             label->wordWrap() ? QSize(0, label->heightForWidth(label->width()))
+                               : label->sizeHint());
+    for (const QPushButton* button : window.findChildren<QPushButton*>())
+        look(*button, button->text(), button->minimumSizeHint());
+    return cut;
 }
 
 /// Paints a widget; fails by returning a null image when that takes as long as a hang.

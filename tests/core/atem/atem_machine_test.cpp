@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,27 @@ struct Arrow {
     AtemPhase to;
     AtemFailure failure = AtemFailure::None;
 };
+
+/// An approval `now` seconds after the question, given `age` ago for what stands.
+AtemInput approval(double now, double age = 0.0)
+{
+    return {.now = now, .approved = true, .approvalAge = age, .approvedFor = "a", .grounds = "a"};
+}
+
+AtemInput approvalWith(double now, bool AtemInput::*more)
+{
+    AtemInput in = approval(now);
+    in.*more = true;
+    return in;
+}
+
+AtemInput approvalOf(const std::string& approved, const std::string& stands)
+{
+    AtemInput in = approval(1);
+    in.approvedFor = approved;
+    in.grounds = stands;
+    return in;
+}
 
 void PrintTo(const Arrow& arrow, std::ostream* out)
 {
@@ -73,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                           {.now = 1, .estimateReady = true, .probeWanted = true},
                           ProposingProbe},
                     Arrow{"undecided", ProposingProbe, {.now = 1}, ProposingProbe},
-                    Arrow{"approved", ProposingProbe, {.now = 1, .approved = true}, Probing},
+                    Arrow{"approved", ProposingProbe, approval(1), Probing},
                     Arrow{"refused", ProposingProbe, {.now = 1, .refused = true}, Presenting},
                     Arrow{"stillProbing", Probing, {.now = 44}, Probing},
                     Arrow{"probed", Probing, {.now = 45, .probeDone = true}, EstimatingAgain},
@@ -110,11 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
               {.now = 1, .estimateReady = true, .poseChanged = true},
               Failed,
               AtemFailure::PoseChanged},
-        Arrow{"movedWhileDeciding",
-              ProposingProbe,
-              {.now = 1, .approved = true, .poseChanged = true},
-              Failed,
-              AtemFailure::PoseChanged},
+        Arrow{"movedWhileDeciding", ProposingProbe, approvalWith(1, &AtemInput::poseChanged),
+              Failed, AtemFailure::PoseChanged},
         Arrow{"movedWhileProbing",
               Probing,
               {.now = 1, .probeDone = true, .poseChanged = true},
@@ -167,14 +186,55 @@ INSTANTIATE_TEST_SUITE_P(
     Answers, AtemArrow,
     testing::Values(
         Arrow{"noAnswerMeansNo", ProposingProbe, {.now = 20}, Presenting},
-        Arrow{"lateApprovalMeansNo", ProposingProbe, {.now = 20, .approved = true}, Presenting},
-        Arrow{"approvalJustInTime", ProposingProbe, {.now = 19.99, .approved = true}, Probing},
-        Arrow{"yesAndNoMeansNo",
+        Arrow{"lateApprovalMeansNo", ProposingProbe, approval(20), Presenting},
+        Arrow{"oldApprovalMeansNo", ProposingProbe, approval(1, 20.0), Presenting},
+        Arrow{"approvalOfTheFutureMeansNo", ProposingProbe, approval(1, -0.1), Presenting},
+        Arrow{"approvalOfUnknownAgeMeansNo", ProposingProbe, approval(1, std::nan("")), Presenting},
+        Arrow{"approvalOfOtherGrounds", ProposingProbe, approvalOf("a", "b"), Failed,
+              AtemFailure::ApprovalVoid},
+        Arrow{"approvalOfNothing", ProposingProbe, approvalOf("", ""), Failed,
+              AtemFailure::ApprovalVoid},
+        Arrow{"requestDisarmed",
+              Idle,
+              {.now = 1, .requested = true, .armed = false},
+              Failed,
+              AtemFailure::Disarmed},
+        Arrow{"disarmedWhileHalting",
+              Halting,
+              {.now = 1, .armed = false},
+              Failed,
+              AtemFailure::Disarmed},
+        Arrow{"disarmedWhilePressing",
+              Pressing,
+              {.now = 1, .armed = false},
+              Failed,
+              AtemFailure::Disarmed},
+        Arrow{"disarmedWhileEstimating",
+              Estimating,
+              {.now = 1, .armed = false},
+              Failed,
+              AtemFailure::Disarmed},
+        Arrow{"disarmedWhileAsking",
               ProposingProbe,
-              {.now = 1, .approved = true, .refused = true},
-              Presenting},
-        Arrow{"approvalWithoutProposal", Presenting, {.now = 1, .approved = true}, Presenting},
-        Arrow{"earlyApproval", Estimating, {.now = 1, .approved = true}, Estimating},
+              {.now = 1, .armed = false},
+              Failed,
+              AtemFailure::Disarmed},
+        Arrow{"disarmedWhileProbing",
+              Probing,
+              {.now = 1, .armed = false},
+              Failed,
+              AtemFailure::Disarmed},
+        Arrow{"disarmedWhileEstimatingAgain",
+              EstimatingAgain,
+              {.now = 1, .armed = false},
+              Failed,
+              AtemFailure::Disarmed},
+        Arrow{"disarmedWhilePresenting", Presenting, {.now = 1, .armed = false}, Presenting},
+        Arrow{"disarmedWhileIdle", Idle, {.now = 1, .armed = false}, Idle},
+        Arrow{"approvalJustInTime", ProposingProbe, approval(19.99), Probing},
+        Arrow{"yesAndNoMeansNo", ProposingProbe, approvalWith(1, &AtemInput::refused), Presenting},
+        Arrow{"approvalWithoutProposal", Presenting, approval(1), Presenting},
+        Arrow{"earlyApproval", Estimating, approval(1), Estimating},
         Arrow{"secondRequestWhileBusy", Probing, {.now = 1, .requested = true}, Probing},
         Arrow{"requestWhileStopped", Stopped, {.now = 1, .requested = true}, Stopped},
         Arrow{"abortDoesNotReleaseStop", Stopped, {.now = 1, .aborted = true}, Stopped},
@@ -249,6 +309,7 @@ TEST(AtemMachine, keepsItsPromisesForEveryInput)
                 return set;
             };
             AtemInput in;
+            in.approvedFor = in.grounds = "a";
             for (bool* b : {&in.requested, &in.aborted, &in.stop, &in.stopReleased, &in.approved,
                             &in.refused, &in.linkAlive, &in.halted, &in.pressed, &in.pressRefused,
                             &in.estimateReady, &in.estimateFailed, &in.probeWanted, &in.probeDone,
@@ -301,7 +362,7 @@ TEST(AtemMachine, hasWordsForEveryPhaseAndFailure)
 {
     std::vector<std::string> words;
     for (const AtemPhase phase : kPhases) words.push_back(describe(phase));
-    for (int f = 0; f <= static_cast<int>(AtemFailure::PoseChanged); ++f)
+    for (int f = 0; f <= static_cast<int>(AtemFailure::Disarmed); ++f)
         words.push_back(describe(static_cast<AtemFailure>(f)));
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(words[i], words[j]);

@@ -99,7 +99,7 @@ Unpacked contentOf(const CanFrame& frame)
 
 std::size_t signalIndex(FrameKind kind, const std::string& name)
 {
-    const auto signals = layoutOf(kind).signals;
+    const auto signals = layoutOf(kind).payload;
     for (std::size_t i = 0; i < signals.size(); ++i)
         if (signals[i].name == name) return i;
     throw std::out_of_range(name);
@@ -132,7 +132,7 @@ TEST(Dbc, namesEveryFrameOfTheCodecAndNoOther)
         const int ms = period == m.attributes.end() ? 0 : period->second;
         EXPECT_EQ(ms, std::lround(1e3 * layout.period)) << m.name;
         EXPECT_EQ(ms > 0, m.attributes.contains("GenMsgSendType")) << m.name;
-        EXPECT_EQ(m.signals.size(), layout.signals.size() + 2) << m.name;
+        EXPECT_EQ(m.signals.size(), layout.payload.size() + 2) << m.name;
         EXPECT_FALSE(m.comment.empty()) << m.name << " says nothing about itself";
         ids.insert(m.id);
         dataIds.insert(m.attributes.at("E2eDataId"));
@@ -157,7 +157,7 @@ TEST(Dbc, hasEverySignalWhereTheCodecHasIt)
 {
     forEverySignal([](FrameKind kind, const DbcMessage& m, const DbcSignal& s) {
         const std::string place = m.name + "." + s.name;
-        const SignalLayout& layout = layoutOf(kind).signals[signalIndex(kind, s.name)];
+        const SignalLayout& layout = layoutOf(kind).payload[signalIndex(kind, s.name)];
         EXPECT_EQ(s.start, layout.start) << place;
         EXPECT_EQ(s.length, layout.length) << place;
         EXPECT_EQ(s.isSigned, layout.isSigned) << place;
@@ -262,7 +262,7 @@ TEST(Codec, takesRandomContentThroughTheWire)
     std::mt19937_64 rng(7);
     for (int i = 0; i < 20000; ++i) {
         const auto kind = static_cast<FrameKind>(rng() % kFrameKinds);
-        const auto signals = layoutOf(kind).signals;
+        const auto signals = layoutOf(kind).payload;
         Unpacked sent{.kind = kind, .counter = static_cast<std::uint8_t>(rng())};
         for (std::size_t s = 0; s < signals.size(); ++s)
             sent.values[s] = std::uniform_real_distribution(signals[s].least, signals[s].most)(rng);

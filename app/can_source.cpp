@@ -1,0 +1,164 @@
+#include "app/can_source.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/steady_now.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::chrono::milliseconds kTurn{10};  // half the period of a drive
+
+bool makesSafe(const Command& command)
+{
+    return std::holds_alternative<StopCommand>(command)
+        || std::holds_alternative<HaltCommand>(command)
+        || std::holds_alternative<AbortAtemCommand>(command);
+}
+
+}  // namespace
+
+CanSource::CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options)
+    : bus_(std::move(bus)), options_(options), link_(robot, options.link)
+{
+}
+
+std::string CanSource::name() const
+{
+    return options_.name.empty() ? bus_->name() : options_.name;
+}
+
+Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience)
+{
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (true) {
+        if (auto sample = takePending()) return sample;
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+            end - std::chrono::steady_clock::now());
+        const auto count = bus_->receive(frames_, std::clamp(left, 0ms, kTurn));
+        work();
+        if (!count) return count.error();
+        pending_.insert(pending_.end(), frames_.begin(),
+                        frames_.begin() + static_cast<std::ptrdiff_t>(*count));
+        if (*count > 0 || left > 0ms) continue;
+        if (std::string trouble = describe(bus_->state(), bus_->name()); !trouble.empty())
+            return Error{std::move(trouble), 0};
+        return std::optional<Sample>{};
+    }
+}
+
+std::optional<Sample> CanSource::takePending()
+{
+    const std::scoped_lock lock(mutex_);
+    while (!pending_.empty()) {
+        const BusFrame received = pending_.front();
+        pending_.pop_front();
+        if (const auto measurement = link_.receive(received.frame, received.echo, received.time))
+            return Sample{.measurement = *measurement, .truth = std::nullopt};
+    }
+    return std::nullopt;
+}
+
+void CanSource::work()
+{
+    if (options_.mode == Mode::Listen) return;
+    const std::scoped_lock lock(mutex_);
+    const double now = steadyNow();
+    if (unsent_) {
+        const auto frame = link_.send(*unsent_, now);
+        if (bus_->send(std::get<CanFrame>(frame))) unsent_.reset();
+    }
+    for (const CanFrame& frame : link_.tick(now))
+        (void)bus_->send(frame);  // counted by the bus; none of these is worth a second try
+}
+
+Status CanSource::send(const Command& command)
+{
+    if (options_.mode == Mode::Listen)
+        return Error{name() + " is only listened to: start the console with --transmit", 0};
+    const std::scoped_lock lock(mutex_);
+    unsent_.reset();
+    const auto sent = link_.send(command, steadyNow());
+    if (const auto* refusal = std::get_if<GateRefusal>(&sent)) return Error{describe(*refusal), 0};
+    Status left = bus_->send(std::get<CanFrame>(sent));
+    if (!left && makesSafe(command)) unsent_ = command;
+    return left;
+}
+
+void CanSource::operatorAlive()
+{
+    const std::scoped_lock lock(mutex_);
+    link_.operatorAlive(steadyNow());
+}
+
+void CanSource::wantArming()
+{
+    const std::scoped_lock lock(mutex_);
+    link_.wantArming();
+}
+
+void CanSource::confirmArming()
+{
+    const std::scoped_lock lock(mutex_);
+    link_.confirmArming();
+}
+
+void CanSource::disarm()
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        link_.disarm();
+    }
+    work();  // at once: the thread of next() may be about to end
+}
+
+void CanSource::approve(int bin)
+{
+    const std::scoped_lock lock(mutex_);
+    link_.approve(bin, steadyNow());
+}
+
+CanView CanSource::view() const
+{
+    const std::scoped_lock lock(mutex_);
+    return {.link = link_.view(steadyNow()),
+            .bus = bus_->state(),
+            .frames = bus_->counters(),
+            .telemetry = link_.telemetry().counters(),
+            .forces = link_.telemetry().forces(),
+            .transmits = options_.mode == Mode::Transmit};
+}
+
+std::string whyNotArming(const CanView& view)
+{
+    if (!view.transmits) return "Only listened to: start the console with --transmit to command it";
+    if (view.link.foreignSender) return describe(DisarmCause::ForeignSender);
+    if (view.link.robot && view.link.robot->activity == RobotActivity::Stopped)
+        return "STOP is latched: release it first";
+    if (!(view.link.goodFor >= ArmingLimits{}.linkGood))
+        return "The link must be good for a second";
+    if (view.link.robot->armed) return describe(DisarmCause::AlreadyArmed);
+    return {};
+}
+
+std::string describe(BusState state, const std::string& bus)
+{
+    switch (state) {
+    case BusState::Up: return {};
+    case BusState::Stalled:
+        return bus + ": what is sent does not leave; is the robot's bus connected and powered?";
+    case BusState::ErrorPassive:
+        return bus + ": many errors on the bus; check wiring, termination and bitrate";
+    case BusState::BusOff:
+        return bus + " is bus-off: check the wiring, then run 'ip link set " + bus
+             + " type can restart'";
+    case BusState::Down: return bus + " is down: run 'ip link set " + bus + " up'";
+    case BusState::Absent: return bus + " is gone: is the adapter plugged in?";
+    }
+    return {};
+}
+
+}  // namespace terratact

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <memory>
+#include <mutex>
+
+#include "core/atem/console_link.h"
+#include "drivers/can_bus.h"
+#include "drivers/measurement_source.h"
+
+namespace terratact {
+
+/// What a console shows of bus and link together.
+struct CanView {
+    LinkView link;
+    BusState bus = BusState::Up;
+    BusCounters frames;
+    TelemetryCounters telemetry;
+    ElementForces forces;  ///< of the newest line
+    bool transmits = false;
+};
+
+/// A robot on a CAN bus.  The thread that calls next() receives, beats the heart and repeats drives, so
+/// that a console whose threads stand still falls silent and its robot halts.
+class CanSource final : public MeasurementSource {
+public:
+    enum class Mode : std::uint8_t { Listen, Transmit };
+    struct Options {
+        Mode mode = Mode::Listen;
+        std::string name{};  ///< what the operator reads; the bus's own where it is empty
+        ConsoleLink::Options link{};
+    };
+    CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
+
+    std::string name() const override;
+    Result<std::optional<Sample>> next(std::chrono::milliseconds patience) override;
+
+    /// Leaves in the calling thread, at once.  Stop, Halt and the like are tried again in next() until they
+    /// have left; nothing else is.
+    Status send(const Command& command) override;
+
+    // From the GUI thread, see ConsoleLink.
+    void operatorAlive();
+    void wantArming();
+    void confirmArming();
+    void disarm();
+    void approve(int bin);
+
+    CanView view() const;
+
+private:
+    std::optional<Sample> takePending();
+    void work();
+
+    std::unique_ptr<CanBus> bus_;
+    Options options_;
+    std::array<BusFrame, 64> frames_;
+    std::deque<BusFrame> pending_;  // only next() touches these two
+
+    mutable std::mutex mutex_;  // guards what follows
+    ConsoleLink link_;
+    std::optional<Command> unsent_;  ///< the newest command that makes safe and has not left yet
+};
+
+/// Why the operator cannot begin to arm now, in words; empty where it is possible.
+std::string whyNotArming(const CanView& view);
+
+/// "can0 is down", and the command that mends it; empty for a bus that is up.
+std::string describe(BusState state, const std::string& bus);
+
+}  // namespace terratact

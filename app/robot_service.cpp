@@ -1,0 +1,56 @@
+#include "app/robot_service.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <chrono>
+
+#include "app/can_source.h"
+#include "app/steady_now.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Shown {
+    bool armed = false;
+    RobotActivity activity = RobotActivity::Halted;
+    BusState bus = BusState::Up;
+    bool operator==(const Shown&) const = default;
+};
+
+std::string words(const Shown& shown, const RobotOnBus& robot, const CanBus& bus)
+{
+    if (std::string trouble = describe(shown.bus, bus.name()); !trouble.empty()) return trouble;
+    return fmt::format("{}, {} (epoch {})", describe(shown.activity),
+                       shown.armed ? "armed" : "disarmed", robot.epoch());
+}
+
+void sendAll(CanBus& bus, const std::vector<CanFrame>& frames)
+{
+    for (const CanFrame& frame : frames)
+        if (!bus.send(frame)) return;  // the rest of the line is worth nothing without it
+}
+
+}  // namespace
+
+Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
+                  const std::function<void(const std::string&)>& say)
+{
+    std::array<BusFrame, 64> frames;
+    std::optional<Shown> before;
+    while (goOn()) {
+        const auto count = bus.receive(frames, 5ms);
+        if (!count) return count.error();
+        for (std::size_t i = 0; i < *count; ++i)
+            if (!frames[i].echo) sendAll(bus, robot.receive(frames[i].frame, steadyNow()));
+        sendAll(bus, robot.tick(steadyNow()));
+        const Shown shown{robot.armed(), robot.robot().activity(), bus.state()};
+        if (before != shown) say(words(shown, robot, bus));
+        before = shown;
+    }
+    return Done{};
+}
+
+}  // namespace terratact

@@ -1,0 +1,189 @@
+#include "core/atem/console_link.h"
+
+#include <utility>
+
+namespace terratact {
+namespace {
+
+// Ends what a probe was approved for.
+bool endsApproval(const Command& command)
+{
+    return std::holds_alternative<StopCommand>(command)
+        || std::holds_alternative<HaltCommand>(command)
+        || std::holds_alternative<AbortAtemCommand>(command)
+        || std::holds_alternative<ProbeCommand>(command);
+}
+
+double orNever(std::optional<double> age)
+{
+    return age.value_or(GateView::kNever);
+}
+
+bool isDue(const std::optional<double>& last, double period, double now)
+{
+    // A millisecond of slack: whoever ticks every 20 ms must not wait for the tick after.
+    return !last || now - *last >= period - 1e-3 || now < *last;
+}
+
+// Whether the robot has to be told that this console has disarmed.
+bool mustTellRobot(const ArmingState& before, const ArmingState& after)
+{
+    const bool was = before.phase == ArmingPhase::Armed || before.phase == ArmingPhase::Requested;
+    return was && after.phase == ArmingPhase::Disarmed && after.cause != DisarmCause::RobotDisarmed
+        && after.cause != DisarmCause::EpochChanged;
+}
+
+}  // namespace
+
+ConsoleLink::ConsoleLink(RobotModel robot, const Options& options)
+    : listener_(std::move(robot)), options_(options), rng_(options.seed)
+{
+}
+
+std::optional<Measurement> ConsoleLink::receive(const CanFrame& frame, bool echo, double now)
+{
+    if (echo) return std::nullopt;
+    const std::uint64_t consoles = listener_.counters().fromConsole;
+    std::optional<Measurement> measurement = listener_.take(frame, now);
+    if (listener_.counters().fromConsole != consoles) foreignSeen_ = now;
+    if (listener_.token()) freshness_.echoed(*listener_.token());
+    return measurement;
+}
+
+void ConsoleLink::operatorAlive(double now)
+{
+    operatorSeen_ = now;
+}
+
+void ConsoleLink::approve(int bin, double now)
+{
+    approved_ = Approved{bin, now};
+}
+
+bool ConsoleLink::foreignSender(double now) const
+{
+    return foreignSeen_ && now - *foreignSeen_ < kForeignFor;
+}
+
+bool ConsoleLink::linkGood(double now) const
+{
+    const auto within = [](const std::optional<double>& age, double limit) {
+        return age && *age >= 0.0 && *age <= limit;
+    };
+    return listener_.status() && listener_.link(FrameKind::RobotStatus, now) == LinkState::Good
+        && within(listener_.age(FrameKind::RobotStatus, now), options_.gate.statusAge)
+        && within(freshness_.age(now), options_.gate.answerAge);
+}
+
+GateView ConsoleLink::gateView(double now) const
+{
+    GateView view{.link = listener_.link(FrameKind::RobotStatus, now),
+                  .statusAge = orNever(listener_.age(FrameKind::RobotStatus, now)),
+                  .answerAge = orNever(freshness_.age(now)),
+                  .operatorAge = operatorSeen_ ? now - *operatorSeen_ : GateView::kNever,
+                  .foreignSender = foreignSender(now),
+                  .stopLatched = stopLatched_,
+                  .arming = arming_,
+                  .robot = listener_.status(),
+                  .approval = std::nullopt};
+    if (approved_) view.approval = ProbeApproval{approved_->bin, now - approved_->at};
+    return view;
+}
+
+std::variant<CanFrame, GateRefusal> ConsoleLink::send(const Command& command, double now)
+{
+    // Before the gate: what the operator no longer wants ends even where the frame does not get out.
+    driving_.reset();
+    if (std::holds_alternative<StopCommand>(command)) stopLatched_ = true;
+    if (std::holds_alternative<ReleaseStopCommand>(command)) stopLatched_ = false;
+
+    const FrameKind kind = kindOf(command);
+    std::uint8_t& counter = counters_[static_cast<std::size_t>(kind)];
+    const std::uint8_t epoch = listener_.status() ? listener_.status()->epoch : std::uint8_t{0};
+    const CanFrame frame = frameOf(command, epoch, counter);
+    const GateRefusal refusal = judge(frame, gateView(now), options_.gate);
+    if (endsApproval(command)) approved_.reset();
+    if (refusal != GateRefusal::None) return refusal;
+    ++counter;
+    if (const auto* drive = std::get_if<DriveCommand>(&command)) driving_ = Driving{*drive, now};
+    return frame;
+}
+
+std::optional<CanFrame> ConsoleLink::passed(const Command& command, double now)
+{
+    const auto sent = send(command, now);
+    const auto* frame = std::get_if<CanFrame>(&sent);
+    return frame ? std::optional(*frame) : std::nullopt;
+}
+
+std::vector<CanFrame> ConsoleLink::tick(double now)
+{
+    std::vector<CanFrame> out;
+    arm(now, out);
+    keepDriving(now, out);
+    beat(now, out);
+    return out;
+}
+
+void ConsoleLink::arm(double now, std::vector<CanFrame>& out)
+{
+    if (!linkGood(now))
+        goodSince_.reset();
+    else if (!goodSince_)
+        goodSince_ = now;
+    const GateView gate = gateView(now);
+    const auto& robot = listener_.status();
+    const ArmingInput in{
+        .now = now,
+        .wanted = std::exchange(wanted_, false),
+        .confirmed = std::exchange(confirmed_, false),
+        .disarmed = std::exchange(disarmed_, false),
+        .stopLatched = stopLatched_ || (robot && robot->activity == RobotActivity::Stopped),
+        .operatorPresent = gate.operatorAge >= 0.0 && gate.operatorAge <= options_.gate.operatorAge,
+        .foreignSender = gate.foreignSender,
+        .linkGoodFor = view(now).goodFor,
+        .robotArmed = robot && robot->armed,
+        .robotEpoch = robot ? robot->epoch : std::uint8_t{0}};
+    const ArmingState before = arming_;
+    arming_ = nextArming(arming_, in, options_.arming);
+    if (before.phase != ArmingPhase::Requested && arming_.phase == ArmingPhase::Requested) {
+        if (const auto frame = passed(ArmCommand{true}, now)) out.push_back(*frame);
+    }
+    if (mustTellRobot(before, arming_)) {
+        if (const auto frame = passed(ArmCommand{false}, now)) out.push_back(*frame);
+    }
+}
+
+void ConsoleLink::keepDriving(double now, std::vector<CanFrame>& out)
+{
+    if (!driving_ || !isDue(driving_->sent, kDrivePeriod, now)) return;
+    auto frame = passed(driving_->command, now);
+    if (!frame) frame = passed(HaltCommand{}, now);  // the drive is over
+    if (frame) out.push_back(*frame);
+}
+
+void ConsoleLink::beat(double now, std::vector<CanFrame>& out)
+{
+    if (!isDue(lastBeat_, kHeartbeatPeriod, now)) return;
+    std::uint8_t& counter = counters_[static_cast<std::size_t>(FrameKind::ConsoleHeartbeat)];
+    const auto token = static_cast<std::uint16_t>(rng_() >> 48U);
+    const CanFrame frame = consoleHeartbeat(token, counter);
+    if (judge(frame, gateView(now), options_.gate) != GateRefusal::None) return;
+    ++counter;
+    lastBeat_ = now;
+    freshness_.sent(token, now);
+    out.push_back(frame);
+}
+
+LinkView ConsoleLink::view(double now) const
+{
+    return {.state = listener_.link(FrameKind::RobotStatus, now),
+            .statusAge = listener_.age(FrameKind::RobotStatus, now),
+            .answerAge = freshness_.age(now),
+            .goodFor = goodSince_ && linkGood(now) ? now - *goodSince_ : 0.0,
+            .foreignSender = foreignSender(now),
+            .arming = arming_,
+            .robot = listener_.status()};
+}
+
+}  // namespace terratact

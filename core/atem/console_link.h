@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <variant>
+#include <vector>
+
+#include "core/atem/arming.h"
+#include "core/atem/command_gate.h"
+#include "core/robot/robot_model.h"
+#include "core/wire/freshness.h"
+#include "core/wire/telemetry_listener.h"
+
+namespace terratact {
+
+/// What a console shows of its link.
+struct LinkView {
+    LinkState state = LinkState::Unknown;
+    std::optional<double> statusAge, answerAge;  ///< [s]
+    double goodFor = 0.0;                        ///< [s] see ArmingInput
+    bool foreignSender = false;
+    ArmingState arming;
+    std::optional<RobotStatus> robot;
+};
+
+/// The console's end of the link: takes the robot's frames, beats the heart, arms, repeats a drive as long
+/// as it is wanted, and lets nothing out that the command gate refuses.  No clock and no bus: `now` is any
+/// monotonic clock [s], and the frames it returns have to be sent at once.
+class ConsoleLink {
+public:
+    static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]
+    static constexpr double kDrivePeriod = 0.02;     ///< [s]
+    static constexpr double kForeignFor = 5.0;       ///< [s] a foreign sender is remembered
+
+    struct Options {
+        GateLimits gate;
+        ArmingLimits arming;
+        std::uint64_t seed = 1;  ///< of the tokens: drawn anew at every start
+    };
+    ConsoleLink(RobotModel robot, const Options& options);
+
+    /// Takes a frame from the bus; `echo` is one that left from here.  The measurement it completes.
+    std::optional<Measurement> receive(const CanFrame& frame, bool echo, double now);
+
+    /// Window and panel have both answered just now.
+    void operatorAlive(double now);
+
+    // The operator's actions, see core/atem/arming.h; they take effect at the next tick.
+    void wantArming() { wanted_ = true; }
+    void confirmArming() { confirmed_ = true; }
+    void disarm() { disarmed_ = true; }
+
+    /// The operator's word for one probe at `now`; it ends with the next probe, halt, stop or abort.
+    void approve(int bin, double now);
+
+    /// The frame of a command, or why it may not leave.  A drive goes on in tick() until another command.
+    /// Stop latches until ReleaseStop is sent.  Arming is not for here but for wantArming.
+    std::variant<CanFrame, GateRefusal> send(const Command& command, double now);
+
+    /// What is due; to be called at least every 20 ms.
+    std::vector<CanFrame> tick(double now);
+
+    LinkView view(double now) const;
+    const TelemetryListener& telemetry() const { return listener_; }
+    bool stopLatched() const { return stopLatched_; }
+
+private:
+    GateView gateView(double now) const;
+    bool linkGood(double now) const;
+    bool foreignSender(double now) const;
+    std::optional<CanFrame> passed(const Command& command, double now);
+    void arm(double now, std::vector<CanFrame>& out);
+    void beat(double now, std::vector<CanFrame>& out);
+    void keepDriving(double now, std::vector<CanFrame>& out);
+
+    TelemetryListener listener_;
+    Options options_;
+    std::mt19937_64 rng_;
+    Freshness freshness_;
+    ArmingState arming_;
+    bool wanted_ = false, confirmed_ = false, disarmed_ = false;
+    bool stopLatched_ = false;
+    std::optional<double> operatorSeen_, foreignSeen_, goodSince_, lastBeat_;
+    struct Approved {
+        int bin;
+        double at;
+    };
+    std::optional<Approved> approved_;
+    struct Driving {
+        DriveCommand command;
+        double sent;
+    };
+    std::optional<Driving> driving_;
+    std::array<std::uint8_t, kFrameKinds> counters_{};
+};
+
+}  // namespace terratact

@@ -1,0 +1,72 @@
+#include "core/atem/probe_grounds.h"
+
+#include <concepts>
+#include <type_traits>
+
+#include "core/learn/canonical_bytes.h"
+#include "core/learn/sha256.h"
+
+namespace terratact {
+namespace {
+
+template <class T>
+void add(CanonicalBytes& bytes, T value)
+{
+    if constexpr (std::is_enum_v<T>)
+        bytes.add(static_cast<std::uint64_t>(value));
+    else if constexpr (std::floating_point<T>)
+        bytes.add(static_cast<double>(value));
+    else
+        bytes.add(static_cast<std::uint64_t>(value));
+}
+
+template <class... T>
+void addAll(CanonicalBytes& bytes, const T&... values)
+{
+    (add(bytes, values), ...);
+}
+
+// The bindings below do not compile once a member is new: it has to be added here.
+void add(CanonicalBytes& bytes, const ArmReading& reading)
+{
+    const auto& [bin, height, sd] = reading;
+    addAll(bytes, bin, height, sd);
+}
+
+void add(CanonicalBytes& bytes, const Measurement& scene)
+{
+    const auto& [time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
+                 frontRightCurrent, rearLeftCurrent, rearRightCurrent, force, activity, refusal,
+                 arm] = scene;
+    addAll(bytes, time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
+           frontRightCurrent, rearLeftCurrent, rearRightCurrent);
+    for (const double f : force) add(bytes, f);
+    addAll(bytes, activity, refusal, arm.has_value());
+    if (arm) add(bytes, *arm);
+}
+
+void add(CanonicalBytes& bytes, const Settings& settings)
+{
+    const auto& [method, ceiling, contacts, forceThreshold, contactSd, draws, stopEarly, chains,
+                 burnIn, scan, precision, inducing, seed, probeAbove, rollLimit, asymmetryLimit] =
+        settings;
+    addAll(bytes, method, ceiling, contacts, forceThreshold, contactSd, draws, stopEarly, chains,
+           burnIn, scan, precision, inducing, seed, probeAbove, rollLimit, asymmetryLimit);
+}
+
+}  // namespace
+
+std::string fingerprint(const ProbeGrounds& grounds)
+{
+    CanonicalBytes bytes;
+    bytes.add(std::string_view("probe"));
+    add(bytes, grounds.scene);
+    add(bytes, grounds.readings.size());
+    for (const ArmReading& reading : grounds.readings) add(bytes, reading);
+    add(bytes, grounds.settings);
+    bytes.add(std::string_view(grounds.model));
+    add(bytes, grounds.bin);
+    return sha256Hex(bytes.bytes());
+}
+
+}  // namespace terratact

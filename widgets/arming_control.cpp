@@ -1,0 +1,73 @@
+#include "widgets/arming_control.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+
+#include "widgets/held_button.h"
+#include "widgets/palette.h"
+
+namespace terratact {
+
+ArmingControl::ArmingControl(QWidget* parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Arming"));
+    arm_ = new QPushButton(this);
+    arm_->setProperty("role", "quiet");
+    confirm_ = new HoldToConfirmButton(tr("hold to arm (M)"), palette::kDoubt, this);
+    confirm_->setAccessibleName(tr("Hold to arm the robot"));
+    confirm_->setToolTip(tr("Within 5 s; then commands from here move the robot"));
+    confirm_->setHoldTime(1000);
+    disarm_ = new QPushButton(this);
+    disarm_->setProperty("role", "armed");
+    disarm_->setToolTip(tr("Commands from here move the robot. A click halts and disarms it"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton* button : std::initializer_list<QPushButton*>{arm_, confirm_, disarm_}) {
+        button->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(button);
+    }
+    connect(arm_, &QPushButton::clicked, this, &ArmingControl::armingWanted);
+    connect(confirm_, &HoldToConfirmButton::confirmed, this, &ArmingControl::armingConfirmed);
+    connect(disarm_, &QPushButton::clicked, this, &ArmingControl::disarmed);
+    setState({}, {});
+}
+
+void ArmingControl::setState(const ArmingState& state, const QString& whyNot)
+{
+    const bool off = state.phase == ArmingPhase::Disarmed;
+    const bool on = state.phase == ArmingPhase::Armed;
+    QString tip = whyNot.isEmpty() ? tr("Asks for a second action within 5 s") : whyNot;
+    if (off && state.cause != DisarmCause::None)
+        tip += tr("\nLast disarmed: %1").arg(QString::fromStdString(describe(state.cause)));
+    arm_->setText(tr("DISARMED · arm (M)"));
+    arm_->setVisible(off);
+    arm_->setEnabled(whyNot.isEmpty());
+    arm_->setToolTip(tip);
+    confirm_->setVisible(state.phase == ArmingPhase::Confirming);
+    disarm_->setText(on ? tr("ARMED · disarm (M)") : tr("arming … cancel (M)"));
+    disarm_->setVisible(on || state.phase == ArmingPhase::Requested);
+}
+
+void ArmingControl::setListening(const QString& why)
+{
+    arm_->setText(tr("LISTENING ONLY"));
+    arm_->setVisible(true);
+    arm_->setEnabled(false);
+    arm_->setToolTip(why);
+    confirm_->setVisible(false);
+    disarm_->setVisible(false);
+}
+
+void ArmingControl::pressKey()
+{
+    if (confirm_->isVisible()) return confirm_->hold();
+    for (QPushButton* button : {arm_, disarm_})
+        if (button->isVisible() && button->isEnabled()) return button->click();
+}
+
+void ArmingControl::releaseKey()
+{
+    confirm_->letGoSoon();
+}
+
+}  // namespace terratact

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/atem/arming.h"
+
+class QPushButton;
+
+namespace terratact {
+
+class HoldToConfirmButton;
+
+/// Whether commands from here move the robot, and the two distinct actions that arm it, a click and then a
+/// hold.  One button at a time; disarming takes one click and is always possible.
+class ArmingControl final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ArmingControl(QWidget* parent = nullptr);
+
+    /// whyNot: why arming is not possible now, in words; empty where it is.
+    void setState(const ArmingState& state, const QString& whyNot);
+    /// The source takes no commands at all: only listened to, or a replay.
+    void setListening(const QString& why);
+
+    QPushButton* armButton() const { return arm_; }
+    HoldToConfirmButton* confirmButton() const { return confirm_; }
+    QPushButton* disarmButton() const { return disarm_; }
+
+    /// What the window-wide key means at this moment.
+    void pressKey();
+    void releaseKey();
+
+signals:
+    void armingWanted();
+    void armingConfirmed();
+    void disarmed();
+
+private:
+    QPushButton* arm_ = nullptr;
+    HoldToConfirmButton* confirm_ = nullptr;
+    QPushButton* disarm_ = nullptr;
+};
+
+}  // namespace terratact
