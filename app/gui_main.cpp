@@ -5,16 +5,22 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
+#include <random>
 #include <string>
 
+#include "app/can_source.h"
 #include "app/demo.h"
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/tradeoff_csv.h"
+#include "core/atem/panel_file.h"
 #include "core/learn/profile_file.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
+#include "drivers/gpio_lines.h"
 #include "drivers/sim_source.h"
+#include "drivers/socketcan.h"
 #include "widgets/look.h"
 
 namespace terratact {
@@ -24,7 +30,8 @@ constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
 constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screenshot's drive
 
 struct Arguments {
-    std::string model, robot, terrain, screenshot;
+    std::string model, robot, terrain, screenshot, can, panel;
+    bool transmit = false;
     std::uint64_t seed = 1;
     std::string size = "1440x900";
 };
@@ -47,9 +54,19 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_option("--robot", arguments.robot, "Robot file (default: the shipped Absolem)");
     app.add_option("--terrain", arguments.terrain,
                    "Profile the simulated robot stands on (default: a built-in one)");
+    auto* can =
+        app.add_option("--can", arguments.can,
+                       "CAN interface of the robot, such as can0 (default: a simulated robot)")
+            ->excludes("--terrain");
+    app.add_flag("--transmit", arguments.transmit,
+                 "Command the robot on --can; without it the console only listens")
+        ->needs(can);
+    app.add_option("--panel", arguments.panel,
+                   "File of the operator's panel on GPIO lines (default: there is none)");
     app.add_option("--seed", arguments.seed, "Seed of the random numbers")->capture_default_str();
     app.add_option("--screenshot", arguments.screenshot,
-                   "Drive to a step, estimate it, save the window as PNG, and exit");
+                   "Drive to a step, estimate it, save the window as PNG, and exit")
+        ->excludes(can);
     app.add_option("--size", arguments.size, "Size of the window")
         ->capture_default_str()
         ->check([](const std::string& text) {
@@ -90,13 +107,59 @@ double startOn(const TerrainProfile& terrain, bool builtIn)
     return builtIn ? kDemoStep - 1.1 : terrain.begin() + 0.7;
 }
 
+std::unique_ptr<MeasurementSource> simulated(const RobotModel& robot, const TerrainProfile& terrain,
+                                             const Arguments& arguments)
+{
+    SimulatedRobot::Options simulation;
+    simulation.startX = startOn(terrain, arguments.terrain.empty());
+    simulation.seed = arguments.seed;
+    return std::make_unique<SimSource>(SimulatedRobot(robot, terrain, simulation),
+                                       arguments.screenshot.empty() ? 1.0 : kDemoSpeed);
+}
+
+Result<std::unique_ptr<CanSource>> onBus(const RobotModel& robot, const Arguments& arguments)
+{
+    auto bus = SocketCan::open({.interface = arguments.can, .transmit = arguments.transmit});
+    if (!bus) return bus.error();
+    if (const std::string warning = (*bus)->warning(); !warning.empty())
+        std::fprintf(stderr, "terratact-console: %s\n", warning.c_str());
+    std::random_device device;
+    return std::make_unique<CanSource>(
+        std::move(*bus), robot,
+        CanSource::Options{.mode = arguments.transmit ? CanSource::Mode::Transmit
+                                                      : CanSource::Mode::Listen,
+                           .link = {.seed = (std::uint64_t{device()} << 32U) | device()}});
+}
+
+/// Where telemetry comes from and commands go to.
+Status connect(MainWindow::Options& options, const Arguments& arguments)
+{
+    if (!arguments.can.empty()) {
+        auto source = onBus(options.robot, arguments);
+        if (!source) return source.error();
+        options.link = source->get();
+        options.source = std::move(*source);
+    } else {
+        const auto terrain = terrainFrom(arguments.terrain);
+        if (!terrain) return terrain.error();
+        options.source = simulated(options.robot, *terrain, arguments);
+    }
+    if (arguments.panel.empty()) return Done{};
+    const auto panel = readPanelFile(arguments.panel);
+    if (!panel) return panel.error();
+    options.panel = std::make_unique<OperatorPanel>(*panel, openGpioLines);
+    return Done{};
+}
+
 int run(int argc, char** argv, const Arguments& arguments)
 {
     auto robot = readRobotModel(arguments.robot.empty() ? resourcePath("robots/absolem.toml")
                                                         : arguments.robot);
     if (!robot) return failed(robot.error().text);
-    auto terrain = terrainFrom(arguments.terrain);
-    if (!terrain) return failed(terrain.error().text);
+    MainWindow::Options options;
+    options.robot = *robot;
+    if (const Status connected = connect(options, arguments); !connected)
+        return failed(connected.error().text);
 
     const bool demo = !arguments.screenshot.empty();
     if (demo && !std::getenv("QT_QPA_PLATFORM")) setenv("QT_QPA_PLATFORM", "offscreen", 1);
@@ -110,13 +173,6 @@ int run(int argc, char** argv, const Arguments& arguments)
     QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
     applyLook(application);
 
-    SimulatedRobot::Options simulation;
-    simulation.startX = startOn(*terrain, arguments.terrain.empty());
-    simulation.seed = arguments.seed;
-    MainWindow::Options options;
-    options.robot = *robot;
-    options.source = std::make_unique<SimSource>(SimulatedRobot(*robot, *terrain, simulation),
-                                                 demo ? kDemoSpeed : 1.0);
     options.model = modelFileLoader(
         arguments.model.empty() ? resourcePath("models/default.ttm") : arguments.model, *robot);
     options.exploration.settings = withQuality(options.exploration.settings, Quality::Balanced);

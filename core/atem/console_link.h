@@ -35,8 +35,8 @@ public:
     static constexpr double kForeignFor = 5.0;       ///< [s] a foreign sender is remembered
 
     struct Options {
-        GateLimits gate;
-        ArmingLimits arming;
+        GateLimits gate{};
+        ArmingLimits arming{};
         std::uint64_t seed = 1;  ///< of the tokens: drawn anew at every start
     };
     ConsoleLink(RobotModel robot, const Options& options);
