@@ -32,6 +32,7 @@ gpio=$(cat "$terratact_state/gpio")
 (
   # shellcheck disable=SC1091
   . "$terratact_state/environment"
+  export TERM=dumb
   cd "$(cat "$terratact_state/directory")" || exit 125
   eval "exec $(cat "$terratact_state/command")"
 )
