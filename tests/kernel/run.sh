@@ -28,6 +28,7 @@ export -p >"$state/environment"
 printf '%s\n' "$PWD" >"$state/directory"
 printf '%s\n' "$gpio" >"$state/gpio"
 printf '%q ' "$@" >"$state/command"
+head -c 32 /dev/urandom >"$state/seed"
 
 # The guest's memory is a file: in /dev/shm where that is large enough.
 memory=$state

@@ -1,0 +1,111 @@
+// A full bus of 1 Mbit/s, 9,009 frames of eight bytes a second, while estimates are computed beside.
+#include "drivers/socketcan.h"
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "tests/kernel/support.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kRate = 9'009;  // [1/s]
+
+/// TERRATACT_FULL_BUS_SECONDS, or 8.
+std::uint64_t seconds()
+{
+    const char* given = std::getenv("TERRATACT_FULL_BUS_SECONDS");
+    return given ? std::strtoull(given, nullptr, 10) : 8;
+}
+
+/// A process of its own that sends numbered frames, evenly but for what the scheduler takes.
+pid_t startSender(std::uint64_t frames)
+{
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    const Peer peer("vcan0");
+    const auto begin = Clock::now();
+    for (std::uint64_t i = 0; i < frames; ++i) {
+        if (i % 9 == 0)
+            std::this_thread::sleep_until(begin
+                                          + std::chrono::nanoseconds(i * 1'000'000'000 / kRate));
+        while (!peer.send(0x100, 8, i)) {
+        }
+    }
+    ::_exit(0);
+}
+
+/// Explorations on the simulated robot, two estimates each, one after the other.
+pid_t startEstimates(const std::string& directory)
+{
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    const int nothing = ::open("/dev/null", O_WRONLY);
+    ::dup2(nothing, STDOUT_FILENO);
+    const std::string loop = std::string("while '") + TERRATACT_CLI + "' demo --out '" + directory
+                           + "'; do echo >>'" + directory + "/done'; done";
+    ::execl("/bin/sh", "sh", "-c", loop.c_str(), nullptr);
+    ::_exit(127);
+}
+
+TEST(FullBus, noFrameIsLostWhileEstimatesAreComputed)
+{
+    auto opened = SocketCan::open({.interface = "vcan0"});
+    ASSERT_TRUE(opened) << opened.error().text;
+    SocketCan& bus = **opened;
+    EXPECT_EQ(bus.warning(), "");
+
+    const TemporaryDirectory directory;
+    const std::uint64_t frames = seconds() * kRate;
+    const pid_t estimates = startEstimates(directory.file(""));
+    std::this_thread::sleep_for(1s);
+    const auto begin = Clock::now();
+    const pid_t sender = startSender(frames);
+
+    std::uint64_t next = 0, mostAtOnce = 0;
+    std::array<BusFrame, 64> some;
+    for (auto heard = Clock::now(); next < frames && Clock::now() - heard < 10s;) {
+        const auto count = bus.receive(some, 20ms);
+        ASSERT_TRUE(count) << count.error().text;
+        for (std::size_t i = 0; i < *count; ++i, ++next) {
+            std::uint64_t number = 0;
+            std::memcpy(&number, some[i].frame.data.data(), sizeof number);
+            ASSERT_EQ(number, next) << "lost, doubled or out of order";
+        }
+        mostAtOnce = std::max<std::uint64_t>(mostAtOnce, *count);
+        if (*count > 0) heard = Clock::now();
+    }
+    const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+    ::waitpid(sender, nullptr, 0);
+    const std::size_t explorations = contentOf(directory.file("done")).size();
+    ::kill(estimates, SIGTERM);
+    ::waitpid(estimates, nullptr, 0);
+
+    std::printf("%llu frames in %.2f s, %.0f a second; lost %llu; %zu explorations beside\n",
+                static_cast<unsigned long long>(next), took, static_cast<double>(next) / took,
+                static_cast<unsigned long long>(bus.counters().dropped), explorations);
+    EXPECT_EQ(next, frames);
+    EXPECT_EQ(bus.counters().dropped, 0u);
+    EXPECT_EQ(bus.counters().received, frames);
+    EXPECT_GE(explorations, 1u);
+    EXPECT_GT(static_cast<double>(next) / took, 0.5 * kRate) << "too slow a machine for a full bus";
+}
+
+}  // namespace
+}  // namespace terratact
