@@ -161,6 +161,7 @@ struct Arguments {
     std::string probes;
     CalibrateOptions calibrate;
     RobotOptions onBus;
+    PanelCheckOptions panelCheck;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -323,6 +324,22 @@ void addCalibrate(CLI::App& app, Arguments& a)
     addRobot(*c, a.calibrate.robot);
 }
 
+void addPanel(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("panel", "The operator's panel of buttons and lamps");
+    c->require_subcommand(1);
+    auto* check =
+        c->add_subcommand("check", "Find the panel's lines and show its contacts: docs/panel.md");
+    check->add_option("file", a.panelCheck.file, "Panel file (resources/panels/example.toml)")
+        ->required();
+    check->add_flag("--lamps", a.panelCheck.lamps, "Light each lamp for a second");
+    auto* watch =
+        check->add_flag("--watch", a.panelCheck.watch, "Print what changes, until interrupted");
+    check->add_option("--seconds", a.panelCheck.seconds, "End watching after so long")
+        ->needs(watch)
+        ->check(CLI::Range(0.0, 1e9));
+}
+
 void addDemo(CLI::App& app, Arguments& a)
 {
     auto* c = app.add_subcommand(
@@ -388,6 +405,7 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("probes")) return showProbes(a.probes);
     if (app.got_subcommand("calibrate")) return calibrateForces(a.calibrate);
     if (app.got_subcommand("robot")) return runRobot(a.onBus);
+    if (app.got_subcommand("panel")) return checkPanel(a.panelCheck);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
@@ -432,6 +450,7 @@ int realMain(int argc, char** argv)
     addProbes(app, arguments);
     addCalibrate(app, arguments);
     addModel(app, arguments);
+    addPanel(app, arguments);
     addDemo(app, arguments);
     addRobotOnBus(app, arguments);
     try {

@@ -98,6 +98,15 @@ struct CalibrateOptions {
 /// known forces laid on them (core/robot/force_calibration.h).
 Status calibrateForces(const CalibrateOptions& options);
 
+struct PanelCheckOptions {
+    std::string file;
+    bool lamps = false;    ///< light each for a second
+    bool watch = false;    ///< print what changes, until interrupted
+    double seconds = 1e9;  ///< of watching
+};
+/// Prints where an operator's panel was found and the state of its contacts.
+Status checkPanel(const PanelCheckOptions& options);
+
 Status showModel(const std::string& path, bool csv);
 
 /// Prints mean and sd of every conditional p(hᵢ | h_{J∖i}, s) for complete scenes, as CSV.

@@ -36,7 +36,7 @@ class Commands(unittest.TestCase):
         return few
 
     def test_every_command_explains_itself(self):
-        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "probes", "calibrate", "demo", "model"):
+        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "probes", "calibrate", "panel", "demo", "model"):
             self.assertIn("--help", run(command, "--help"))
         self.assertIn("terratact", run("--version"))
 
