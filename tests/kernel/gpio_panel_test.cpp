@@ -185,15 +185,20 @@ TEST_F(GpioKernel, outputsBeginDarkAndObey)
     EXPECT_THROW((void)lines->set(4, true), std::invalid_argument);
 }
 
-TEST_F(GpioKernel, aBurstLosesEdgesButNotTheLevel)
+TEST_F(GpioKernel, edgesBeyondTheKernelsRoomAreLostButTheLevelIsRight)
 {
+    // libgpiod 1: 16 edges of each line, silently; libgpiod 2: the 256 that we ask for, numbered.
+    constexpr int kRoom = LIBGPIOD == 1 ? 16 : 256;
     const auto lines = open();
     (void)edgesOf(*lines);
-    for (int i = 0; i < 3001; ++i) close(kStop, i % 2 == 0);
+    for (int i = 0; i < kRoom + 41; ++i) {
+        close(kStop, i % 2 == 0);
+        std::this_thread::sleep_for(12ms);  // gpio-sim here delivers one edge per tick of 10 ms
+    }
     const GpioEdges edges = edgesOf(*lines);
-    EXPECT_LT(edges.edges.size(), 3001U) << "more than the kernel has room for";
-    EXPECT_TRUE(edges.lost || (!edges.edges.empty() && edges.edges.back().input == kStop))
-        << "either says that there were more, or has some of that input";
+    EXPECT_EQ(edges.edges.size(), static_cast<std::size_t>(kRoom));
+    EXPECT_EQ(edges.lost, LIBGPIOD == 2);
+    for (const GpioEdge& edge : edges.edges) ASSERT_EQ(edge.input, kStop);
     EXPECT_EQ(levelsOf(*lines), (std::vector<bool>{false, false, false, true}));
     close(kAtem);
     EXPECT_EQ(edgesOf(*lines).edges.size(), 1U) << "and goes on";

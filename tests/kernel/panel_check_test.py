@@ -1,0 +1,136 @@
+"""terratact panel check on a gpio-sim chip; runs inside the kernel of run.sh, which makes the chip."""
+
+import glob
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cli"))
+from support import CLI, complaint, run  # noqa: E402
+
+LABEL = "panel"
+INPUTS, OUTPUTS = ("atem", "approve", "refuse", "stop"), ("link_lamp", "armed_lamp", "probing_lamp", "buzzer")
+LIVE = pathlib.Path("/sys/kernel/config/gpio-sim/panel/live")
+
+
+def line(name):
+    """The outside of a line of the chip that is there now."""
+    index = (INPUTS + OUTPUTS).index(name)
+    return pathlib.Path(glob.glob(f"/sys/devices/platform/gpio-sim.*/gpiochip*/sim_gpio{index}")[0])
+
+
+def close(contact, closed=True):
+    (line(contact) / "pull").write_text("pull-down" if closed else "pull-up")
+
+
+def lit(lamp):
+    return (line(lamp) / "value").read_text().strip() == "1"
+
+
+class Watch:
+    """A running panel check; its lines as they come."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([CLI, "panel", "check", *map(str, arguments)], stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT, text=True)
+        self.said = []
+
+    def until(self, words):
+        for text in self.process.stdout:
+            self.said.append(text)
+            if words in text:
+                return text
+        raise AssertionError(f"never said {words!r}, but:\n{''.join(self.said)}")
+
+    def end(self):
+        self.process.terminate()
+        rest = self.process.communicate(timeout=20)[0]
+        return self.process.returncode, rest
+
+
+class PanelCheck(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.file = pathlib.Path(self.folder.name) / "panel.toml"
+        self.write()
+        for contact in INPUTS:
+            close(contact, contact == "stop")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, label=LABEL, **names):
+        lines = [f'name = "Simulated"\n[chip]\nlabel = "{label}"\n[inputs]\n']
+        for n in INPUTS:
+            lines.append(f'{n} = {{ line = "{names.get(n, n)}", closes_to = "ground", resistor = "external" }}\n')
+        lines.append("[outputs]\n")
+        for n in OUTPUTS:
+            lines.append(f'{n} = {{ line = "{names.get(n, n)}", lit_when = "high" }}\n')
+        self.file.write_text("".join(lines))
+
+    def test_it_shows_what_it_found(self):
+        said = run("panel", "check", self.file)
+        self.assertIn("[panel], 8 lines, /dev/gpiochip", said)
+        self.assertRegex(said, r"input +atem +line 0 +atem +open\n")
+        self.assertRegex(said, r"input +stop +line 3 +stop +closed: STOP is released\n")
+        self.assertRegex(said, r"output +buzzer +line 7 +buzzer\n")
+        close("stop", False)
+        self.assertIn("open: STOP is asserted", run("panel", "check", self.file))
+
+    def test_a_button_that_is_held_is_a_failure(self):
+        close("refuse")
+        self.assertIn("button refuse was held", complaint("panel", "check", self.file))
+
+    def test_what_is_missing_is_named_with_what_there_is(self):
+        self.write(label="elsewhere")
+        self.assertRegex(complaint("panel", "check", self.file), r"labelled 'elsewhere': there is gpiochip\d+ \[panel\]")
+        self.write(stop="halt")
+        self.assertIn("no line named 'halt': it has atem, approve,", complaint("panel", "check", self.file))
+
+    def test_each_lamp_is_lit_alone_and_left_dark(self):
+        watch = Watch(self.file, "--lamps")
+        for lamp in OUTPUTS:
+            watch.until(f"lit     {lamp}")
+            time.sleep(0.3)
+            self.assertEqual([n for n in OUTPUTS if lit(n)], [lamp])
+        watch.process.wait(timeout=20)
+        self.assertEqual(watch.process.returncode, 0)
+        watch.process.stdout.close()
+        self.assertFalse(any(lit(n) for n in OUTPUTS))
+
+    def test_it_prints_what_changes(self):
+        watch = Watch(self.file, "--watch")
+        watch.until("watching")
+        close("approve")
+        watch.until("approve  closed: pressed")
+        close("approve", False)
+        watch.until("approve  open")
+        close("stop", False)
+        watch.until("stop     open: STOP is asserted")
+        LIVE.write_text("0")
+        self.assertIn("gone", watch.until("the panel is absent"))
+        LIVE.write_text("1")
+        watch.until("all is well")
+        self.assertEqual(watch.end()[0], 0)
+
+    def test_a_second_program_is_told_who_holds_the_panel(self):
+        watch = Watch(self.file, "--watch")
+        watch.until("watching")
+        self.assertIn("'terratact' holds it", complaint("panel", "check", self.file))
+        self.assertEqual(watch.end()[0], 0)
+        run("panel", "check", self.file)
+
+    def test_a_user_who_may_not_is_told_the_cure(self):
+        self.file.chmod(0o644)
+        pathlib.Path(self.folder.name).chmod(0o755)
+        done = subprocess.run([CLI, "panel", "check", self.file], capture_output=True, text=True, user=65534)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Permission denied", done.stderr)
+        self.assertIn("usermod -aG gpio", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
