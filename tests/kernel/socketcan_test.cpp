@@ -307,21 +307,11 @@ TEST_F(OnVcan, withoutThePrivilegeThereIsAWarning)
 
 // A bus that takes nothing: a queue that lets the first frame through and then, as good as, no more.
 
-void stall(int bytes)
-{
-    shell("tc qdisc replace dev vcan0 root tbf rate 8bit burst 16 limit " + std::to_string(bytes));
-}
-void letGo()
-{
-    shell("tc qdisc change dev vcan0 root tbf rate 10mbit burst 10000 limit 3200");
-    ASSERT_TRUE(Peer("vcan0").send(0x7ff)) << "the queue wants a push";
-}
-
 TEST_F(OnVcan, twoSecondsOfCommandsOnAStalledBusReplayTwo)
 {
     const auto bus = onto("vcan0");
     const Peer robot("vcan0");
-    stall(3'200);
+    stall("vcan0", 3'200);
     int refused = 0;
     for (int i = 0; i < 100; ++i) {
         refused += bus->send(command()) ? 0 : 1;
@@ -332,7 +322,7 @@ TEST_F(OnVcan, twoSecondsOfCommandsOnAStalledBusReplayTwo)
     EXPECT_GE(refused, 97);
     EXPECT_EQ(bus->counters().notSent, static_cast<std::uint64_t>(refused));
 
-    letGo();
+    letGo("vcan0");
     EXPECT_LE(robot.count(0.3), 2 + 1) << "two commands and the push";
     EXPECT_TRUE(reaches(*bus, BusState::Up));
     ASSERT_TRUE(bus->send(command()));
@@ -343,7 +333,7 @@ TEST_F(OnVcan, twoSecondsOfCommandsOnAStalledBusReplayTwo)
 TEST_F(OnVcan, setDownAndUpAgainAStalledBusReplaysNothing)
 {
     const auto bus = onto("vcan0");
-    stall(3'200);
+    stall("vcan0", 3'200);
     for (int i = 0; i < 10; ++i) {
         (void)bus->send(command());
         (void)all(*bus, 20ms);
@@ -361,7 +351,7 @@ TEST_F(OnVcan, aFullQueueIsSaidAndNothingWaits)
 {
     const auto bus = opened({.interface = "vcan0", .transmit = true, .maxUnconfirmed = 0});
     const Peer robot("vcan0");
-    stall(64);  // four frames
+    stall("vcan0", 64);  // four frames
     int sent = 0, full = 0;
     for (int i = 0; i < 12; ++i) {
         const Status status = bus->send(command());

@@ -83,4 +83,18 @@ private:
     PosixFd fd_;
 };
 
+/// A bus on which nobody acknowledges: frames stay in a queue of so many bytes.
+inline void stall(const std::string& interface, int bytes)
+{
+    shell("tc qdisc replace dev " + interface + " root tbf rate 8bit burst 16 limit "
+          + std::to_string(bytes));
+}
+
+/// The bus is back.  Throws where the interface takes no frame, which this queue wants as a push.
+inline void letGo(const std::string& interface)
+{
+    shell("tc qdisc change dev " + interface + " root tbf rate 10mbit burst 10000 limit 100000");
+    if (!Peer(interface).send(0x7ff)) throw std::runtime_error(interface + " takes no frame");
+}
+
 }  // namespace terratact
