@@ -32,7 +32,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kRedraw = 40ms;  // 25 Hz at most
+constexpr auto kLook = 10ms;      // at the world
+constexpr double kRedraw = 0.04;  // [s] 25 Hz
 
 Tone toneOf(RobotActivity activity)
 {
@@ -76,13 +77,13 @@ MainWindow::MainWindow(Options options)
     build();
     connectAll();
     offerQualities(options.presets);
-    redraw_.setInterval(kRedraw);
-    connect(&redraw_, &QTimer::timeout, this, &MainWindow::tick);
+    look_.setInterval(kLook);
+    connect(&look_, &QTimer::timeout, this, &MainWindow::look);
     setFocus();
-    redraw_.start();
+    look_.start();
     worker_->start();
     qApp->installEventFilter(this);
-    tick();
+    look();
 }
 
 MainWindow::~MainWindow() = default;
@@ -207,6 +208,7 @@ void MainWindow::connectAll()
     };
     connect(exploration, &Exploration::happened, events_, note);
     if (panel_) connect(panel_.get(), &PanelControl::happened, events_, note);
+    connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
             [this](const QString& name, const QString& details) {
                 header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
@@ -217,17 +219,24 @@ void MainWindow::connectAll()
     });
 }
 
-void MainWindow::tick()
+void MainWindow::look()
 {
     const double now = steadyNow();
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
-    const auto latest = acquisition_->latest();
-    exploration_->tick(now, latest);
+    latest_ = acquisition_->latest();
+    exploration_->tick(now, latest_);
+    // An estimate is shown as soon as it is there; all else waits for its turn.
+    const bool news = exploration_->estimate().has_value() && !showsEstimate();
+    if (news || now - redrawn_ >= kRedraw - 1e-3) redraw(now);
+}
 
-    showLink(now, latest);
+void MainWindow::redraw(double now)
+{
+    redrawn_ = now;
+    showLink(now, latest_);
     showArming();
-    showTerrain(latest);
+    showTerrain(latest_);
     showProbe();
     // A preview takes a telemetry's time: its progress would only flicker.
     const bool preview = exploration_->state().phase == AtemPhase::Pressing;

@@ -26,7 +26,7 @@ class RobotReadout;
 class StatusHeader;
 class TerrainProfileView;
 
-/// The operator's console: lays the widgets out, shows them the newest state every 40 ms and passes on
+/// The operator's console: lays the widgets out, shows them the newest state every 40 ms at most and passes on
 /// what the operator does.  It owns the source and everything that runs.
 class MainWindow final : public QWidget {
     Q_OBJECT
@@ -45,7 +45,7 @@ public:
 
     Exploration& exploration() { return *exploration_; }
     const Acquisition& acquisition() const { return *acquisition_; }
-    /// True once what tick() last showed includes the standing estimate.
+    /// True once what was last drawn includes the standing estimate.
     bool showsEstimate() const { return shownEstimate_; }
     QString modelTrouble() const { return modelTrouble_; }
 
@@ -67,7 +67,8 @@ protected:
 private:
     void build();
     void connectAll();
-    void tick();
+    void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
+    void redraw(double now);
     void showLink(double now, const std::optional<Received>& latest);
     void showArming();
     void tickPanel(double now);
@@ -86,7 +87,9 @@ private:
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;
     std::unique_ptr<PanelControl> panel_;  ///< may be null
-    QTimer redraw_;
+    QTimer look_;
+    std::optional<Received> latest_;
+    double redrawn_ = 0.0;  ///< [s] steady clock
 
     // Qt's parents own the widgets.
     StatusHeader* header_ = nullptr;

@@ -4,15 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <QDialog>
+#include <QEventLoop>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <ctime>
+#include <functional>
+#include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include "app/resources.h"
+#include "app/steady_now.h"
 #include "core/learn/model_file.h"
 #include "core/sim/terrain_shapes.h"
 #include "drivers/sim_source.h"
@@ -416,6 +423,76 @@ TEST_F(Console, theRealChainRunsAndTheWindowStaysAlive)
     EXPECT_LT(worstOwn, 50.0);
     EXPECT_LT(worst, 1000) << "far beyond what a busy machine explains";
     window.reset();
+}
+
+/// When a widget was first painted while the condition held [s].
+class FirstPaint final : public QObject {
+public:
+    FirstPaint(QWidget* widget, std::function<bool()> condition) : condition_(std::move(condition))
+    {
+        widget->installEventFilter(this);
+    }
+    /// Runs the event loop without a pause until then; empty after 5 s.
+    std::optional<double> wait()
+    {
+        at_.reset();
+        QTimer::singleShot(5000, &loop_, &QEventLoop::quit);
+        loop_.exec();
+        return at_;
+    }
+
+private:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() != QEvent::Paint || at_ || !condition_()) return false;
+        at_ = steadyNow();
+        loop_.quit();
+        return false;
+    }
+    std::function<bool()> condition_;
+    std::optional<double> at_;
+    QEventLoop loop_;
+};
+
+/// Prints the whole way from the telemetry that completes a scene to the picture of its estimate.
+TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
+{
+    SimulatedRobot::Options options;
+    options.startX = 2.1;
+    SimulatedRobot simulated(robot, demoTerrain(), options);
+    Measurement halted = simulated.measure();
+    simulated.command(PressCommand{18.0});
+    for (int i = 0; i < 400 && simulated.activity() != RobotActivity::Pressed; ++i)
+        simulated.step(0.05);
+    const Measurement pressed = simulated.measure();
+    ASSERT_EQ(pressed.activity, RobotActivity::Pressed);
+
+    auto source = std::make_unique<ScriptedSource>();
+    ScriptedSource* script = source.get();
+    script->pressWhenTold();
+    open(std::move(source), modelFileLoader(resourcePath("models/default.ttm"), robot));
+    FirstPaint paint(window->terrain()->canvas(), [&] { return window->showsEstimate(); });
+    std::vector<double> seconds;
+    for (int i = 0; i < 9; ++i) {
+        script->setMeasurement(halted);
+        QTest::keyClick(window.get(), Qt::Key_Escape);
+        ASSERT_TRUE(reaches(AtemPhase::Idle));
+        ASSERT_TRUE(readyToExplore());
+        QTest::keyClick(window.get(), Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::Pressing));
+        QTest::qWait(100 + 7 * i);  // not in step with the window's own beat
+        const double complete = steadyNow();
+        script->setMeasurement(pressed);
+        const auto painted = paint.wait();
+        ASSERT_TRUE(painted);
+        seconds.push_back(*painted - complete);
+        QTest::keyClick(window.get(), Qt::Key_N);
+        QTest::qWait(50);
+    }
+    std::sort(seconds.begin(), seconds.end());
+    std::printf("scene complete to estimate painted: median %.0f ms, worst %.0f ms of %zu\n",
+                1e3 * seconds[seconds.size() / 2], 1e3 * seconds.back(), seconds.size());
+    EXPECT_LT(seconds.back(), 2.0) << "a hang";
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ public:
         const std::scoped_lock lock(mutex_);
         commands_.push_back(command);
         if (deaf_) return Error{"the bus is off", 100};
+        if (presses_ && std::holds_alternative<PressCommand>(command))
+            sample_.measurement.activity = RobotActivity::Pressing;
         return Done{};
     }
 
@@ -37,6 +39,12 @@ public:
     {
         const std::scoped_lock lock(mutex_);
         sample_.measurement = measurement;
+    }
+    /// From now on it is at once pressing when it is told to press.
+    void pressWhenTold()
+    {
+        const std::scoped_lock lock(mutex_);
+        presses_ = true;
     }
     void setSilent(bool silent)
     {
@@ -62,7 +70,7 @@ public:
 private:
     std::mutex mutex_;  // guards what follows
     Sample sample_;
-    bool silent_ = false, deaf_ = false;
+    bool silent_ = false, deaf_ = false, presses_ = false;
     std::string trouble_;
     std::vector<Command> commands_;
 };
