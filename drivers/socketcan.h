@@ -23,8 +23,8 @@ Status checkInterfaceName(std::string_view name);
 /// What the kernel has accepted it sends, however late: with nobody on the bus to acknowledge, commands would
 /// wait and then all leave at once.  Hence a window: as long as `maxUnconfirmed` frames have not come back as
 /// echoes, or the oldest of them for `stalledAfter`, send() refuses.  So at most that many are ever late.
-/// An adapter that never echoes (vcan without echo=1 does, but at once) stays Stalled until it is set down
-/// and up again.
+/// An echo that the kernel had no room for, or that died with the controller, is not waited for; if one fails
+/// to come for any other reason, the bus stays Stalled until the interface is set down and up again.
 class SocketCan final : public CanBus {
 public:
     struct Options {

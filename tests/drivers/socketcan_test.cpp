@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <linux/can.h>
+#include <sys/socket.h>
+
 #include <array>
 #include <cerrno>
 #include <deque>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace terratact {
@@ -520,6 +524,44 @@ TEST_F(OnABus, aClockThatIsSetDoesNotMakeAFrameOldOrOfTheFuture)
     kernel.wall -= 3'600.0;
     ASSERT_EQ(receive(), 1u);
     EXPECT_LE(frames[0].time, kernel.now);
+}
+
+TEST(SocketCan, sendsWhileAnotherThreadReceives)
+{
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data()), 0);
+    const PosixFd other(ends[0]);
+    SocketCan::System system;
+    system.openSocket = [fd = ends[1]] { return canSocketOn(PosixFd(fd), "lo"); };
+    system.steadyTime = system.wallTime = [] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+    };
+    system.sleep = [](double) {};
+    const auto opened = SocketCan::open(
+        {.interface = "can0", .transmit = true, .maxUnconfirmed = 0, .stalledAfter = 60.0}, system);
+    ASSERT_TRUE(opened);
+    SocketCan& bus = **opened;
+
+    std::jthread sender([&bus] {
+        for (std::uint32_t i = 0; i < 200;) i += bus.send(frameOfId(i)) ? 1 : 0;
+    });
+    std::jthread mirror([&other] {  // gives back every frame, as another node would answer
+        can_frame frame{};
+        for (int i = 0; i < 200; ++i) {
+            (void)::recv(other.get(), &frame, sizeof frame, 0);
+            (void)::send(other.get(), &frame, sizeof frame, 0);
+        }
+    });
+    std::array<BusFrame, 8> some;
+    for (std::uint32_t next = 0; next < 200;) {
+        const auto count = bus.receive(some, 10ms);
+        ASSERT_TRUE(count);
+        for (std::size_t i = 0; i < *count; ++i) EXPECT_EQ(some[i].frame.id, next++);
+        (void)bus.state();
+    }
+    EXPECT_EQ(bus.counters().sent, 200u);
+    EXPECT_EQ(bus.counters().received, 200u);
 }
 
 TEST(BusState, everyOneHasASentenceWithTheBusInIt)

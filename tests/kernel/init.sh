@@ -1,5 +1,6 @@
 #!/bin/bash
 # Process 1 inside the kernel of run.sh, which left in $terratact_state what is to be done.
+# shellcheck disable=SC2154  # that variable comes from the kernel's command line
 stty -opost -echo 2>/dev/null   # the console is a pipe to a file, not a terminal
 mount -t proc proc /proc
 mount -t sysfs sysfs /sys
