@@ -171,6 +171,29 @@ TEST_F(Panel, isLookedForSoonAfterAShortLoss)
     EXPECT_TRUE(report.state.present);
 }
 
+TEST_F(Panel, isLookedForSoonAfterAShortLossThatFollowsALongOne)
+{
+    pollFor(0.1);
+    chip.gone = true;
+    pollFor(20.0);
+    chip.gone = false;
+    pollFor(1.1);
+    ASSERT_TRUE(report.state.present);
+    chip.gone = true;
+    pollFor(0.05);
+    chip.gone = false;
+    pollFor(0.12);
+    EXPECT_TRUE(report.state.present);
+}
+
+TEST_F(Panel, hasNoLampsLitWhileItIsLost)
+{
+    pollFor(2.0, kLink);
+    ASSERT_EQ(report.lamps, kLink);
+    chip.gone = true;
+    EXPECT_EQ(poll(kLink).lamps, kDark);
+}
+
 TEST_F(Panel, thatWasNeverThereSaysWhy)
 {
     chip.gone = true;
