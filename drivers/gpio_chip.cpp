@@ -51,6 +51,7 @@ std::optional<GpioChip> chipOf(const std::filesystem::path& path)
 std::string listed(const std::vector<GpioChip>& chips)
 {
     std::vector<std::string> names;
+    names.reserve(chips.size());
     for (const GpioChip& chip : chips)
         names.push_back(chip.error != 0
                             ? fmt::format("{} ({})", chip.name, std::strerror(chip.error))

@@ -128,9 +128,9 @@ public:
                                                  values.data())
             != 0)
             return gpioFailed(found_, "reading the levels", errno);
-        std::vector<bool> levels;
-        for (const gpiod_line_value value : values)
-            levels.push_back(value == GPIOD_LINE_VALUE_ACTIVE);
+        std::vector<bool> levels(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            levels[i] = values[i] == GPIOD_LINE_VALUE_ACTIVE;
         return levels;
     }
 
