@@ -26,8 +26,8 @@ struct PanelCounters {
 struct PanelReport {
     PanelState state;
     LampState lamps;  ///< as they are lit, as far as known
-    double stopEdge =
-        0;  ///< [s] steady clock, the kernel's stamp of STOP's newest edge; 0: none yet
+    /// [s] steady clock, the kernel's stamp of STOP's newest edge; 0: none yet
+    double stopEdge = 0.0;
     PanelCounters counters;
     /// Why the panel is absent, which lamp does not obey, which button is stuck: the gravest of these in
     /// one sentence; empty where all is well.

@@ -34,8 +34,8 @@ struct PerContact {
 
 /// What a button's contact has been through.  Only Pressed means anything to the robot.
 ///
-///   Starting ──open──▶ Released ◀──open── Pressed ──10 min──▶ Stuck ──open──▶ Released
-///       └──closed──▶ HeldAtStart      └──closed──▶
+///   Starting ──open──▶ Released ──closed──▶ Pressed ──10 min──▶ Stuck
+///       └──closed──▶ HeldAtStart            all of them ──open──▶ Released
 enum class ButtonPhase : std::uint8_t {
     Starting,     ///< not yet seen open since the panel came up
     Released,     ///< seen open: the next closing is a press
