@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "core/wire/candump_log.h"
+#include "drivers/can_bus.h"
+
+namespace terratact {
+
+/// A log of CAN traffic (core/wire/candump_log.h) as if it were a bus: its frames come at the pace at which
+/// they were recorded.  Takes no commands.  Time that runs backwards in the log is no time at all.
+///
+/// A frame's `time` is when it was due on the steady clock, so that ages and time limits hold as on a bus; at
+/// another speed than 1 they are off by that factor.  Its `wallTime` is the log's own time.
+class CandumpReplay final : public CanBus {
+public:
+    struct Options {
+        std::string interface {
+        };                   ///< of which frames are replayed; empty: of the only one there is
+        double speed = 1.0;  ///< seconds of the log per second
+    };
+    struct Clock {
+        std::function<double()> now;        ///< [s] steady
+        std::function<void(double)> sleep;  ///< [s]
+    };
+
+    /// Reads the log once from end to end, so that nothing surprises later.  Errors name the file: it is no
+    /// log, holds no frame or one without a time, none of the interface, or those of several and none was
+    /// named.  Throws std::invalid_argument unless 0 < speed ≤ 1000.
+    static Result<std::unique_ptr<CandumpReplay>> open(const std::string& path,
+                                                       const Options& options);
+    static Result<std::unique_ptr<CandumpReplay>> open(const std::string& path,
+                                                       const Options& options, Clock clock);
+
+    /// "REPLAY demo.log"
+    std::string name() const override;
+
+    /// The replay begins with the first call.  After the last frame it waits and brings nothing.
+    Result<std::size_t> receive(std::span<BusFrame> frames,
+                                std::chrono::milliseconds patience) override;
+
+    /// Always an Error.
+    Status send(const CanFrame& frame) override;
+
+    /// Up, and Absent once the last frame has been handed out.
+    BusState state() const override;
+
+    /// dropped: what the log says was lost when it was recorded.
+    BusCounters counters() const override;
+
+private:
+    CandumpReplay(std::string name, CandumpReader log, Options options, Clock clock);
+    Status fetch();
+    Result<std::size_t> takeDue(std::span<BusFrame> frames);
+
+    std::string name_;
+    CandumpReader log_;
+    Options options_;
+    Clock clock_;
+    std::optional<LoggedFrame> next_;
+    double logTime_ = 0.0;       ///< [s] of next_
+    std::optional<double> due_;  ///< of next_, on the clock; empty before the first receive()
+    mutable std::mutex mutex_;   ///< guards the two below
+    BusCounters counters_;
+    bool ended_ = false;
+};
+
+}  // namespace terratact
