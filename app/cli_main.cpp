@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/can_commands.h"
 #include "app/commands.h"
 #include "app/resources.h"
 #include "core/infer/quality.h"
@@ -162,6 +163,9 @@ struct Arguments {
     CalibrateOptions calibrate;
     RobotOptions onBus;
     PanelCheckOptions panelCheck;
+    CanDecodeOptions canDecode;
+    CanMonitorOptions canMonitor;
+    std::string canCheck;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -387,6 +391,55 @@ void addModel(CLI::App& app, Arguments& a)
     predict->add_option("--data", a.modelData, "Scenes CSV with heights")->required();
 }
 
+void addProtocol(CLI::App& app, CanProtocol& protocol, std::string& scratch)
+{
+    app.add_option("--protocol", scratch, "Whose frames are on the bus (default terratact)")
+        ->check(named(protocol, canProtocolFromName, "terratact|absolem"));
+}
+
+void addCanDecode(CLI::App& can, Arguments& a)
+{
+    auto* c = can.add_subcommand("decode", "Every frame of a log in words, and what was wrong");
+    c->add_option("log", a.canDecode.log, "Log of candump or python-can")->required();
+    c->add_option("--interface", a.canDecode.interface, "Only of this one");
+    c->add_option("--csv", a.canDecode.csv, "CSV to write, a row for each value");
+    c->add_flag("--summary", a.canDecode.summaryOnly, "No line for each frame");
+    addProtocol(*c, a.canDecode.protocol, a.scratch);
+}
+
+void addCanMonitor(CLI::App& can, Arguments& a)
+{
+    auto* c = can.add_subcommand("monitor", "What is on a bus: values, rates, ages, load, drops");
+    c->add_option("bus", a.canMonitor.bus, "Interface, or a log to replay")->required();
+    c->add_option("--seconds", a.canMonitor.seconds, "Then it ends (default: never)")
+        ->check(CLI::Range(0.0, 1e6));
+    addNumber(*c, "--bitrate", a.canMonitor.bitrate, "Of the bus, for its load [bit/s]")
+        ->check(CLI::Range(1e3, 1e6));
+    c->add_option("--interface", a.canMonitor.interface, "Of a log that holds several");
+    addNumber(*c, "--speed", a.canMonitor.speed, "Of a replay: seconds of the log per second")
+        ->check(CLI::Range(0.001, 1000.0));
+    addProtocol(*c, a.canMonitor.protocol, a.scratch);
+}
+
+void addCan(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("can", "Look at CAN buses and their logs; sends nothing");
+    c->require_subcommand(1);
+    addCanDecode(*c, a);
+    addCanMonitor(*c, a);
+    auto* check = c->add_subcommand(
+        "check",
+        "What is wrong with an interface, and which command mends it; exit code 0: usable");
+    check->add_option("interface", a.canCheck, "Such as can0")->required();
+}
+
+Status runCan(const CLI::App& can, const Arguments& a)
+{
+    if (can.got_subcommand("decode")) return decodeCanLog(a.canDecode);
+    if (can.got_subcommand("monitor")) return monitorCan(a.canMonitor);
+    return checkCan(a.canCheck);
+}
+
 Status run(const CLI::App& app, Arguments& a)
 {
     if (app.got_subcommand("simulate")) return simulate(a.simulate);
@@ -407,6 +460,7 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("robot")) return runRobot(a.onBus);
     if (app.got_subcommand("panel")) return checkPanel(a.panelCheck);
     if (app.got_subcommand("demo")) return demo(a.demo);
+    if (app.got_subcommand("can")) return runCan(*app.get_subcommand("can"), a);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
     return showModel(a.modelPath, a.modelCsv);
@@ -453,6 +507,7 @@ int realMain(int argc, char** argv)
     addPanel(app, arguments);
     addDemo(app, arguments);
     addRobotOnBus(app, arguments);
+    addCan(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -41,6 +41,7 @@ public:
     std::string name() const override;
 
     /// The replay begins with the first call.  After the last frame it waits and brings nothing.
+    /// Throws std::invalid_argument where there is no room for one frame.
     Result<std::size_t> receive(std::span<BusFrame> frames,
                                 std::chrono::milliseconds patience) override;
 

@@ -166,6 +166,8 @@ TEST_F(Replaying, refusesALogThatCannotBeReplayed)
     EXPECT_TRUE(refused(pipe, "/dev/null", {"is no file"}));
     for (const double speed : {0.0, -1.0, 1001.0, std::nan("")})
         EXPECT_THROW(static_cast<void>(open(kThree, {.speed = speed})), std::invalid_argument);
+    const auto bus = open(kThree);
+    EXPECT_THROW(static_cast<void>((*bus)->receive({}, 0ms)), std::invalid_argument);
 }
 
 TEST_F(Replaying, saysSoWhenTheLogChangesUnderIt)

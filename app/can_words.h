@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/wire/can_frame.h"
+
+namespace terratact {
+
+/// Whose frames are on the bus: ours (resources/dbc/terratact.dbc), or those of a real Absolem's drives.
+enum class CanProtocol : std::uint8_t { Terratact, Absolem };
+std::optional<CanProtocol> canProtocolFromName(std::string_view name);  ///< "terratact", "absolem"
+
+/// A number or a word with its name: "Pitch", "0.2100", "rad".
+struct NamedValue {
+    std::string name, value, unit;
+    bool operator==(const NamedValue&) const = default;
+};
+
+/// What is wrong with a frame, for counting.
+enum class FrameTrouble : std::uint8_t {
+    None,
+    Gap,            ///< sound, but others are missing before it
+    WrongChecksum,  ///< damaged
+    WrongSequence,  ///< repeated, or an old one
+    Other,          ///< see the verdict
+    Unknown,        ///< not of this protocol
+};
+inline constexpr std::size_t kFrameTroubles = 6;
+
+/// A frame in words for people.
+struct FrameWords {
+    std::string name{};                     ///< empty where the identifier is unknown
+    std::optional<std::uint8_t> counter{};  ///< of its E2E protection
+    std::string verdict{};                  ///< "ok", "wrong checksum"
+    FrameTrouble trouble = FrameTrouble::None;
+    std::vector<NamedValue> values{};  ///< of a frame that says something
+};
+
+/// Puts the frames of one bus into words, in the order in which they came.
+class FrameReader {
+public:
+    virtual ~FrameReader() = default;
+    /// now: [s] on any clock.
+    virtual FrameWords read(const CanFrame& frame, double now) = 0;
+};
+std::unique_ptr<FrameReader> frameReader(CanProtocol protocol);
+
+/// "Pitch 0.2100 rad, Roll -0.0500 rad"
+std::string wordsOf(const std::vector<NamedValue>& values);
+
+/// What a frame says, and where it says nothing that is understood, its bytes; empty for a sound frame that has
+/// nothing to say but its name.
+std::string contentText(const CanFrame& frame, const FrameWords& words);
+
+/// "044", "00000044", "error 004"; "044 FD", "044 remote"
+std::string idText(const CanFrame& frame);
+
+/// "[5] 2A 36 6C 2B BA"; of a longer CAN FD frame the first eight bytes.
+std::string bytesText(const CanFrame& frame);
+
+}  // namespace terratact

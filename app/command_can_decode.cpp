@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include <fstream>
+#include <map>
+#include <utility>
+
+#include "app/bus_statistics.h"
+#include "app/can_commands.h"
+#include "core/file_read.h"
+#include "core/file_write.h"
+#include "core/text.h"
+#include "core/wire/candump_log.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMostBuses = 64;
+
+/// One interface of the log.
+struct Bus {
+    std::unique_ptr<FrameReader> reader;
+    BusStatistics statistics;
+    std::optional<double> first, last;  ///< [s]
+};
+
+std::string quoted(std::string_view field)
+{
+    if (field.find_first_of(",\"") == std::string_view::npos) return std::string(field);
+    std::string text = "\"";
+    for (const char c : field) text.append(c == '"' ? 2 : 1, c);
+    return text + "\"";
+}
+
+/// One row for each value, one for each frame without any.
+class CsvOutput {
+public:
+    static Result<CsvOutput> begin(const std::string& path)
+    {
+        Result<NewFile> file = NewFile::begin(path);
+        if (!file) return file.error();
+        CsvOutput csv(path, *std::move(file));
+        csv.out_ << "time_s,interface,id,frame,counter,verdict,signal,value,unit\n";
+        return csv;
+    }
+
+    void write(const LoggedFrame& logged, const FrameWords& words)
+    {
+        const std::string begin =
+            fmt::format("{},{},{},{},{},{}", logged.time ? fmt::format("{:.6f}", *logged.time) : "",
+                        quoted(logged.interface), idText(logged.frame), quoted(words.name),
+                        words.counter ? std::to_string(*words.counter) : "", quoted(words.verdict));
+        for (const NamedValue& value : words.values)
+            out_ << begin << ',' << quoted(value.name) << ',' << quoted(value.value) << ','
+                 << quoted(value.unit) << '\n';
+        if (words.values.empty())
+            out_ << begin << "," << (words.counter ? "," : "data," + bytesText(logged.frame))
+                 << ",\n";
+    }
+
+    Status commit()
+    {
+        out_.close();
+        if (!out_) return fileError(path_, "cannot be written: is the disk full?");
+        return file_.commit();
+    }
+
+private:
+    CsvOutput(std::string path, NewFile file)
+        : path_(std::move(path)), file_(std::move(file)),
+          out_(file_.temporaryPath(), std::ios::binary)
+    {
+    }
+
+    std::string path_;
+    NewFile file_;
+    std::ofstream out_;
+};
+
+class Decoder {
+public:
+    Decoder(const CanDecodeOptions& options, CandumpReader log, std::optional<CsvOutput> csv)
+        : options_(options), log_(std::move(log)), csv_(std::move(csv))
+    {
+    }
+
+    /// Whatever stands in the way, what came before it is in the summary.
+    Status run()
+    {
+        const Status read = readAll();
+        summarize();
+        if (!read) return read;
+        return csv_ ? csv_->commit() : Status(Done{});
+    }
+
+private:
+    Status readAll()
+    {
+        for (;;) {
+            const auto logged = log_.next();
+            if (!logged) return logged.error();
+            if (!*logged) return ending();
+            if (const Status done = take(**logged); !done) return done;
+        }
+    }
+
+    Status ending() const
+    {
+        if (!buses_.empty()) return Done{};
+        const std::string whose = options_.interface.empty() ? "" : " of " + options_.interface;
+        return fileError(options_.log, "holds no frame" + whose);
+    }
+
+    Status take(const LoggedFrame& logged)
+    {
+        if (!options_.interface.empty() && logged.interface != options_.interface) return Done{};
+        if (buses_.size() >= kMostBuses && !buses_.contains(logged.interface))
+            return log_.error(
+                fmt::format("is of the {}th interface: so many are not believed", kMostBuses + 1));
+        Bus& bus = buses_[logged.interface];
+        if (!bus.reader) bus.reader = frameReader(options_.protocol);
+        const double now = logged.time.value_or(0.0);
+        if (logged.time && !bus.first) bus.first = now;
+        if (logged.time) bus.last = now;
+        if (logged.time && !begin_) begin_ = now;
+        const FrameWords words = bus.reader->read(logged.frame, now);
+        bus.statistics.take(logged.frame, words, now);
+        if (csv_) csv_->write(logged, words);
+        if (!options_.summaryOnly) print(logged, words);
+        return Done{};
+    }
+
+    void print(const LoggedFrame& logged, const FrameWords& words) const
+    {
+        const std::string time =
+            logged.time ? fmt::format("{:.6f}", *logged.time - begin_.value_or(0.0)) : "-";
+        const std::string counter = words.counter ? fmt::format("#{:03d}", *words.counter) : "-";
+        const std::string content = contentText(logged.frame, words);
+        fmt::print("{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
+                   idText(logged.frame), words.name.empty() ? "unknown" : words.name, counter,
+                   words.verdict, content.empty() ? "" : "; ", content);
+    }
+
+    void summarize() const
+    {
+        if (begin_ && !options_.summaryOnly)
+            fmt::print("\ntimes are since {:.6f} s of the log's clock\n", *begin_);
+        for (const auto& [name, bus] : buses_) {
+            fmt::print("\n{} in {}\n", name, options_.log);
+            fmt::print("{}",
+                       summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
+                                                             : std::nullopt));
+        }
+        if (log_.dropped() > 0)
+            fmt::print("{} frames were lost when the log was recorded\n", log_.dropped());
+    }
+
+    const CanDecodeOptions& options_;
+    CandumpReader log_;
+    std::optional<CsvOutput> csv_;
+    std::map<std::string, Bus> buses_;
+    std::optional<double> begin_;  ///< [s] of the first frame with a time
+};
+
+}  // namespace
+
+Status decodeCanLog(const CanDecodeOptions& options)
+{
+    Result<CandumpReader> log = CandumpReader::open(options.log);
+    if (!log) return log.error();
+    std::optional<CsvOutput> csv;
+    if (!options.csv.empty()) {
+        Result<CsvOutput> begun = CsvOutput::begin(options.csv);
+        if (!begun) return begun.error();
+        csv = *std::move(begun);
+    }
+    return Decoder(options, *std::move(log), std::move(csv)).run();
+}
+
+}  // namespace terratact

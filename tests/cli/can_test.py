@@ -1,0 +1,264 @@
+"""terratact can, without any CAN: logs whose frames are made from the DBC by other code, and what a monitor and a
+check say here."""
+
+import csv
+import pathlib
+import re
+import struct
+import subprocess
+import tempfile
+import unittest
+
+from can_frames import MESSAGES, frame, line, telemetry
+from support import CLI, complaint, rows, run
+
+BEGIN = 1436509052.249713
+
+
+def session(lines=40, missing=()):
+    """A log of telemetry at 20 Hz, without the lines whose numbers are missing."""
+    text = ""
+    for i in range(lines):
+        if i not in missing:
+            text += "".join(line(BEGIN + 0.05 * i + 0.0003 * j, content) for j, content in enumerate(telemetry(i)))
+    return text
+
+
+def elmo(time, identifier, letters, index=0, type_byte=0x40, value=None):
+    """A frame of an Absolem's bus."""
+    data = letters.encode() + bytes([index, type_byte]) + (value if value is not None else b"")
+    return line(time, (identifier, data))
+
+
+class Logs(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+        self.log, self.csv = self.path / "demo.log", self.path / "out.csv"
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def decode(self, text, *arguments):
+        self.log.write_text(text)
+        return run("can", "decode", self.log, *arguments)
+
+    def values(self, text, *arguments):
+        """The CSV's rows."""
+        self.decode(text, "--csv", self.csv, "--summary", *arguments)
+        return rows(self.csv)
+
+    def totals(self, text):
+        """Wrong checksums, out of sequence, gaps, otherwise wrong, unknown frames, unknown kinds."""
+        found = re.search(r"frames(?: in .*)?: (\d+) with .*, (\d+) out of .*, (\d+) gaps, (\d+) otherwise .*; "
+                          r"(\d+) frames of (\d+) unknown", text)
+        return tuple(map(int, found.groups()))
+
+
+class Decode(Logs):
+    def test_every_signal_of_the_dbc_at_both_ends(self):
+        text, expected = "", []
+        for message in MESSAGES.values():
+            for counter, end in ((1, "least"), (2, "most")):
+                signals = {name: s for name, s in message.signals.items() if name not in ("Crc", "Counter")}
+                values = {name: getattr(signal, end) for name, signal in signals.items()}
+                if message.name == "ArmResult":  # a reading is never exact
+                    values["Sd"] = max(values["Sd"], signals["Sd"].scale)
+                if "Measured" in values:
+                    values["Measured"] = 1
+                text += line(BEGIN + len(expected) * 1e-3, frame(message.name, counter, **values))
+                expected += [(message, signals[name], value) for name, value in values.items() if name != "Measured"]
+        got = [row for row in self.values(text) if row["signal"]]
+        self.assertEqual(len(got), len(expected))
+        for row, (message, signal, value) in zip(got, expected):
+            self.assertEqual((row["frame"], row["id"]), (message.name, f"{message.id:03X}"))
+            self.assertEqual((row["signal"], row["unit"], row["verdict"]), (signal.name, signal.unit, "ok"))
+            raw = round(value / signal.scale)
+            if signal.name in ("Activity", "Refusal"):
+                self.assertEqual(row["value"], signal.words[raw])
+            elif signal.name == "LastCommand":
+                self.assertEqual(row["value"], {0: "none", 26: "Advance"}[raw])
+            elif signal.length == 1:
+                self.assertEqual(row["value"], "yes" if raw else "no")
+            else:
+                self.assertAlmostEqual(float(row["value"]), value, delta=0.51 * signal.scale)
+
+    def test_a_sound_session_has_nothing_wrong(self):
+        text = self.decode(session())
+        self.assertIn("#039  ok; Pitch 0.2100 rad, Roll -0.0500 rad", text)
+        self.assertIn("Activity front flippers pressed to the ground, Refusal the robot is busy, Armed yes", text)
+        self.assertIn("ArmResult                  #000  ok; not measured", text)
+        self.assertIn("times are since 1436509052.249713 s", text)
+        self.assertEqual(self.totals(text), (0,) * 6)
+        self.assertRegex(text, r"022 +Attitude +40 +20.0 +0.050 +0 +0 +0 +0\n")
+        self.assertEqual(len(self.decode(session(), "--summary").splitlines()), 15)
+
+    def test_faults_are_named_and_counted(self):
+        whole = telemetry(40)
+        number, data = whole[1]
+        late = BEGIN + 2.0
+        text = session()
+        text += line(late, (number, data[:4] + bytes([data[4] ^ 1]) + data[5:]))  # a flipped bit
+        text += line(late, (number, data[:7]))
+        text += line(late, telemetry(39)[1])  # repeated
+        text += line(late, telemetry(20)[1])  # old
+        text += line(late, frame("Drive", 1, Epoch=7, Speed=0.7))  # too fast
+        text += line(late, (0x123, b"\x01\x02"))
+        text += f"({late:.6f}) can0 00000022#{data.hex()}\n({late:.6f}) can0 022#R8\n"
+        text += f"({late:.6f}) can0 20000004#0001000000000000\n"
+        stop = frame("Stop", 1)
+        text += line(late, (stop[0], b"\0" + stop[1][1:]))
+        out = self.decode(text)
+        for words in ("Attitude                   -     wrong checksum; [8]", "not eight bytes; [7]",
+                      "#039  repeated; Pitch", "#020  out of sequence; Pitch",
+                      "Drive                      -     a value is beyond its range", "unknown identifier; [2] 01 02",
+                      "00000022  unknown                    -     extended, remote", "022 remote unknown",
+                      "error frame                -     controller: ", "wrong checksum; a robot stops all the same"):
+            self.assertIn(words, out)
+        self.assertEqual(self.totals(out), (2, 2, 0, 3, 3, 3))
+
+    def test_what_is_missing_is_a_gap(self):
+        self.assertEqual(self.totals(self.decode(session(missing=(10,)))), (0, 0, 11, 0, 0, 0))
+        out = self.decode(session(missing=range(10, 20)))
+        self.assertEqual(self.totals(out), (0, 0, 11, 0, 0, 0))
+        self.assertIn("ok after 0.550 s of silence", out)
+        self.assertRegex(out, r"Attitude +30 +[0-9.]+ +0.550 ")
+
+    def test_interfaces_are_kept_apart(self):
+        both = session(4) + session(4).replace("can0", "can1")
+        out = self.decode(both)
+        self.assertEqual(out.count(f" in {self.log}"), 2)
+        self.assertEqual(out.count(": 0 with a wrong checksum, 0 out of sequence, 0 gaps"), 2)
+        self.assertNotIn("can0", self.decode(both, "--interface", "can1"))
+        self.assertIn("holds no frame of can7", complaint("can", "decode", self.log, "--interface", "can7"))
+
+    def test_the_long_dialect_without_times(self):
+        number, data = telemetry(3)[1]
+        spaced = " ".join(f"{byte:02X}" for byte in data)
+        out = self.decode(f"  can0  {number:03X}   [8]  {spaced}\n")
+        self.assertIn("           - can0   022       Attitude                   #003  ok; Pitch 0.2100 rad", out)
+
+    def test_a_fault_of_the_log_is_told_after_what_came_before(self):
+        self.log.write_text(session(2) + "(1.0) can0 22#00\n")
+        done = subprocess.run([CLI, "can", "decode", self.log, "--csv", self.csv], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("22 frames in", done.stdout)
+        self.assertIn(f"{self.log}: line 23: expected an identifier", done.stderr)
+        self.assertFalse(self.csv.exists(), "half a CSV would look like a whole one")
+        self.log.write_text("")
+        self.assertIn("holds no frame", complaint("can", "decode", self.log))
+        self.assertIn("No such file", complaint("can", "decode", self.path / "none.log"))
+        self.assertIn("cannot", complaint("can", "decode", self.log, "--csv", self.path / "no" / "such.csv"))
+
+    def test_a_pipe_is_read_as_it_comes(self):
+        done = subprocess.run([CLI, "can", "decode", "/dev/stdin"], input=session(3), capture_output=True, text=True)
+        self.assertEqual(self.totals(done.stdout), (0,) * 6, done.stderr)
+
+    def test_lost_frames_of_the_recording_are_told(self):
+        out = self.decode(session(2) + "DROPCOUNT: dropped 5 CAN frames on 'can0' socket (total drops 5)\n")
+        self.assertIn("5 frames were lost when the log was recorded", out)
+
+
+class Absolem(Logs):
+    def conversation(self):
+        """What the robot's computer asks 20 times a second, and the drives' answers."""
+        text = line(BEGIN, (0x000, bytes([1, 0, 0, 0])))
+        for i in range(20):
+            time = BEGIN + 0.05 * i
+            for node, counts in ((2, 2250), (4, -2250), (5, -2250), (7, 2250)):
+                text += elmo(time, 0x300 + node, "px") + elmo(time + 5e-4, 0x280 + node, "PX", type_byte=0,
+                                                              value=struct.pack("<i", counts))
+                text += elmo(time + 1e-3, 0x300 + node, "iq") + elmo(time + 1.5e-3, 0x280 + node, "IQ", type_byte=0x80,
+                                                                     value=struct.pack("<f", 1.5))
+        text += elmo(BEGIN + 1, 0x302, "sr") + elmo(BEGIN + 1, 0x282, "SR", type_byte=0, value=struct.pack("<I", 0x2010))
+        text += elmo(BEGIN + 1, 0x302, "mf") + elmo(BEGIN + 1, 0x282, "MF", type_byte=0, value=struct.pack("<I", 8))
+        return text + line(BEGIN + 1, (0x187, bytes([0x08, 0x00])))
+
+    def test_angles_and_currents_in_our_signs(self):
+        got = self.values(self.conversation(), "--protocol", "absolem")
+        angles = {(row["frame"], row["value"]) for row in got if row["signal"] == "angle"}
+        flippers = ("rear right", "front right", "rear left", "front left")
+        self.assertEqual(angles, {(f"{name} flipper PX", "2.3562") for name in flippers}, "all raised by 135 degrees")
+        down = {row["frame"]: float(row["value"]) for row in got if row["signal"] == "pressing down"}
+        self.assertEqual(down, {"rear right flipper IQ": -1.5, "front left flipper IQ": -1.5,
+                                "front right flipper IQ": 1.5, "rear left flipper IQ": 1.5})
+
+    def test_states_in_words(self):
+        out = self.decode(self.conversation(), "--protocol", "absolem")
+        for words in ("SR motor on; current limit", "MF peak current exceeded", "front left flipper status",
+                      "Status fault", "network command            -     in order; Command start, Node all"):
+            self.assertIn(words, out)
+        self.assertEqual(self.totals(out), (0,) * 6)
+
+    def test_hostile_replies_are_counted(self):
+        nan = struct.pack("<f", float("nan"))
+        text = elmo(BEGIN, 0x302, "iq") + elmo(BEGIN, 0x282, "IQ", type_byte=0x80, value=nan)  # other
+        text += elmo(BEGIN, 0x282, "PX", type_byte=0, value=bytes(4))  # not asked: out of sequence
+        text += elmo(BEGIN, 0x302, "bg") + elmo(BEGIN, 0x282, "BG", value=bytes([58, 0, 0, 0]))  # refused: other
+        text += elmo(BEGIN, 0x282, "PX", type_byte=0)  # too short: other
+        text += line(BEGIN, (0x022, bytes(8)))  # unknown
+        out = self.decode(text, "--protocol", "absolem")
+        self.assertIn("refused by the drive; BG error 58", out)
+        self.assertIn("a value is beyond its range; IQ nan", out)
+        self.assertEqual(self.totals(out), (0, 1, 0, 3, 1, 1))
+
+
+class Monitor(Logs):
+    def test_a_replay_is_shown_with_rates_load_and_ages(self):
+        self.log.write_text(session(30))
+        out = run("can", "monitor", self.log)
+        self.assertNotIn("\x1b", out, "no terminal, no escapes")
+        last = out[out.rindex("REPLAY demo.log has ended; load "):]
+        self.assertRegex(last, r"022 +Attitude +[12]\d\.\d +\d\.\d\d  Pitch 0.2100 rad, Roll -0.0500 rad")
+        self.assertRegex(last, r"load \d+\.\d to \d+\.\d % of 500 kbit/s, 330 frames, 0 dropped, 0 error frames")
+
+    def test_it_ends_after_the_seconds(self):
+        self.log.write_text(line(BEGIN, telemetry(1)[1]) + line(BEGIN + 3600, telemetry(2)[1]))
+        out = run("can", "monitor", self.log, "--seconds", 0.3, "--bitrate", 125000)
+        self.assertEqual(out.count("REPLAY demo.log; load"), 1)
+        self.assertIn("of 125 kbit/s", out)
+
+    def test_a_terminal_gets_a_table_that_stays_in_place(self):
+        self.log.write_text(session(10))
+        done = subprocess.run(["script", "-qec", f"{CLI} can monitor {self.log}", "/dev/null"], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=60)
+        self.assertIn("\x1b[2J", done.stdout)
+        self.assertGreaterEqual(done.stdout.count("\x1b[H"), 2)
+        self.assertIn("Attitude", done.stdout)
+
+    def test_names_that_are_none_and_interfaces_that_are_not_there(self):
+        self.assertIn("cannot be a CAN interface", complaint("can", "monitor", "a-name-of-16-byte", "--seconds", 0))
+        self.log.write_text(session(1) + session(1).replace("can0", "can1"))
+        self.assertIn("name the one to replay", complaint("can", "monitor", self.log))
+        self.assertIn("11 frames", run("can", "monitor", self.log, "--interface", "can1", "--speed", 1000))
+        complaint("can", "monitor", self.log, "--speed", 0, code=2)
+
+
+class Check(unittest.TestCase):
+    def test_says_what_is_wrong_and_which_command_mends_it(self):
+        done = subprocess.run([CLI, "can", "check", "terratact-none"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"problem +there is no interface terratact-none")
+        self.assertIn("→", done.stdout)
+        self.assertIn("terratact-none cannot be used", done.stderr)
+
+    def test_an_interface_of_another_kind(self):
+        done = subprocess.run([CLI, "can", "check", "lo"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("lo is no CAN interface", done.stdout)
+
+    def test_a_name_that_can_be_none(self):
+        for name in ("a-name-of-16-byte", "can0;ls", "../can0", ""):
+            self.assertIn("cannot be a CAN interface", complaint("can", "check", name))
+
+
+class Help(unittest.TestCase):
+    def test_every_command_explains_itself(self):
+        for command in ((), ("decode",), ("monitor",), ("check",)):
+            self.assertIn("--help", run("can", *command, "--help"))
+        for arguments in ((), ("decode",), ("decode", "x", "--protocol", "can"), ("monitor",), ("check",)):
+            complaint("can", *arguments, code=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
