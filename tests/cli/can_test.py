@@ -1,7 +1,6 @@
 """terratact can, without any CAN: logs whose frames are made from the DBC by other code, and what a monitor and a
 check say here."""
 
-import csv
 import pathlib
 import re
 import struct
