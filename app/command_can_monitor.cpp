@@ -60,13 +60,13 @@ private:
     bool isTerminal_;
 };
 
-/// Reads the bus until `until`.
-Status takeUntil(CanBus& bus, CanMonitor& monitor, Clock::time_point until)
+/// Reads the bus until `until`, a replay to its end at most.
+Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, Clock::time_point until)
 {
     std::array<BusFrame, 64> frames;
     for (;;) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
-        if (left <= 0ms) return Done{};
+        if (left <= 0ms || (isReplay && bus.state() == BusState::Absent)) return Done{};
         const Result<std::size_t> count = bus.receive(frames, left);
         if (!count) return count.error();
         for (std::size_t i = 0; i < *count; ++i) monitor.take(frames[i]);
@@ -92,7 +92,8 @@ Status monitorCan(const CanMonitorOptions& options)
                                                + std::chrono::duration_cast<Clock::duration>(
                                                    std::chrono::duration<double>(*options.seconds))
                                          : Clock::time_point::max();
-        if (const Status done = takeUntil(**bus, monitor, std::min(next, end)); !done) return done;
+        if (const Status done = takeUntil(**bus, isReplay, monitor, std::min(next, end)); !done)
+            return done;
         const double now = seconds(Clock::now());
         monitor.mark(now);
         const bool ended = isReplay && (*bus)->state() == BusState::Absent;

@@ -73,13 +73,14 @@ def line(time, content, interface="can0"):
     return f"({time:017.6f}) {interface} {content[0]:03X}#{content[1].hex().upper()}\n"
 
 
-def telemetry(counter, pitch=0.21, activity=3):
-    """All that a robot sends every 50 ms."""
+def telemetry(counter, pitch=0.21, **status):
+    """All that a robot sends every 50 ms; status: of RobotStatus."""
+    status = {"Epoch": 7, "Activity": 3, "Refusal": 2, "Armed": 1, "LastCommand": 23, "LastCounter": 4} | status
     pair = {"Left": -0.3, "Right": -0.31, "Measured": 1}
     current = {"Left": 1.6, "Right": 1.7, "Measured": 1}
     low = {"Element1": 0.5, "Element2": 1.0, "Element3": 1.5, "Measured": 1}
     high = {"Element4": 0.5, "Element5": 1.0, "Element6": 1.5, "Measured": 1}
-    return [frame("RobotStatus", counter, Epoch=7, Activity=activity, Refusal=2, Armed=1, LastCommand=23, LastCounter=4),
+    return [frame("RobotStatus", counter, **status),
             frame("Attitude", counter, Pitch=pitch, Roll=-0.05, Measured=1),
             frame("FrontAngles", counter, **pair), frame("RearAngles", counter, **pair),
             frame("FrontCurrents", counter, **current), frame("RearCurrents", counter, **current),

@@ -9,7 +9,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 from can_frames import line, telemetry  # noqa: E402
-from support import CLI, rows, run  # noqa: E402
+from support import CLI, SOURCE, rows, run  # noqa: E402
 
 EVERYTHING = "vcan0,0:0,#FFFFFFFF"  # error frames, too
 # One of every kind that cansend knows.
@@ -88,6 +88,8 @@ class OnARealBus(unittest.TestCase):
         try:
             text = run("can", "check", "vcan0", code=1)
             self.assertRegex(text, r"problem +it is down\n +→ sudo ip link set vcan0 up\n")
+            shown = "".join(f"    {line}\n" for line in text.splitlines())
+            self.assertIn("    $ terratact can check vcan0\n" + shown, (pathlib.Path(SOURCE) / "docs/can.md").read_text())
         finally:
             ip("set", "vcan0", "up")
         self.assertIn("there is no interface can9, but vcan0", run("can", "check", "can9", code=1))
