@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace terratact {
 namespace {
@@ -50,6 +51,12 @@ FrameBits bitsOf(const CanFrame& frame)
 FrameKey keyOf(const CanFrame& frame, const FrameWords& words)
 {
     return {frame.error, frame.extended, frame.remote, frame.fd, frame.id, words.name};
+}
+
+bool FrameKey::operator<(const FrameKey& other) const
+{
+    return std::tie(error, extended, remote, fd, id, name)
+         < std::tie(other.error, other.extended, other.remote, other.fd, other.id, other.name);
 }
 
 void BusStatistics::take(const CanFrame& frame, const FrameWords& words, double now)

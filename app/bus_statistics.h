@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,7 +24,7 @@ struct FrameKey {
     bool error = false, extended = false, remote = false, fd = false;
     std::uint32_t id = 0;
     std::string name{};  ///< in FrameWords
-    auto operator<=>(const FrameKey&) const = default;
+    bool operator<(const FrameKey& other) const;
 };
 FrameKey keyOf(const CanFrame& frame, const FrameWords& words);
 

@@ -24,7 +24,7 @@ const char* wordOf(CanFinding::Level level)
 
 Status checkCan(const std::string& interface)
 {
-    if (const Status name = checkInterfaceName(interface); !name) return name;
+    if (Status name = checkInterfaceName(interface); !name) return name;
     const CanInterfaceFacts facts = lookAtInterface(interface);
     const CanController controller =
         facts.isCan && !facts.isVirtual ? controllerFrom(linkDetails(interface)) : CanController{};

@@ -87,7 +87,7 @@ public:
     /// Whatever stands in the way, what came before it is in the summary.
     Status run()
     {
-        const Status read = readAll();
+        Status read = readAll();
         summarize();
         if (!read) return read;
         return csv_ ? csv_->commit() : Status(Done{});
@@ -100,7 +100,7 @@ private:
             const auto logged = log_.next();
             if (!logged) return logged.error();
             if (!*logged) return ending();
-            if (const Status done = take(**logged); !done) return done;
+            if (Status done = take(**logged); !done) return done;
         }
     }
 

@@ -146,7 +146,7 @@ Result<std::size_t> CandumpReplay::receive(std::span<BusFrame> frames,
         throw std::invalid_argument("CandumpReplay: there is no room for one frame");
     const double until = clock_.now() + std::chrono::duration<double>(patience).count();
     for (;;) {
-        const Result<std::size_t> count = takeDue(frames);
+        Result<std::size_t> count = takeDue(frames);
         if (!count || *count > 0) return count;
         const double now = clock_.now();
         if (now >= until) return std::size_t{0};

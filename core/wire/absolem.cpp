@@ -97,10 +97,10 @@ std::variant<AbsolemFrame, AbsolemVerdict> interpreted(const CanFrame& frame, bo
 std::optional<double> upwards(AbsolemNode node)
 {
     switch (node) {
-    case AbsolemNode::FrontLeft: return 1.0;
-    case AbsolemNode::FrontRight: return -1.0;
-    case AbsolemNode::RearLeft: return -1.0;
+    case AbsolemNode::FrontLeft:
     case AbsolemNode::RearRight: return 1.0;
+    case AbsolemNode::FrontRight:
+    case AbsolemNode::RearLeft: return -1.0;
     case AbsolemNode::Core:
     case AbsolemNode::TrackLeft:
     case AbsolemNode::TrackRight: break;

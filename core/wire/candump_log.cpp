@@ -80,15 +80,15 @@ bool isDigits(std::string_view text)
 // "(1436509052.249713)"
 Result<double> timeFrom(std::string_view word)
 {
-    const Error wrong = expected("a time like (1436509052.249713)", word);
-    if (word.size() < 5 || word.back() != ')') return wrong;
+    const auto wrong = [word] { return expected("a time like (1436509052.249713)", word); };
+    if (word.size() < 5 || word.back() != ')') return wrong();
     const std::string_view text = word.substr(1, word.size() - 2);
     const std::size_t point = text.find('.');
-    if (point == std::string_view::npos) return wrong;
+    if (point == std::string_view::npos) return wrong();
     const std::string_view seconds = text.substr(0, point), fraction = text.substr(point + 1);
     const bool fits = isDigits(seconds) && isDigits(fraction) && fraction.size() <= 9;
     const std::optional<double> time = fits ? numberFrom(text) : std::nullopt;
-    if (!time || *time > kMostSeconds) return wrong;
+    if (!time || *time > kMostSeconds) return wrong();
     return *time;
 }
 
@@ -153,9 +153,9 @@ Status takeRemote(CanFrame& frame, std::string_view length)
 Status takeBytes(CanFrame& frame, std::string_view digits)
 {
     if (digits.size() % 2 != 0) return expected("an even number of hexadecimal digits", digits);
-    if (const Status done = setLength(frame, digits.size() / 2, digits); !done) return done;
+    if (Status done = setLength(frame, digits.size() / 2, digits); !done) return done;
     for (std::size_t i = 0; i < frame.length; ++i)
-        if (const Status done = setByte(frame, i, digits.substr(2 * i, 2)); !done) return done;
+        if (Status done = setByte(frame, i, digits.substr(2 * i, 2)); !done) return done;
     return Done{};
 }
 
@@ -195,7 +195,7 @@ Status takeLength(CanFrame& frame, std::string_view word)
 Status takeLongBytes(CanFrame& frame, Words& words)
 {
     for (std::size_t i = 0; i < frame.length; ++i)
-        if (const Status done = setByte(frame, i, words.next()); !done) return done;
+        if (Status done = setByte(frame, i, words.next()); !done) return done;
     if (frame.error) {
         const std::string_view word = words.next();
         if (word != "ERRORFRAME") return expected("ERRORFRAME", word);

@@ -253,6 +253,12 @@ TEST_F(OnAbsolemsBus, aLineOfSensorsHoldsWhatIsFreshOnBothSides)
     EXPECT_FALSE(line.rearCurrents);
     EXPECT_FALSE(line.attitude || line.voltages[0] || line.arm) << "nothing of it is on this bus";
     EXPECT_FALSE(sensorLineOf(state(), now + 0.3, 0.25).frontAngles);
+    now += 0.3;
+    askPosition(Node::FrontRight, -600);
+    EXPECT_FALSE(sensorLineOf(state(), now, 0.25).frontAngles) << "the left one is old";
+    askPosition(Node::FrontLeft, 600);
+    EXPECT_TRUE(sensorLineOf(state(), now, 0.25).frontAngles);
+    EXPECT_FALSE(sensorLineOf(state(), now, 0.25).frontCurrents);
 }
 
 TEST(AbsolemFrames, areTakenApartAsInTheManual)

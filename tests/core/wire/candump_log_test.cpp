@@ -70,6 +70,7 @@ TEST(Candump, readsTheCompactDialect)
     EXPECT_EQ(parsed("(1.5) can0 7ff#ab T\r").direction, LogDirection::Sent);
     EXPECT_EQ(parsed("(1.5) can0 7ff#ab T\r").frame, data(0x7FF, {0xAB}));
     EXPECT_EQ(parsed("(0000000001.500000)     can0 001#").time, 1.5);
+    EXPECT_EQ(parsed("(1.5) fifteen-byte-na 001#").interface, "fifteen-byte-na");
 }
 
 TEST(Candump, readsEveryKindOfFrame)
@@ -126,7 +127,7 @@ TEST(Candump, saysWhatItExpected)
     says("(99999999999.5) can0 044#", "expected a time");
     says("(2015-07-10 06:17:32.249713)  vcan0  044   [0]", "expected a time");
     says("vcan0 044#", "expected a time");
-    says("(1.5) a-name-of-16-byte 044#", "name of an interface");
+    says("(1.5) sixteen-byte-nam 044#", "name of an interface");
     says("(1.5) can0 44#", "3 or 8 hexadecimal");
     says("(1.5) can0 -44#", "3 or 8 hexadecimal");
     says("(1.5) can0 0x4#", "3 or 8 hexadecimal");
@@ -191,7 +192,7 @@ TEST(Candump, writesNothingThatHasNoLine)
     EXPECT_THROW(candumpLine(std::nan(""), "can0", sound), std::invalid_argument);
     EXPECT_THROW(candumpLine(std::numeric_limits<double>::infinity(), "can0", sound),
                  std::invalid_argument);
-    for (const char* name : {"", "a-name-of-16-byte", "can 0", "can0\n", "a/b"})
+    for (const char* name : {"", "sixteen-byte-nam", "can 0", "can0\n", "a/b"})
         EXPECT_THROW(candumpLine(1.5, name, sound), std::invalid_argument) << name;
     for (const CanFrame& frame :
          {CanFrame{.id = 0x800}, CanFrame{.id = 0x2000'0000, .extended = true},
