@@ -92,7 +92,7 @@ Status monitorCan(const CanMonitorOptions& options)
                                                + std::chrono::duration_cast<Clock::duration>(
                                                    std::chrono::duration<double>(*options.seconds))
                                          : Clock::time_point::max();
-        if (const Status done = takeUntil(**bus, isReplay, monitor, std::min(next, end)); !done)
+        if (Status done = takeUntil(**bus, isReplay, monitor, std::min(next, end)); !done)
             return done;
         const double now = seconds(Clock::now());
         monitor.mark(now);
