@@ -44,10 +44,27 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
         pending_.insert(pending_.end(), frames_.begin(),
                         frames_.begin() + static_cast<std::ptrdiff_t>(*count));
         if (*count > 0 || left > 0ms) continue;
-        if (std::string trouble = describe(bus_->state(), bus_->name()); !trouble.empty())
-            return Error{std::move(trouble), 0};
+        if (std::string what = trouble(); !what.empty()) return Error{std::move(what), 0};
         return std::optional<Sample>{};
     }
+}
+
+std::string CanSource::trouble() const
+{
+    const BusState state = bus_->state();
+    if (options_.mode == Mode::Replay)
+        return state == BusState::Absent ? name() + " has ended" : std::string();
+    return describe(state, bus_->name());
+}
+
+std::string CanSource::whyNotTransmitting() const
+{
+    switch (options_.mode) {
+    case Mode::Transmit: return {};
+    case Mode::Listen: return name() + " is only listened to: start the console with --transmit";
+    case Mode::Replay: return name() + " takes no commands";
+    }
+    return {};
 }
 
 std::optional<Sample> CanSource::takePending()
@@ -64,7 +81,7 @@ std::optional<Sample> CanSource::takePending()
 
 void CanSource::work()
 {
-    if (options_.mode == Mode::Listen) return;
+    if (options_.mode != Mode::Transmit) return;
     const std::scoped_lock lock(mutex_);
     const double now = steadyNow();
     if (unsent_) {
@@ -77,8 +94,7 @@ void CanSource::work()
 
 Status CanSource::send(const Command& command)
 {
-    if (options_.mode == Mode::Listen)
-        return Error{name() + " is only listened to: start the console with --transmit", 0};
+    if (std::string why = whyNotTransmitting(); !why.empty()) return Error{std::move(why), 0};
     const std::scoped_lock lock(mutex_);
     unsent_.reset();
     const auto sent = link_.send(command, steadyNow());
@@ -129,12 +145,13 @@ CanView CanSource::view() const
             .frames = bus_->counters(),
             .telemetry = link_.telemetry().counters(),
             .forces = link_.telemetry().forces(),
-            .transmits = options_.mode == Mode::Transmit};
+            .transmits = options_.mode == Mode::Transmit,
+            .whyNotTransmitting = whyNotTransmitting()};
 }
 
 std::string whyNotArming(const CanView& view)
 {
-    if (!view.transmits) return "Only listened to: start the console with --transmit to command it";
+    if (!view.transmits) return view.whyNotTransmitting;
     if (view.link.foreignSender) return describe(DisarmCause::ForeignSender);
     if (view.link.robot && view.link.robot->activity == RobotActivity::Stopped)
         return "STOP is latched: release it first";

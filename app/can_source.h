@@ -19,13 +19,14 @@ struct CanView {
     TelemetryCounters telemetry;
     ElementForces forces;  ///< of the newest line
     bool transmits = false;
+    std::string whyNotTransmitting;  ///< in words; empty where it transmits
 };
 
 /// A robot on a CAN bus.  The thread that calls next() receives, beats the heart and repeats drives, so
 /// that a console whose threads stand still falls silent and its robot halts.
 class CanSource final : public MeasurementSource {
 public:
-    enum class Mode : std::uint8_t { Listen, Transmit };
+    enum class Mode : std::uint8_t { Listen, Transmit, Replay };
     struct Options {
         Mode mode = Mode::Listen;
         std::string name{};  ///< what the operator reads; the bus's own where it is empty
@@ -50,6 +51,8 @@ public:
     CanView view() const;
 
 private:
+    std::string whyNotTransmitting() const;
+    std::string trouble() const;
     std::optional<Sample> takePending();
     void work();
 

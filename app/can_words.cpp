@@ -45,7 +45,7 @@ std::string wordOf(const SignalLayout& signal, double value)
 std::vector<NamedValue> valuesOf(const Unpacked& content)
 {
     std::vector<NamedValue> values;
-    const auto signals = layoutOf(content.kind).signals;
+    const auto signals = layoutOf(content.kind).payload;
     for (std::size_t i = 0; i < signals.size(); ++i) {
         NamedValue value{std::string(signals[i].name), wordOf(signals[i], content.values[i]),
                          std::string(signals[i].unit)};

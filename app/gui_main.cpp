@@ -18,6 +18,7 @@
 #include "core/learn/profile_file.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
+#include "drivers/candump_replay.h"
 #include "drivers/gpio_lines.h"
 #include "drivers/sim_source.h"
 #include "drivers/socketcan.h"
@@ -30,7 +31,8 @@ constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
 constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screenshot's drive
 
 struct Arguments {
-    std::string model, robot, terrain, screenshot, can, panel;
+    std::string model, robot, terrain, screenshot, can, replay, panel;
+    double speed = 1.0;
     bool transmit = false;
     std::uint64_t seed = 1;
     std::string size = "1440x900";
@@ -61,12 +63,20 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_flag("--transmit", arguments.transmit,
                  "Command the robot on --can; without it the console only listens")
         ->needs(can);
+    auto* replay = app.add_option("--replay", arguments.replay,
+                                  "Log of candump -L to show as if it happened now")
+                       ->excludes(can)
+                       ->excludes("--terrain");
+    app.add_option("--speed", arguments.speed, "Of the replay: seconds of the log per second")
+        ->needs(replay)
+        ->check(CLI::Range(0.01, 1000.0));
     app.add_option("--panel", arguments.panel,
                    "File of the operator's panel on GPIO lines (default: there is none)");
     app.add_option("--seed", arguments.seed, "Seed of the random numbers")->capture_default_str();
     app.add_option("--screenshot", arguments.screenshot,
                    "Drive to a step, estimate it, save the window as PNG, and exit")
-        ->excludes(can);
+        ->excludes(can)
+        ->excludes(replay);
     app.add_option("--size", arguments.size, "Size of the window")
         ->capture_default_str()
         ->check([](const std::string& text) {
@@ -131,11 +141,20 @@ Result<std::unique_ptr<CanSource>> onBus(const RobotModel& robot, const Argument
                            .link = {.seed = (std::uint64_t{device()} << 32U) | device()}});
 }
 
+Result<std::unique_ptr<CanSource>> replayed(const RobotModel& robot, const Arguments& arguments)
+{
+    auto log = CandumpReplay::open(arguments.replay, {.speed = arguments.speed});
+    if (!log) return log.error();
+    return std::make_unique<CanSource>(std::move(*log), robot,
+                                       CanSource::Options{.mode = CanSource::Mode::Replay});
+}
+
 /// Where telemetry comes from and commands go to.
 Status connect(MainWindow::Options& options, const Arguments& arguments)
 {
-    if (!arguments.can.empty()) {
-        auto source = onBus(options.robot, arguments);
+    if (!arguments.can.empty() || !arguments.replay.empty()) {
+        auto source = arguments.can.empty() ? replayed(options.robot, arguments)
+                                            : onBus(options.robot, arguments);
         if (!source) return source.error();
         options.link = source->get();
         options.source = std::move(*source);

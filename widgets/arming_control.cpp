@@ -50,7 +50,7 @@ void ArmingControl::setState(const ArmingState& state, const QString& whyNot)
 
 void ArmingControl::setListening(const QString& why)
 {
-    arm_->setText(tr("LISTENING ONLY"));
+    arm_->setText(tr("NO COMMANDS"));
     arm_->setVisible(true);
     arm_->setEnabled(false);
     arm_->setToolTip(why);

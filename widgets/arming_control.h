@@ -19,7 +19,7 @@ public:
 
     /// whyNot: why arming is not possible now, in words; empty where it is.
     void setState(const ArmingState& state, const QString& whyNot);
-    /// The source takes no commands at all: only listened to, or a replay.
+    /// The source takes no commands at all: only listened to, or a replay, as `why` says.
     void setListening(const QString& why);
 
     QPushButton* armButton() const { return arm_; }
