@@ -423,8 +423,16 @@ QString Exploration::whyNotDriving() const
     if (state_.phase == AtemPhase::Stopped) return tr("STOP is latched: release it first");
     if (exploring(state_.phase)) return tr("An exploration is running: end it with Esc first");
     if (!linkAlive_) return tr("No telemetry from the robot");
-    if (!armed()) return tr("The robot is not armed");
+    if (!armed()) return arming().text;
     return {};
+}
+
+Precondition Exploration::arming() const
+{
+    if (armed()) return {Precondition::Level::Met, tr("the robot is armed")};
+    const std::string why = link_->view().whyNotTransmitting;
+    return {Precondition::Level::Missing,
+            why.empty() ? tr("the robot is not armed") : QString::fromStdString(why)};
 }
 
 QList<Precondition> Exploration::preconditions() const
@@ -441,9 +449,7 @@ QList<Precondition> Exploration::preconditions() const
                                         : tr("STOP is latched")};
     else
         list << Precondition{Level::Met, tr("STOP is not latched")};
-    if (link_)
-        list << (armed() ? Precondition{Level::Met, tr("the robot is armed")}
-                         : Precondition{Level::Missing, tr("the robot is not armed")});
+    if (link_) list << arming();
     if (!modelTrouble_.isEmpty())
         list << Precondition{Level::Missing, tr("no model: %1").arg(modelTrouble_)};
     else if (modelName_.isEmpty())

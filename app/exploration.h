@@ -96,6 +96,7 @@ private:
     void takeLive(const TerrainEstimate& estimate);
     void forget(const QString& why);
     void finishProbe();
+    Precondition arming() const;  ///< of a link
     std::string grounds() const;  ///< fingerprint of what the proposal rests on now
 
     MeasurementSource& source_;
