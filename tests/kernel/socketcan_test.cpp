@@ -223,6 +223,20 @@ TEST_F(OnVcan, anotherInterfaceOfTheSameNameIsNoticedEvenInAWink)
     EXPECT_EQ(bus->counters().reopened, 1u);
 }
 
+TEST_F(OnVcan, anInterfaceThatTookOverTheNameIsTheOneMeant)
+{
+    const auto bus = onto("vcan0");
+    shell("ip link add dev vcan8 type vcan; ip link set vcan0 down; ip link set vcan0 name vcan9; "
+          "ip link set vcan8 name vcan0; ip link set vcan0 up");
+    std::size_t heard = 0;
+    for (const auto end = Clock::now() + 5s; heard == 0 && Clock::now() < end;) {
+        ASSERT_TRUE(Peer("vcan0").send(0x100));
+        heard = all(*bus, 50ms).size();
+    }
+    EXPECT_GT(heard, 0u);
+    shell("ip link del vcan9");
+}
+
 TEST_F(OnVcan, anInterfaceThatIsDownAtFirstIsWaitedFor)
 {
     shell("ip link set vcan0 down");
