@@ -32,8 +32,8 @@ public:
         bool transmit = false;           ///< else receive-only: send() refuses everything
         std::size_t maxUnconfirmed = 2;  ///< 0: any number, for bursts of telemetry
         double stalledAfter = 0.06;      ///< [s]
-        int receiveBuffer =
-            4 << 20;  ///< [B]; the kernel doubles it: 10,900 frames, 1.2 s of a full bus
+        /// [B]; the kernel doubles it: room for 10,900 frames, 1.2 s of a full bus.
+        int receiveBuffer = 4 << 20;
     };
 
     /// What it stands on, for tests to replace.
