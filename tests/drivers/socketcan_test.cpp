@@ -391,6 +391,16 @@ TEST_F(OnABus, anInterfaceThatComesBackIsOpenedAgainByItsName)
     EXPECT_EQ(bus->counters().reopened, 2u);
 }
 
+TEST_F(OnABus, aSocketThatLostItsInterfaceIsReplacedThoughThereIsOneOfItsNumber)
+{
+    kernel.writeError = ENXIO;
+    EXPECT_NE(refusal(), "");
+    kernel.writeError = 0;
+    (void)receive(150ms);
+    EXPECT_EQ(kernel.opened, 2);
+    EXPECT_EQ(bus->state(), BusState::Up);
+}
+
 TEST_F(OnABus, lookingForAnAbsentInterfaceNeitherSpinsNorDozesOff)
 {
     kernel.present = false;
@@ -514,6 +524,7 @@ TEST_F(OnABus, aFramesTimeIsWhenTheKernelGotIt)
 
 TEST_F(OnABus, aClockThatIsSetDoesNotMakeAFrameOldOrOfTheFuture)
 {
+    kernel.pass(5.0);
     (void)receive();
     const double quiet = kernel.now;
     kernel.put(frameOfId(1));
