@@ -54,7 +54,7 @@ std::string CanSource::trouble() const
     const BusState state = bus_->state();
     if (options_.mode == Mode::Replay)
         return state == BusState::Absent ? name() + " has ended" : std::string();
-    return describe(state, bus_->name());
+    return state == BusState::Up ? std::string() : describe(state, bus_->name());
 }
 
 std::string CanSource::whyNotTransmitting() const
@@ -158,23 +158,6 @@ std::string whyNotArming(const CanView& view)
     if (!(view.link.goodFor >= ArmingLimits{}.linkGood))
         return "The link must be good for a second";
     if (view.link.robot->armed) return describe(DisarmCause::AlreadyArmed);
-    return {};
-}
-
-std::string describe(BusState state, const std::string& bus)
-{
-    switch (state) {
-    case BusState::Up: return {};
-    case BusState::Stalled:
-        return bus + ": what is sent does not leave; is the robot's bus connected and powered?";
-    case BusState::ErrorPassive:
-        return bus + ": many errors on the bus; check wiring, termination and bitrate";
-    case BusState::BusOff:
-        return bus + " is bus-off: check the wiring, then run 'ip link set " + bus
-             + " type can restart'";
-    case BusState::Down: return bus + " is down: run 'ip link set " + bus + " up'";
-    case BusState::Absent: return bus + " is gone: is the adapter plugged in?";
-    }
     return {};
 }
 

@@ -69,7 +69,4 @@ private:
 /// Why the operator cannot begin to arm now, in words; empty where it is possible.
 std::string whyNotArming(const CanView& view);
 
-/// "can0 is down", and the command that mends it; empty for a bus that is up.
-std::string describe(BusState state, const std::string& bus);
-
 }  // namespace terratact

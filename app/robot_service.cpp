@@ -22,7 +22,7 @@ struct Shown {
 
 std::string words(const Shown& shown, const RobotOnBus& robot, const CanBus& bus)
 {
-    if (std::string trouble = describe(shown.bus, bus.name()); !trouble.empty()) return trouble;
+    if (shown.bus != BusState::Up) return describe(shown.bus, bus.name());
     return fmt::format("{}, {} (epoch {})", describe(shown.activity),
                        shown.armed ? "armed" : "disarmed", robot.epoch());
 }
