@@ -1,0 +1,251 @@
+// The console with the operator's panel beside it.
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <array>
+#include <cerrno>
+#include <mutex>
+#include <thread>
+
+#include "app/main_window.h"
+#include "app/steady_now.h"
+#include "core/sim/terrain_shapes.h"
+#include "drivers/sim_source.h"
+#include "tests/support/absolem.h"
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/robot_on_memory_bus.h"
+#include "widgets/arming_control.h"
+#include "widgets/atem_panel.h"
+#include "widgets/event_list.h"
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/probe_card.h"
+#include "widgets/status_header.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using gui::eventually;
+
+/// Contacts that a test closes and lamps that it reads, from another thread than the panel's.
+class Board {
+public:
+    void close(PanelContact contact, bool closed)
+    {
+        const std::scoped_lock lock(mutex_);
+        closed_[contact] = closed;
+        edges_.edges.push_back(
+            {.input = static_cast<std::size_t>(contact), .active = closed, .time = steadyNow()});
+    }
+    void unplug()
+    {
+        const std::scoped_lock lock(mutex_);
+        gone_ = true;
+    }
+    bool lit(std::size_t lamp) const
+    {
+        const std::scoped_lock lock(mutex_);
+        return lit_.at(lamp);
+    }
+    Result<std::unique_ptr<GpioLines>> open()
+    {
+        const std::scoped_lock lock(mutex_);
+        if (gone_) return Error{"no such chip", ENODEV};
+        return std::unique_ptr<GpioLines>(std::make_unique<Lines>(*this));
+    }
+
+private:
+    class Lines final : public GpioLines {
+    public:
+        explicit Lines(Board& board) : board_(board) {}
+        const GpioFound& found() const override { return found_; }
+        Result<GpioEdges> readEdges(std::chrono::milliseconds) override
+        {
+            std::this_thread::sleep_for(2ms);
+            const std::scoped_lock lock(board_.mutex_);
+            if (board_.gone_) return Error{"the chip is gone", ENODEV};
+            return std::exchange(board_.edges_, {});
+        }
+        Result<std::vector<bool>> levels() override
+        {
+            const std::scoped_lock lock(board_.mutex_);
+            if (board_.gone_) return Error{"the chip is gone", ENODEV};
+            return std::vector<bool>(board_.closed_.values.begin(), board_.closed_.values.end());
+        }
+        Status set(std::size_t output, bool active) override
+        {
+            const std::scoped_lock lock(board_.mutex_);
+            board_.lit_.at(output) = active;
+            return Done{};
+        }
+
+    private:
+        Board& board_;
+        GpioFound found_;
+    };
+
+    mutable std::mutex mutex_;                                        // guards what follows
+    PerContact<bool> closed_{.values = {false, false, false, true}};  // STOP is normally closed
+    GpioEdges edges_;
+    std::array<bool, kPanelOutputs> lit_{};
+    bool gone_ = false;
+};
+
+struct PanelConsole : testing::Test {
+    static void SetUpTestSuite()
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+    }
+    MainWindow::Options options()
+    {
+        MainWindow::Options o;
+        o.robot = model;
+        o.model = [] {
+            return Result<LoadedModel>(LoadedModel{
+                .estimate =
+                    [](const EstimateRequest& request, const Watch&) {
+                        TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
+                        e.settings = request.settings;
+                        return e;
+                    },
+                .name = "fake.ttm",
+                .details = {}});
+        };
+        o.panel = std::make_unique<OperatorPanel>(
+            PanelConfig{}, [this](const GpioRequest&) { return board.open(); });
+        return o;
+    }
+    void openSimulated()
+    {
+        SimulatedRobot::Options simulation;
+        simulation.startX = 2.1;
+        MainWindow::Options o = options();
+        o.source =
+            std::make_unique<SimSource>(SimulatedRobot(model, demoTerrain(), simulation), 20.0);
+        o.exploration.linkLostAfter = 3.0;
+        show(std::move(o));
+    }
+    void show(MainWindow::Options o)
+    {
+        window = std::make_unique<MainWindow>(std::move(o));
+        window->atemPanel()->releaseButton()->setHoldTime(150);
+        window->resize(1280, 720);
+        gui::showActive(*window);
+    }
+    void push(PanelContact button)
+    {
+        board.close(button, true);
+        QTest::qWait(100);
+        board.close(button, false);
+    }
+    bool reaches(AtemPhase phase)
+    {
+        return eventually([&] { return window->exploration().state().phase == phase; });
+    }
+    void propose()
+    {
+        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        push(PanelContact::Atem);
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    }
+
+    RobotModel model = absolem();
+    Board board;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(PanelConsole, exploresAndProbesByThePanelAlone)
+{
+    openSimulated();
+    propose();
+    push(PanelContact::Approve);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(window->exploration().state().probed);
+}
+
+TEST_F(PanelConsole, refusesByThePanel)
+{
+    openSimulated();
+    propose();
+    push(PanelContact::Refuse);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_FALSE(window->exploration().state().probed);
+}
+
+TEST_F(PanelConsole, lightsWhatIsSo)
+{
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return board.lit(0); })) << "link";
+    EXPECT_TRUE(eventually([&] { return !board.lit(3); })) << "the buzzer's test has an end";
+    propose();
+    EXPECT_TRUE(eventually([&] { return board.lit(2) && board.lit(3); })) << "probing, and asked";
+    push(PanelContact::Refuse);
+    EXPECT_TRUE(eventually([&] { return !board.lit(2) && !board.lit(3); }));
+}
+
+TEST_F(PanelConsole, stopLatchesUntilPanelAndWindowReleaseIt)
+{
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    board.close(PanelContact::Stop, false);
+    ASSERT_TRUE(reaches(AtemPhase::Stopped));
+    QTest::keyPress(window.get(), Qt::Key_R);
+    QTest::qWait(400);
+    QTest::keyRelease(window.get(), Qt::Key_R);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Stopped) << "it is still pressed";
+    board.close(PanelContact::Stop, true);
+    QTest::qWait(200);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Stopped) << "it releases nothing";
+    QTest::keyPress(window.get(), Qt::Key_R);
+    EXPECT_TRUE(reaches(AtemPhase::Idle));
+    QTest::keyRelease(window.get(), Qt::Key_R);
+}
+
+TEST_F(PanelConsole, lossOfThePanelStops)
+{
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    board.unplug();
+    EXPECT_TRUE(reaches(AtemPhase::Stopped));
+    EXPECT_TRUE(eventually([&] { return !window->atemPanel()->requestButton()->isEnabled(); }));
+}
+
+TEST_F(PanelConsole, robotOnABusIsDisarmedWithThePanel)
+{
+    MemoryBus bus;
+    SimulatedRobot::Options simulation;
+    simulation.startX = 2.1;
+    const RobotOnMemoryBus robot(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                                 RobotOnBus::Options{});
+    MainWindow::Options o = options();
+    auto source =
+        std::make_unique<CanSource>(std::make_unique<TimedEnd>(bus, "can0", 2), model,
+                                    CanSource::Options{.mode = CanSource::Mode::Transmit});
+    o.link = source.get();
+    o.source = std::move(source);
+    show(std::move(o));
+    window->header()->arming()->confirmButton()->setHoldTime(100);
+    ASSERT_TRUE(eventually([&] { return window->header()->arming()->armButton()->isEnabled(); }));
+    QTest::qWait(600);
+    QTest::keyClick(window.get(), Qt::Key_M);
+    ASSERT_TRUE(
+        eventually([&] { return window->header()->arming()->confirmButton()->isVisible(); }));
+    QTest::keyPress(window.get(), Qt::Key_M);
+    const auto phase = [&] { return window->link()->view().link.arming.phase; };
+    ASSERT_TRUE(eventually([&] { return phase() == ArmingPhase::Armed; }));
+    QTest::keyRelease(window.get(), Qt::Key_M);
+    ASSERT_TRUE(eventually([&] { return board.lit(1); })) << "armed";
+    board.unplug();
+    EXPECT_TRUE(eventually([&] { return phase() == ArmingPhase::Disarmed; }));
+    QTest::qWait(300);
+    const std::uint64_t heartbeats = window->link()->view().frames.sent;
+    QTest::qWait(500);
+    EXPECT_LE(window->link()->view().frames.sent - heartbeats, 4U)
+        << "without the panel there is no heartbeat, only STOP until the robot has confirmed it";
+    window.reset();
+}
+
+}  // namespace
+}  // namespace terratact
