@@ -12,13 +12,6 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kTurn{10};  // half the period of a drive
 
-bool makesSafe(const Command& command)
-{
-    return std::holds_alternative<StopCommand>(command)
-        || std::holds_alternative<HaltCommand>(command)
-        || std::holds_alternative<AbortAtemCommand>(command);
-}
-
 }  // namespace
 
 CanSource::CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options)

@@ -33,4 +33,13 @@ using Command = std::variant<StopCommand, ReleaseStopCommand, HaltCommand, Drive
                              PressCommand, ProbeCommand, ArmCommand, BeginAtemCommand,
                              AbortAtemCommand, HoldFlippersCommand, AdvanceCommand>;
 
+/// Can only make a robot safer: obeyed in any state and any epoch, tried again until it has left.
+inline bool makesSafe(const Command& command)
+{
+    if (const auto* arm = std::get_if<ArmCommand>(&command)) return !arm->armed;
+    return std::holds_alternative<StopCommand>(command)
+        || std::holds_alternative<HaltCommand>(command)
+        || std::holds_alternative<AbortAtemCommand>(command);
+}
+
 }  // namespace terratact

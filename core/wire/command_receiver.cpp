@@ -3,18 +3,6 @@
 #include <stdexcept>
 
 namespace terratact {
-namespace {
-
-// Can only make the robot safer.
-bool makesSafe(const Command& command)
-{
-    if (const auto* arm = std::get_if<ArmCommand>(&command)) return !arm->armed;
-    return std::holds_alternative<StopCommand>(command)
-        || std::holds_alternative<HaltCommand>(command)
-        || std::holds_alternative<AbortAtemCommand>(command);
-}
-
-}  // namespace
 
 CommandReceiver::CommandReceiver(std::uint8_t firstEpoch)
     : epoch_(firstEpoch), heartbeat_(layoutOf(FrameKind::ConsoleHeartbeat).dataId,

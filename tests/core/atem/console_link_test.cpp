@@ -71,6 +71,16 @@ struct Wire : testing::Test {
         pass(0.2);
         ASSERT_EQ(phase(), ArmingPhase::Armed) << describe(console.view(now).arming.cause);
     }
+    void beginProbe(int bin)
+    {
+        arm();
+        command(BeginAtemCommand{});
+        pass(0.1);
+        command(PressCommand{18.0});
+        ASSERT_TRUE(does(RobotActivity::Pressed, 15.0));
+        console.approve(bin, now);
+        ASSERT_EQ(command(ProbeCommand{bin}), GateRefusal::None);
+    }
     ArmingPhase phase() const { return console.view(now).arming.phase; }
     DisarmCause cause() const { return console.view(now).arming.cause; }
     RobotActivity activity() const { return robot.robot().activity(); }
@@ -365,13 +375,7 @@ struct RefuseProbe : Wire {
 };
 TEST_F(RefuseProbe, isToldInTheStatus)
 {
-    arm();
-    command(BeginAtemCommand{});
-    pass(0.1);
-    command(PressCommand{18.0});
-    ASSERT_TRUE(does(RobotActivity::Pressed, 15.0));
-    console.approve(9, now);
-    ASSERT_EQ(command(ProbeCommand{9}), GateRefusal::None);
+    beginProbe(9);
     pass(0.1);
     EXPECT_EQ(latest->refusal, Refusal::OutOfReach);
     EXPECT_EQ(console.view(now).robot->lastCommand, FrameKind::ProbeBin);
@@ -382,13 +386,7 @@ struct SlowArm : Wire {
 };
 TEST_F(SlowArm, needsThreeTimesAsLong)
 {
-    arm();
-    command(BeginAtemCommand{});
-    pass(0.1);
-    command(PressCommand{18.0});
-    ASSERT_TRUE(does(RobotActivity::Pressed, 15.0));
-    console.approve(9, now);
-    ASSERT_EQ(command(ProbeCommand{9}), GateRefusal::None);
+    beginProbe(9);
     pass(5.8);
     EXPECT_EQ(activity(), RobotActivity::Probing) << "2 s without the fault";
     pass(0.4);
