@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Configures a preset if it is new or CMakePresets.json changed, and builds it:
-#   cmake/build.sh PRESET             everything, tests included
+#   cmake/build.sh PRESET             all of the preset, tests included
 #   cmake/build.sh PRESET TARGET...   these targets; a new configuration leaves the tests out
 # On a terminal the build shows its progress; otherwise it speaks only when it fails.
 set -euo pipefail
@@ -25,9 +25,11 @@ if [ ! "$dir/build.ninja" -nt CMakePresets.json ] ||
   echo "building preset $preset (the first time takes minutes)"
   cmake --preset "$preset" "${without_tests[@]}" >"$log" 2>&1 || fail "configuring"
 fi
+build=(--preset "$preset")
+[ $# = 0 ] || build=("$dir" --target "$@")
 if [ -t 1 ]; then
-  cmake --build "$dir" ${1+--target "$@"} 2>&1 | tee "$log" | grep --line-buffered -v '^ninja: no work' || true
+  cmake --build "${build[@]}" 2>&1 | tee "$log" | grep --line-buffered -v '^ninja: no work' || true
   [ "${PIPESTATUS[0]}" = 0 ] || fail "building"
 else
-  cmake --build "$dir" ${1+--target "$@"} >"$log" 2>&1 || fail "building"
+  cmake --build "${build[@]}" >"$log" 2>&1 || fail "building"
 fi
