@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/parallel.h"
+#include "core/atem/arm_choice.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
@@ -114,9 +115,14 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
         QElapsedTimer timer;
         timer.start();
         const TerrainEstimate estimate = estimate_(request, watch);
+        const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+        // Here and not in the window's thread: Qt's painting leaves the upper halves of that thread's vector
+        // registers in use, which made this ten times slower there.
+        const auto probe =
+            request.prober ? chooseProbe(estimate, *request.prober) : std::optional<int>();
         if (overtaken()) return;
         progress_ = -1.0;
-        emit estimated(job, estimate, static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+        emit estimated(job, estimate, seconds, probe);
         return;
     } catch (const Cancelled&) {
         return;

@@ -21,6 +21,7 @@ struct EstimateRequest {
     Measurement measurement;
     std::vector<ArmReading> arm;
     Settings settings;
+    std::optional<RobotModel> prober{};  ///< whose arm might probe; empty: that is not asked
 };
 
 /// Computes an estimate; throws what reconstruct() throws.
@@ -57,7 +58,9 @@ signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
     void modelLoaded(const QString& name, const QString& details);
     void modelFailed(const QString& why);
-    void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds);
+    /// seconds: the estimate took.  probe: the bin that the request's prober should touch (arm_choice.h).
+    void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds,
+                   std::optional<int> probe);
     void failed(int job, const QString& why);
 
 private:

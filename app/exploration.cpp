@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/atem/arm_choice.h"
 #include "core/atem/probe_grounds.h"
 #include "core/infer/estimate_words.h"
 #include "widgets/words.h"
@@ -35,36 +34,36 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
         modelTrouble_ = why;
         emit happened(why, Weight::Bad);
     });
-    connect(&worker_, &EstimatorWorker::estimated, this,
-            [this](int job, const TerrainEstimate& estimate, double seconds) {
-                if (job == liveJob_) takeLive(estimate);
-                if (job != job_) return;
-                live_.reset();
-                estimate_ = estimate;
-                estimateSeconds_ = seconds;
-                pending_.estimateReady = true;
-                const auto bin = chooseProbe(estimate, robot_);
-                pending_.probeWanted = bin.has_value();
-                proposal_.reset();
-                if (bin) {
-                    const auto i = static_cast<std::size_t>(*bin);
-                    proposal_ = ProbeProposal{.id = ++lastProposal_,
-                                              .bin = *bin,
-                                              .height = estimate.height[i],
-                                              .q10 = estimate.q10[i],
-                                              .q90 = estimate.q90[i],
-                                              .sd = estimate.sd[i],
-                                              .limit = estimate.settings.probeAbove,
-                                              .armSd = robot_.armSd,
-                                              .seconds = options_.probeSeconds};
-                    proposedOn_ = grounds();
-                }
-                emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
-                for (const std::string& warning : estimate.warnings)
-                    emit happened(QString::fromStdString(warning), Weight::Doubt);
-                for (const std::string& sentence : hiddenByBands(estimate))
-                    emit happened(QString::fromStdString(sentence), Weight::Note);
-            });
+    connect(
+        &worker_, &EstimatorWorker::estimated, this,
+        [this](int job, const TerrainEstimate& estimate, double seconds, std::optional<int> bin) {
+            if (job == liveJob_) takeLive(estimate);
+            if (job != job_) return;
+            live_.reset();
+            estimate_ = estimate;
+            estimateSeconds_ = seconds;
+            pending_.estimateReady = true;
+            pending_.probeWanted = bin.has_value();
+            proposal_.reset();
+            if (bin) {
+                const auto i = static_cast<std::size_t>(*bin);
+                proposal_ = ProbeProposal{.id = ++lastProposal_,
+                                          .bin = *bin,
+                                          .height = estimate.height[i],
+                                          .q10 = estimate.q10[i],
+                                          .q90 = estimate.q90[i],
+                                          .sd = estimate.sd[i],
+                                          .limit = estimate.settings.probeAbove,
+                                          .armSd = robot_.armSd,
+                                          .seconds = options_.probeSeconds};
+                proposedOn_ = grounds();
+            }
+            emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
+            for (const std::string& warning : estimate.warnings)
+                emit happened(QString::fromStdString(warning), Weight::Doubt);
+            for (const std::string& sentence : hiddenByBands(estimate))
+                emit happened(QString::fromStdString(sentence), Weight::Note);
+        });
     connect(&worker_, &EstimatorWorker::failed, this, [this](int job, const QString& why) {
         if (job == liveJob_) {
             liveJob_ = 0;
@@ -372,8 +371,10 @@ void Exploration::startEstimate(std::vector<ArmReading> arm)
     liveJob_ = 0;  // this request overtakes it
     Settings settings = options_.settings;
     if (!arm.empty() && settings.method == Method::Pafc) settings.method = Method::Pafac;
-    job_ = worker_.request(
-        {.measurement = scene_->measurement, .arm = std::move(arm), .settings = settings});
+    job_ = worker_.request({.measurement = scene_->measurement,
+                            .arm = std::move(arm),
+                            .settings = settings,
+                            .prober = robot_});
 }
 
 void Exploration::finishProbe()

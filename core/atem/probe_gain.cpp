@@ -16,10 +16,24 @@ constexpr std::size_t kReadings = 48;
 /// Draws of all bins with what is asked of them.
 class Draws {
 public:
-    Draws(const std::vector<Heights>& heights, double stepLimit) : heights_(heights)
+    Draws(const std::vector<Heights>& heights, double stepLimit)
+        : heights_(heights), centred_(heights)
     {
+        Heights mean{};
+        for (const Heights& h : heights)
+            for (std::size_t i = 0; i < kBins; ++i)
+                mean[i] += h[i] / static_cast<double>(heights.size());
         step_.reserve(heights.size());
-        for (const Heights& h : heights) step_.push_back(hasStep(h, stepLimit) ? 1.0 : 0.0);
+        squares_.reserve(heights.size());
+        for (Heights& h : centred_) {
+            step_.push_back(hasStep(h, stepLimit) ? 1.0 : 0.0);
+            double square = 0.0;
+            for (std::size_t i = 0; i < kBins; ++i) {
+                h[i] -= mean[i];
+                square += h[i] * h[i];
+            }
+            squares_.push_back(square);
+        }
     }
 
     std::size_t count() const { return heights_.size(); }
@@ -33,23 +47,22 @@ public:
         return heights;
     }
 
-    /// V(w) [m²]; 0 where one draw has all the weight.
+    /// V(w) [m²]; 0 where one draw has all the weight.  Σ w (h − m)² = Σ w h² − m² with m = Σ w h: one pass,
+    /// and no loss of digits that matters, because the heights are centred.
     double variance(const std::vector<double>& weight) const
     {
         Heights mean{};
-        double squares = 0.0;
+        double alone = 0.0, second = 0.0;
         for (std::size_t d = 0; d < count(); ++d) {
-            squares += weight[d] * weight[d];
-            for (std::size_t i = 0; i < kBins; ++i) mean[i] += weight[d] * heights_[d][i];
+            const double w = weight[d];
+            if (w == 0.0) continue;
+            alone += w * w;
+            second += w * squares_[d];
+            for (std::size_t i = 0; i < kBins; ++i) mean[i] += w * centred_[d][i];
         }
-        double sum = 0.0;
-        for (std::size_t d = 0; d < count(); ++d)
-            for (std::size_t i = 0; i < kBins; ++i) {
-                const double deviation = heights_[d][i] - mean[i];
-                sum += weight[d] * deviation * deviation;
-            }
+        for (const double m : mean) second -= m * m;
         constexpr double kAlone = 1e-9;
-        return 1.0 - squares > kAlone ? sum / (1.0 - squares) : 0.0;
+        return 1.0 - alone > kAlone ? std::max(0.0, second) / (1.0 - alone) : 0.0;
     }
 
     /// H(w) [nat].
@@ -63,7 +76,9 @@ public:
 
 private:
     const std::vector<Heights>& heights_;
-    std::vector<double> step_;  // 1 for a draw with a step
+    std::vector<Heights> centred_;  // on their mean
+    std::vector<double> squares_;   // Σ over the bins of a centred draw's squares
+    std::vector<double> step_;      // 1 for a draw with a step
 };
 
 /// Evenly spaced quantiles of the readings to expect of a bin with these draws.
@@ -93,8 +108,12 @@ std::vector<double> weights(const std::vector<double>& heights, double reading, 
         return -0.5 * z * z;
     });
     const double largest = *std::max_element(w.begin(), w.end());
+    constexpr double kNothing = -40.0;  // e^-40 of the largest changes no digit
     double sum = 0.0;
-    for (double& weight : w) sum += weight = std::exp(weight - largest);
+    for (double& weight : w) {
+        weight -= largest;
+        sum += weight = weight > kNothing ? std::exp(weight) : 0.0;
+    }
     for (double& weight : w) weight /= sum;
     return w;
 }
