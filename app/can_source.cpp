@@ -12,6 +12,23 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kTurn{10};  // half the period of a drive
 
+// Of commands that make safe: a higher one does all that a lower one does.  0: makes nothing safe.
+int safety(const Command& command)
+{
+    if (std::holds_alternative<StopCommand>(command)) return 4;
+    if (const auto* arm = std::get_if<ArmCommand>(&command)) return arm->armed ? 0 : 3;
+    if (std::holds_alternative<AbortAtemCommand>(command)) return 2;
+    return std::holds_alternative<HaltCommand>(command) ? 1 : 0;
+}
+
+std::optional<Command> commandIn(const CanFrame& frame)
+{
+    const auto unpacked = unpack(frame);
+    const auto* content = std::get_if<Unpacked>(&unpacked);
+    const auto received = content ? commandOf(*content) : std::nullopt;
+    return received ? std::optional(received->command) : std::nullopt;
+}
+
 }  // namespace
 
 CanSource::CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options)
@@ -81,19 +98,31 @@ void CanSource::work()
         const auto frame = link_.send(*unsent_, now);
         if (bus_->send(std::get<CanFrame>(frame))) unsent_.reset();
     }
-    for (const CanFrame& frame : link_.tick(now))
-        (void)bus_->send(frame);  // counted by the bus; none of these is worth a second try
+    for (const CanFrame& frame : link_.tick(now)) {
+        const Status left = bus_->send(frame);  // counted by the bus
+        const auto command = commandIn(frame);
+        if (command && safety(*command) > 0) remember(*command, static_cast<bool>(left));
+    }
+}
+
+// What the gate lets through is the operator's newest word and takes the place of what is still to be sent,
+// unless that makes safer.  What moves or releases passes the gate only once a stop no longer stands.
+void CanSource::remember(const Command& command, bool left)
+{
+    const int level = safety(command);
+    if (unsent_ && level != 0 && level < safety(*unsent_)) return;
+    unsent_.reset();
+    if (!left && level != 0) unsent_ = command;
 }
 
 Status CanSource::send(const Command& command)
 {
     if (std::string why = whyNotTransmitting(); !why.empty()) return Error{std::move(why), 0};
     const std::scoped_lock lock(mutex_);
-    unsent_.reset();
     const auto sent = link_.send(command, steadyNow());
     if (const auto* refusal = std::get_if<GateRefusal>(&sent)) return Error{describe(*refusal), 0};
     Status left = bus_->send(std::get<CanFrame>(sent));
-    if (!left && makesSafe(command)) unsent_ = command;
+    remember(command, static_cast<bool>(left));
     return left;
 }
 

@@ -37,8 +37,8 @@ public:
     std::string name() const override;
     Result<std::optional<Sample>> next(std::chrono::milliseconds patience) override;
 
-    /// Leaves in the calling thread, at once.  Stop, Halt and the like are tried again in next() until they
-    /// have left; nothing else is.
+    /// Leaves in the calling thread, at once.  Stop, Halt and the like, and disarming, are tried again in next()
+    /// until they have left, a stop whatever is said after it but its release; nothing else is.
     Status send(const Command& command) override;
 
     // From the GUI thread, see ConsoleLink.
@@ -55,6 +55,7 @@ private:
     std::string trouble() const;
     std::optional<Sample> takePending();
     void work();
+    void remember(const Command& command, bool left);
 
     std::unique_ptr<CanBus> bus_;
     Options options_;
@@ -63,7 +64,7 @@ private:
 
     mutable std::mutex mutex_;  // guards what follows
     ConsoleLink link_;
-    std::optional<Command> unsent_;  ///< the newest command that makes safe and has not left yet
+    std::optional<Command> unsent_;  ///< the safest command that has not left yet
 };
 
 /// Why the operator cannot begin to arm now, in words; empty where it is possible.

@@ -131,6 +131,27 @@ TEST_F(Link, bringsAStopOutAsSoonAsTheBusIsBack)
     EXPECT_TRUE(does(RobotActivity::Stopped));
 }
 
+TEST_F(Link, bringsAStopOutWhateverWasSaidAfterIt)
+{
+    arm();
+    bus.setState(BusState::Down, "console");
+    EXPECT_FALSE(source.send(StopCommand{}));
+    EXPECT_FALSE(source.send(DriveCommand{0.1})) << "refused by the gate";
+    EXPECT_FALSE(source.send(HaltCommand{})) << "a stop is more than that";
+    bus.setState(BusState::Up, "console");
+    EXPECT_TRUE(does(RobotActivity::Stopped));
+}
+
+TEST_F(Link, bringsADisarmingOutAsSoonAsTheBusIsBack)
+{
+    arm();
+    bus.setState(BusState::BusOff, "console");  // hears, but cannot say anything
+    source.disarm();
+    ASSERT_TRUE(is(ArmingPhase::Disarmed));
+    bus.setState(BusState::Up, "console");  // before the robot misses a heartbeat
+    EXPECT_TRUE(eventually([&] { return !source.view().link.robot->armed; }, 5.0));
+}
+
 TEST_F(Link, showsThatTheBusIsDown)
 {
     bus.setState(BusState::Down, "console");
