@@ -95,13 +95,17 @@ std::variant<CanFrame, GateRefusal> ConsoleLink::send(const Command& command, do
     // Before the gate: what the operator no longer wants ends even where the frame does not get out.
     driving_.reset();
     if (std::holds_alternative<StopCommand>(command)) stopLatched_ = true;
-    if (std::holds_alternative<ReleaseStopCommand>(command)) stopLatched_ = false;
+    const bool releases = std::holds_alternative<ReleaseStopCommand>(command);
 
     const FrameKind kind = kindOf(command);
     std::uint8_t& counter = counters_[static_cast<std::size_t>(kind)];
     const std::uint8_t epoch = listener_.status() ? listener_.status()->epoch : std::uint8_t{0};
     const CanFrame frame = frameOf(command, epoch, counter);
-    const GateRefusal refusal = judge(frame, gateView(now), options_.gate);
+    GateView view = gateView(now);
+    if (releases) view.stopLatched = false;  // it is what is to be released
+    const GateRefusal refusal = judge(frame, view, options_.gate);
+    if (releases && (refusal == GateRefusal::None || refusal == GateRefusal::NotStopped))
+        stopLatched_ = false;
     if (endsApproval(command)) approved_.reset();
     if (refusal != GateRefusal::None) return refusal;
     ++counter;

@@ -56,7 +56,8 @@ public:
     void approve(int bin, double now);
 
     /// The frame of a command, or why it may not leave.  A drive goes on in tick() until another command.
-    /// Stop latches until ReleaseStop is sent.  Arming is not for here but for wantArming.
+    /// Stop latches until ReleaseStop is sent, or refused because a robot over a good link is not stopped.
+    /// Arming is not for here but for wantArming.
     std::variant<CanFrame, GateRefusal> send(const Command& command, double now);
 
     /// What is due; to be called at least every 20 ms.

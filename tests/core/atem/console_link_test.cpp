@@ -257,6 +257,27 @@ TEST_F(Wire, stopWorksDisarmedAndLatchesUntilReleased)
     EXPECT_EQ(phase(), ArmingPhase::Disarmed) << "a release arms nothing";
 }
 
+TEST_F(Wire, releaseThatDidNotLeaveReleasesNothing)
+{
+    arm();
+    cut = true;
+    pass(1.0);
+    command(StopCommand{});
+    EXPECT_NE(command(ReleaseStopCommand{}), GateRefusal::None) << "there is no link";
+    EXPECT_TRUE(console.stopLatched());
+}
+
+TEST_F(Wire, stopThatTheRobotKnowsNothingOfIsReleasedHere)
+{
+    arm();
+    cut = true;
+    command(StopCommand{});
+    cut = false;
+    pass(2.0);
+    EXPECT_EQ(command(ReleaseStopCommand{}), GateRefusal::NotStopped);
+    EXPECT_FALSE(console.stopLatched());
+}
+
 TEST_F(Wire, damagedStopStopsToo)
 {
     arm();
