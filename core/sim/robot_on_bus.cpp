@@ -124,8 +124,12 @@ std::vector<CanFrame> RobotOnBus::tick(double now)
 void RobotOnBus::haltForSilence(CommandReceiver::Silence silence)
 {
     if (silence == CommandReceiver::Silence::None) return;
-    if (silence == CommandReceiver::Silence::OfConsole) exploring_ = false;
-    if (robot_.activity() != RobotActivity::Stopped) robot_.command(HaltCommand{});
+    const RobotActivity activity = robot_.activity();
+    const bool ofDrive = silence == CommandReceiver::Silence::OfDrive;
+    if (ofDrive && activity != RobotActivity::Driving)
+        return;  // something else has ended the drive
+    if (!ofDrive) exploring_ = false;
+    if (activity != RobotActivity::Stopped) robot_.command(HaltCommand{});
 }
 
 void RobotOnBus::live(double dt)

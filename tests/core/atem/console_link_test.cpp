@@ -278,6 +278,18 @@ TEST_F(Wire, stopThatTheRobotKnowsNothingOfIsReleasedHere)
     EXPECT_FALSE(console.stopLatched());
 }
 
+TEST_F(Wire, flippersPressThoughTheLastDriveRunsOutMeanwhile)
+{
+    arm();
+    ASSERT_EQ(command(DriveCommand{0.3}), GateRefusal::None);
+    pass(0.3);
+    ASSERT_EQ(command(BeginAtemCommand{}), GateRefusal::None);
+    pass(0.1);
+    ASSERT_EQ(command(PressCommand{18.0}), GateRefusal::None);
+    pass(0.3);
+    EXPECT_EQ(activity(), RobotActivity::Pressing);
+}
+
 TEST_F(Wire, damagedStopStopsToo)
 {
     arm();
