@@ -478,6 +478,8 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
         if (!keys->isAutoRepeat()) exploration_->stop();
         return true;
     }
+    // A key that is held is let go wherever that happens: over a menu, in a dialog, with Ctrl held.
+    if (!press && !keys->isAutoRepeat()) keyReleased(keys->key());
     const auto* widget = static_cast<QWidget*>(object);
     if (widget->window() != this || QApplication::activeModalWidget()
         || QApplication::activePopupWidget())

@@ -252,6 +252,24 @@ TEST_F(Console, drivingEndsWhenTheWindowLosesTheFocus)
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
 
+TEST_F(Console, drivingEndsWhereverTheKeyIsLetGo)
+{
+    open(fastRobot(robot, 2.0));
+    ASSERT_TRUE(readyToExplore());
+    QTest::keyPress(window.get(), Qt::Key_W);
+    ASSERT_TRUE(robotIs(RobotActivity::Driving));
+    QTest::keyRelease(window.get(), Qt::Key_W, Qt::ControlModifier);
+    EXPECT_TRUE(robotIs(RobotActivity::Halted)) << "with another key held";
+
+    QTest::keyPress(window.get(), Qt::Key_W);
+    ASSERT_TRUE(robotIs(RobotActivity::Driving));
+    QMenu* menu = window->header()->qualityButton()->menu();
+    menu->popup(window->mapToGlobal(QPoint(10, 10)));
+    QTest::keyRelease(menu, Qt::Key_W);
+    EXPECT_TRUE(robotIs(RobotActivity::Halted)) << "over a menu";
+    menu->hide();
+}
+
 TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
 {
     open(fastRobot(robot, 2.1));
