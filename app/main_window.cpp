@@ -235,7 +235,7 @@ void MainWindow::redraw(double now)
 {
     redrawn_ = now;
     showLink(now, latest_);
-    showArming();
+    showArming(now);
     showTerrain(latest_);
     showProbe();
     // A preview takes a telemetry's time: its progress would only flicker.
@@ -246,12 +246,20 @@ void MainWindow::redraw(double now)
     QList<Precondition> preconditions = exploration_->preconditions();
     if (panel_) preconditions << panel_->precondition(now);
     atem_->setPreconditions(preconditions);
-    drive_->setBlocked(exploration_->whyNotDriving());
+    const QString whyNot = exploration_->whyNotDriving();
+    drive_->setBlocked(whyNot.isEmpty() ? panelForbids(now) : whyNot);
 }
 
 void MainWindow::tickPanel(double now)
 {
     if (panel_) panel_->tick(now, atem_->requestButton()->isEnabled());
+}
+
+QString MainWindow::panelForbids(double now) const
+{
+    if (!panel_) return {};
+    const Precondition panel = panel_->precondition(now);
+    return panel.level == Precondition::Level::Met ? QString() : panel.text;
 }
 
 void MainWindow::releaseStop()
@@ -315,14 +323,14 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
     }
 }
 
-void MainWindow::showArming()
+void MainWindow::showArming(double now)
 {
     if (!link_) return;
     const CanView view = link_->view();
     const QString whyNot = QString::fromStdString(whyNotArming(view));
     if (!view.transmits) return header_->arming()->setListening(whyNot);
     const ArmingState& state = view.link.arming;
-    header_->arming()->setState(state, whyNot);
+    header_->arming()->setState(state, whyNot.isEmpty() ? panelForbids(now) : whyNot);
     if (state.phase == armingWas_) return;
     if (state.phase == ArmingPhase::Armed)
         events_->add(tr("the robot is armed"), Weight::Note, QTime::currentTime());

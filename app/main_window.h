@@ -70,7 +70,9 @@ private:
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
     void showLink(double now, const std::optional<Received>& latest);
-    void showArming();
+    void showArming(double now);
+    QString
+    panelForbids(double now) const;  ///< why nothing may be set in motion; empty: it does not
     void tickPanel(double now);
     void releaseStop();
     void showTerrain(const std::optional<Received>& latest);

@@ -17,6 +17,7 @@
 #include "tests/support/robot_on_memory_bus.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
+#include "widgets/drive_pad.h"
 #include "widgets/event_list.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
@@ -203,6 +204,17 @@ TEST_F(PanelConsole, stopLatchesUntilPanelAndWindowReleaseIt)
     QTest::keyRelease(window.get(), Qt::Key_R);
 }
 
+TEST_F(PanelConsole, stopThatIsPressedFromTheStartForbidsToDrive)
+{
+    board.close(PanelContact::Stop, false);
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    QTest::qWait(200);
+    EXPECT_FALSE(window->drivePad()->forwardButton()->isEnabled());
+    board.close(PanelContact::Stop, true);
+    EXPECT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
+}
+
 TEST_F(PanelConsole, lossOfThePanelStops)
 {
     openSimulated();
@@ -225,7 +237,12 @@ TEST_F(PanelConsole, robotOnABusIsDisarmedWithThePanel)
                                     CanSource::Options{.mode = CanSource::Mode::Transmit});
     o.link = source.get();
     o.source = std::move(source);
+    board.close(PanelContact::Stop, false);
     show(std::move(o));
+    ASSERT_TRUE(eventually([&] { return whyNotArming(window->link()->view()).empty(); }));
+    QTest::qWait(100);
+    EXPECT_FALSE(window->header()->arming()->armButton()->isEnabled()) << "STOP is pressed";
+    board.close(PanelContact::Stop, true);
     window->header()->arming()->confirmButton()->setHoldTime(100);
     ASSERT_TRUE(eventually([&] { return window->header()->arming()->armButton()->isEnabled(); }));
     QTest::qWait(600);
