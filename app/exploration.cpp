@@ -15,6 +15,7 @@ namespace {
 constexpr double kPitchChange = 0.06;    // [rad]
 constexpr double kFlipperChange = 0.05;  // [rad]
 constexpr double kRepeatStop = 0.2;      // [s]
+constexpr double kReleaseFor = 5.0;      // [s] a release of STOP is tried
 constexpr int kLiveDraws = 200;          // enough for what a glance asks of a preview
 
 }  // namespace
@@ -115,6 +116,10 @@ void Exploration::halt()
 
 void Exploration::stop()
 {
+    if (const std::string why = link_ ? link_->view().whyNotTransmitting : ""; !why.empty()) {
+        emit happened(tr("STOP not sent: %1").arg(QString::fromStdString(why)), Weight::Bad);
+        return;  // nothing is stopped, so nothing must look so
+    }
     command(StopCommand{});
     stopSent_ = now_;
     pending_.stop = true;
@@ -126,7 +131,7 @@ void Exploration::releaseStop()
 {
     if (state_.phase != AtemPhase::Stopped) return;
     releasing_ = true;
-    stopSent_ = now_;
+    releaseBegan_ = stopSent_ = now_;
     command(ReleaseStopCommand{});
     emit happened(tr("STOP released by the operator"), Weight::Doubt);
 }
@@ -197,6 +202,10 @@ void Exploration::look(AtemInput& in)
     if (state_.phase == AtemPhase::Stopped) {
         const bool latched = m.activity == RobotActivity::Stopped;
         if (answered() && releasing_ && !latched) in.stopReleased = true;
+        if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
+            releasing_ = false;  // a word of the operator's that old is none
+            emit happened(tr("the robot did not release STOP: hold R again"), Weight::Bad);
+        }
         if (now_ - stopSent_ >= kRepeatStop && latched == releasing_) {
             stopSent_ = now_;
             if (releasing_)

@@ -115,7 +115,7 @@ private:
 
     bool driving_ = false;
     bool releasing_ = false;
-    double stopSent_ = 0.0;
+    double stopSent_ = 0.0, releaseBegan_ = 0.0;  ///< [s]
 
     std::optional<CapturedScene> scene_;
     std::uint64_t movedAt_ = 0;  ///< count of the telemetry that first looked like a move

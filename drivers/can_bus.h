@@ -14,7 +14,8 @@ namespace terratact {
 /// A frame and how it came here.
 struct BusFrame {
     CanFrame frame;
-    double time = 0.0;  ///< [s] steady clock; when the kernel received it, or a replay was due to bring it
+    double time =
+        0.0;  ///< [s] steady clock; when the kernel received it, or a replay was due to bring it
     double wallTime = 0.0;  ///< [s] since 1970, the kernel's stamp: for logs, never for deadlines
     bool echo = false;      ///< sent by this very bus object: it has left
     bool local = false;     ///< sent by a process of this computer (an echo is, too)

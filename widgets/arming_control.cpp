@@ -60,6 +60,8 @@ void ArmingControl::setListening(const QString& why)
 
 void ArmingControl::pressKey()
 {
+    constexpr qint64 kRepeat = 40;  // [ms]
+    if (released_.isValid() && released_.elapsed() < kRepeat && !confirm_->isHeld()) return;
     if (confirm_->isVisible()) return confirm_->hold();
     for (QPushButton* button : {arm_, disarm_})
         if (button->isVisible() && button->isEnabled()) return button->click();
@@ -68,6 +70,7 @@ void ArmingControl::pressKey()
 void ArmingControl::releaseKey()
 {
     confirm_->letGoSoon();
+    released_.start();
 }
 
 }  // namespace terratact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include "core/atem/arming.h"
@@ -26,7 +27,8 @@ public:
     HoldToConfirmButton* confirmButton() const { return confirm_; }
     QPushButton* disarmButton() const { return disarm_; }
 
-    /// What the window-wide key means at this moment.
+    /// What the window-wide key means at this moment.  A press right after a release is no second action: some X
+    /// servers repeat a held key like that.
     void pressKey();
     void releaseKey();
 
@@ -39,6 +41,7 @@ private:
     QPushButton* arm_ = nullptr;
     HoldToConfirmButton* confirm_ = nullptr;
     QPushButton* disarm_ = nullptr;
+    QElapsedTimer released_;
 };
 
 }  // namespace terratact

@@ -323,6 +323,20 @@ TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)
     EXPECT_EQ(phase(), AtemPhase::Idle);
 }
 
+TEST_F(Bench, releaseThatTheRobotDoesNotFollowIsForgotten)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->releaseStop();
+    tick(130);  // 5.2 s
+    const int sentSoFar = sent<ReleaseStopCommand>();
+    EXPECT_TRUE(events.join('\n').contains("hold R again"));
+    tick(50);
+    EXPECT_EQ(sent<ReleaseStopCommand>(), sentSoFar);
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
 TEST_F(Bench, stopDuringAReleaseWins)
 {
     exploration->stop();

@@ -249,6 +249,7 @@ TEST_F(PanelConsole, robotOnABusIsDisarmedWithThePanel)
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(
         eventually([&] { return window->header()->arming()->confirmButton()->isVisible(); }));
+    QTest::qWait(60);  // a second action, not a repeated key
     QTest::keyPress(window.get(), Qt::Key_M);
     const auto phase = [&] { return window->link()->view().link.arming.phase; };
     ASSERT_TRUE(eventually([&] { return phase() == ArmingPhase::Armed; }));
