@@ -1,7 +1,6 @@
 #include "core/atem/probe_grounds.h"
 
 #include <concepts>
-#include <type_traits>
 
 #include "core/learn/canonical_bytes.h"
 #include "core/learn/sha256.h"
@@ -12,9 +11,7 @@ namespace {
 template <class T>
 void add(CanonicalBytes& bytes, T value)
 {
-    if constexpr (std::is_enum_v<T>)
-        bytes.add(static_cast<std::uint64_t>(value));
-    else if constexpr (std::floating_point<T>)
+    if constexpr (std::floating_point<T>)
         bytes.add(static_cast<double>(value));
     else
         bytes.add(static_cast<std::uint64_t>(value));
