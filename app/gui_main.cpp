@@ -127,37 +127,42 @@ std::unique_ptr<MeasurementSource> simulated(const RobotModel& robot, const Terr
                                        arguments.screenshot.empty() ? 1.0 : kDemoSpeed);
 }
 
-Result<std::unique_ptr<CanSource>> onBus(const RobotModel& robot, const Arguments& arguments)
+Result<std::unique_ptr<CanBus>> openBus(const Arguments& arguments)
 {
+    if (!arguments.replay.empty()) {
+        auto log = CandumpReplay::open(arguments.replay, {.speed = arguments.speed});
+        if (!log) return log.error();
+        return std::unique_ptr<CanBus>(std::move(*log));
+    }
     auto bus = SocketCan::open({.interface = arguments.can, .transmit = arguments.transmit});
     if (!bus) return bus.error();
     if (const std::string warning = (*bus)->warning(); !warning.empty())
         std::fprintf(stderr, "terratact-console: %s\n", warning.c_str());
-    std::random_device device;
-    return std::make_unique<CanSource>(
-        std::move(*bus), robot,
-        CanSource::Options{.mode = arguments.transmit ? CanSource::Mode::Transmit
-                                                      : CanSource::Mode::Listen,
-                           .link = {.seed = (std::uint64_t{device()} << 32U) | device()}});
+    return std::unique_ptr<CanBus>(std::move(*bus));
 }
 
-Result<std::unique_ptr<CanSource>> replayed(const RobotModel& robot, const Arguments& arguments)
+std::unique_ptr<CanSource> onBus(std::unique_ptr<CanBus> bus, const RobotModel& robot,
+                                 const Arguments& arguments)
 {
-    auto log = CandumpReplay::open(arguments.replay, {.speed = arguments.speed});
-    if (!log) return log.error();
-    return std::make_unique<CanSource>(std::move(*log), robot,
-                                       CanSource::Options{.mode = CanSource::Mode::Replay});
+    using Mode = CanSource::Mode;
+    const Mode mode = !arguments.replay.empty() ? Mode::Replay
+                    : arguments.transmit        ? Mode::Transmit
+                                                : Mode::Listen;
+    std::random_device device;
+    const std::uint64_t seed = (std::uint64_t{device()} << 32U) | device();
+    return std::make_unique<CanSource>(std::move(bus), robot,
+                                       CanSource::Options{.mode = mode, .link = {.seed = seed}});
 }
 
 /// Where telemetry comes from and commands go to.
 Status connect(MainWindow::Options& options, const Arguments& arguments)
 {
     if (!arguments.can.empty() || !arguments.replay.empty()) {
-        auto source = arguments.can.empty() ? replayed(options.robot, arguments)
-                                            : onBus(options.robot, arguments);
-        if (!source) return source.error();
-        options.link = source->get();
-        options.source = std::move(*source);
+        auto bus = openBus(arguments);
+        if (!bus) return bus.error();
+        auto source = onBus(std::move(*bus), options.robot, arguments);
+        options.link = source.get();
+        options.source = std::move(source);
     } else {
         const auto terrain = terrainFrom(arguments.terrain);
         if (!terrain) return terrain.error();
