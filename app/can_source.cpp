@@ -12,15 +12,6 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kTurn{10};  // half the period of a drive
 
-// Of commands that make safe: a higher one does all that a lower one does.  0: makes nothing safe.
-int safety(const Command& command)
-{
-    if (std::holds_alternative<StopCommand>(command)) return 4;
-    if (const auto* arm = std::get_if<ArmCommand>(&command)) return arm->armed ? 0 : 3;
-    if (std::holds_alternative<AbortAtemCommand>(command)) return 2;
-    return std::holds_alternative<HaltCommand>(command) ? 1 : 0;
-}
-
 std::optional<Command> commandIn(const CanFrame& frame)
 {
     const auto unpacked = unpack(frame);

@@ -1,5 +1,6 @@
 #include "app/panel_reader.h"
 
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -27,10 +28,23 @@ void PanelReader::read(const std::stop_token& stop)
             const std::scoped_lock lock(mutex_);
             lamps = lamps_;
         }
-        const PanelReport report = panel_->poll(lamps, OperatorPanel::kPeriod);
+        const PanelReport report = look(lamps);
         if (report.state.stop && !stopped) stopRobot(report);
         stopped = report.state.stop;
         take(report);
+    }
+}
+
+PanelReport PanelReader::look(const LampState& lamps)
+{
+    try {
+        return panel_->poll(lamps, OperatorPanel::kPeriod);
+    } catch (const std::exception& error) {
+        std::this_thread::sleep_for(
+            OperatorPanel::kPeriod);  // a panel that fails at once takes no core
+        PanelReport lost;
+        lost.trouble = error.what();
+        return lost;
     }
 }
 

@@ -33,13 +33,14 @@ using Command = std::variant<StopCommand, ReleaseStopCommand, HaltCommand, Drive
                              PressCommand, ProbeCommand, ArmCommand, BeginAtemCommand,
                              AbortAtemCommand, HoldFlippersCommand, AdvanceCommand>;
 
-/// Can only make a robot safer: obeyed in any state and any epoch, tried again until it has left.
-inline bool makesSafe(const Command& command)
+/// Above 0 for what can only make a robot safer, which is obeyed in any state and any epoch and tried again
+/// until it has left.  A higher one does all that a lower one does.
+inline int safety(const Command& command)
 {
-    if (const auto* arm = std::get_if<ArmCommand>(&command)) return !arm->armed;
-    return std::holds_alternative<StopCommand>(command)
-        || std::holds_alternative<HaltCommand>(command)
-        || std::holds_alternative<AbortAtemCommand>(command);
+    if (std::holds_alternative<StopCommand>(command)) return 4;
+    if (const auto* arm = std::get_if<ArmCommand>(&command)) return arm->armed ? 0 : 3;
+    if (std::holds_alternative<AbortAtemCommand>(command)) return 2;
+    return std::holds_alternative<HaltCommand>(command) ? 1 : 0;
 }
 
 }  // namespace terratact

@@ -71,7 +71,7 @@ CommandReceiver::Answer CommandReceiver::judge(const Unpacked& content,
                                                const ReceivedCommand& received, double now)
 {
     Answer answer{.kind = content.kind, .counter = content.counter};
-    if (!makesSafe(received.command)) {
+    if (safety(received.command) == 0) {
         std::optional<CommandVerdict> refusal = refusalOf(content.kind, received, now);
         if (!refusal) refusal = outOfOrder(content);
         if (refusal) {
@@ -115,7 +115,7 @@ void CommandReceiver::obey(const Command& command, double now)
         armed_ = arm->armed;
         return;
     }
-    if (makesSafe(command)) lastDrive_.reset();
+    if (safety(command) > 0) lastDrive_.reset();
     if (std::holds_alternative<DriveCommand>(command)) lastDrive_ = now;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include "app/main_window.h"
@@ -45,6 +46,12 @@ public:
         const std::scoped_lock lock(mutex_);
         gone_ = true;
     }
+    /// From now on reading it throws.
+    void breakDown()
+    {
+        const std::scoped_lock lock(mutex_);
+        broken_ = true;
+    }
     bool lit(std::size_t lamp) const
     {
         const std::scoped_lock lock(mutex_);
@@ -66,6 +73,7 @@ private:
         {
             std::this_thread::sleep_for(2ms);
             const std::scoped_lock lock(board_.mutex_);
+            if (board_.broken_) throw std::runtime_error("the board is on fire");
             if (board_.gone_) return Error{"the chip is gone", ENODEV};
             return std::exchange(board_.edges_, {});
         }
@@ -91,7 +99,7 @@ private:
     PerContact<bool> closed_{.values = {false, false, false, true}};  // STOP is normally closed
     GpioEdges edges_;
     std::array<bool, kPanelOutputs> lit_{};
-    bool gone_ = false;
+    bool gone_ = false, broken_ = false;
 };
 
 struct PanelConsole : testing::Test {
@@ -220,6 +228,15 @@ TEST_F(PanelConsole, lossOfThePanelStops)
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
     board.unplug();
+    EXPECT_TRUE(reaches(AtemPhase::Stopped));
+    EXPECT_TRUE(eventually([&] { return !window->atemPanel()->requestButton()->isEnabled(); }));
+}
+
+TEST_F(PanelConsole, panelThatThrowsIsALostPanelAndEndsNothingElse)
+{
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    board.breakDown();
     EXPECT_TRUE(reaches(AtemPhase::Stopped));
     EXPECT_TRUE(eventually([&] { return !window->atemPanel()->requestButton()->isEnabled(); }));
 }

@@ -94,6 +94,16 @@ struct Link : testing::Test {
         for (int i = 0; i < frames; ++i, now += 0.05) receive(++last);
         now -= 0.05;
     }
+    /// The first frame of a window has come.
+    void expectGoodAfterNineMore()
+    {
+        now += 0.05;
+        receiveGood(8);
+        EXPECT_EQ(receiver.state(now), LinkState::Starting);
+        now += 0.05;
+        receiveGood(1);
+        EXPECT_EQ(receiver.state(now), LinkState::Good);
+    }
     E2eReceiver receiver{kId};
     double now = 100.0;
     int last = 0;
@@ -105,12 +115,7 @@ TEST_F(Link, isGoodAfterAWindowOfGoodFramesAndNotBefore)
     EXPECT_FALSE(receiver.age(now));
     receiveGood(1);
     EXPECT_EQ(receiver.state(now), LinkState::Starting);
-    now += 0.05;
-    receiveGood(8);
-    EXPECT_EQ(receiver.state(now), LinkState::Starting);
-    now += 0.05;
-    receiveGood(1);
-    EXPECT_EQ(receiver.state(now), LinkState::Good);
+    expectGoodAfterNineMore();
 }
 
 TEST_F(Link, judgesEveryStepOfTheCounter)
@@ -204,12 +209,7 @@ TEST_F(Link, needsAWholeWindowAgainAfterItWasLost)
     now += 0.3;
     last += 100;
     EXPECT_EQ(receive(++last), FrameCheck::Ok) << "a sender that has begun anew is no error";
-    now += 0.05;
-    receiveGood(8);
-    EXPECT_EQ(receiver.state(now), LinkState::Starting);
-    now += 0.05;
-    receiveGood(1);
-    EXPECT_EQ(receiver.state(now), LinkState::Good);
+    expectGoodAfterNineMore();
 }
 
 TEST_F(Link, countsItsLimitsThemselvesAsInTime)
