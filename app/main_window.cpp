@@ -5,12 +5,14 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QStackedWidget>
 #include <QTime>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "app/page.h"
 #include "core/terrain/body_ceiling.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -21,6 +23,7 @@
 #include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
+#include "widgets/navigation_rail.h"
 #include "widgets/probe_card.h"
 #include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
@@ -102,7 +105,35 @@ void MainWindow::build()
     banner_->setObjectName(QStringLiteral("banner"));
     banner_->setVisible(false);
 
-    auto* terrainCard = new Card(tr("Terrain under the robot"), this);
+    rail_ = new NavigationRail(this);
+    pages_ = new QStackedWidget(this);
+    pages_->addWidget(terrainPage());
+    rail_->addPage(tr("Terrain"), Qt::Key_F2,
+                   tr("The terrain under the robot, exploring it, and the arm"));
+    connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
+
+    auto* below = new QHBoxLayout;
+    below->setSpacing(0);
+    below->addWidget(rail_);
+    below->addWidget(pages_, 1);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(header_);
+    all->addWidget(banner_);
+    all->addLayout(below, 1);
+}
+
+void MainWindow::addPage(Page* page, const QString& name, Qt::Key key, const QString& tip)
+{
+    pages_->addWidget(page);
+    rail_->addPage(name, key, tip);
+}
+
+QWidget* MainWindow::terrainPage()
+{
+    auto* page = new QWidget(this);
+    auto* terrainCard = new Card(tr("Terrain under the robot"), page);
     strip_ = new EstimateStrip(terrainCard);
     terrain_ = new TerrainProfileView(terrainCard);
     terrainCard->note()->hide();
@@ -111,10 +142,10 @@ void MainWindow::build()
     terrainCard->body()->addWidget(strip_->warnings());
     terrainCard->body()->addWidget(terrain_, 1);
 
-    atem_ = new AtemPanel(this);
-    probe_ = new ProbeCard(this);
+    atem_ = new AtemPanel(page);
+    probe_ = new ProbeCard(page);
 
-    auto* forceCard = new Card(tr("Front flipper forces [N]"), this);
+    auto* forceCard = new Card(tr("Front flipper forces [N]"), page);
     forces_ = new ForceBars(forceCard);
     const double threshold = exploration_->options().settings.forceThreshold;
     forces_->setThreshold(threshold);
@@ -122,7 +153,7 @@ void MainWindow::build()
     setTone(*forceCard->note(), Tone::Bad);
     forceCard->body()->addWidget(forces_, 1);
 
-    auto* robotCard = new Card(tr("Robot"), this);
+    auto* robotCard = new Card(tr("Robot"), page);
     robotAge_ = robotCard->note();
     robotAge_->setAccessibleName(tr("Age of the telemetry"));
     readout_ = new RobotReadout(robotCard);
@@ -130,7 +161,7 @@ void MainWindow::build()
     robotCard->body()->addWidget(readout_, 1);
     robotCard->body()->addWidget(drive_);
 
-    auto* eventCard = new Card(tr("Last minutes"), this);
+    auto* eventCard = new Card(tr("Last minutes"), page);
     events_ = new EventList(eventCard);
     eventCard->body()->addWidget(events_, 1);
 
@@ -149,17 +180,12 @@ void MainWindow::build()
     lower->addWidget(eventCard, 10);
     for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_}) card->setFixedWidth(404);
 
-    auto* content = new QVBoxLayout;
+    auto* content = new QVBoxLayout(page);
     content->setContentsMargins(12, 10, 12, 10);
     content->setSpacing(10);
     content->addLayout(upper, 17);
     content->addLayout(lower, 6);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
-    all->addWidget(header_);
-    all->addWidget(banner_);
-    all->addLayout(content, 1);
+    return page;
 }
 
 void MainWindow::offerQualities(const std::vector<PresetCost>& presets)
@@ -248,6 +274,7 @@ void MainWindow::redraw(double now)
     atem_->setPreconditions(preconditions);
     const QString whyNot = exploration_->whyNotDriving();
     drive_->setBlocked(whyNot.isEmpty() ? panelForbids(now) : whyNot);
+    if (auto* page = qobject_cast<Page*>(pages_->currentWidget())) page->refresh(now);
 }
 
 void MainWindow::tickPanel(double now)
@@ -441,6 +468,10 @@ void MainWindow::showHelp()
 
 bool MainWindow::keyPressed(int key)
 {
+    if (const int page = rail_->pageOf(key); page >= 0) {
+        rail_->choose(page);
+        return true;
+    }
     switch (key) {
     case Qt::Key_A:
         if (atem_->requestButton()->isEnabled()) exploration_->request();

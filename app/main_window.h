@@ -12,6 +12,7 @@
 #include "core/eval/tradeoff.h"
 
 class QLabel;
+class QStackedWidget;
 
 namespace terratact {
 
@@ -21,6 +22,8 @@ class DrivePad;
 class EstimateStrip;
 class EventList;
 class ForceBars;
+class NavigationRail;
+class Page;
 class ProbeCard;
 class RobotReadout;
 class StatusHeader;
@@ -59,6 +62,7 @@ public:
     StatusHeader* header() const { return header_; }
     TerrainProfileView* terrain() const { return terrain_; }
     EstimateStrip* strip() const { return strip_; }
+    NavigationRail* rail() const { return rail_; }
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -66,6 +70,8 @@ protected:
 
 private:
     void build();
+    QWidget* terrainPage();
+    void addPage(Page* page, const QString& name, Qt::Key key, const QString& tip);
     void connectAll();
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
@@ -95,6 +101,8 @@ private:
 
     // Qt's parents own the widgets.
     StatusHeader* header_ = nullptr;
+    NavigationRail* rail_ = nullptr;
+    QStackedWidget* pages_ = nullptr;
     QLabel* banner_ = nullptr;
     QLabel* help_ = nullptr;
     EstimateStrip* strip_ = nullptr;

@@ -13,7 +13,7 @@ ArmingControl::ArmingControl(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Arming"));
     arm_ = new QPushButton(this);
     arm_->setProperty("role", "quiet");
-    confirm_ = new HoldToConfirmButton(tr("hold to arm (M)"), palette::kDoubt, this);
+    confirm_ = new HoldToConfirmButton(tr("hold to arm (M)"), theme().doubt, this);
     confirm_->setAccessibleName(tr("Hold to arm the robot"));
     confirm_->setToolTip(tr("Within 5 s; then commands from here move the robot"));
     confirm_->setHoldTime(1000);

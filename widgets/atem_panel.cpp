@@ -51,7 +51,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     request_->setFocusPolicy(Qt::TabFocus);
     abort_ = new QPushButton(tr("Abort (Esc)"), this);
     abort_->setFocusPolicy(Qt::TabFocus);
-    release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), palette::kDoubt, this);
+    release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), theme().doubt, this);
     release_->setAccessibleName(tr("Hold to release STOP"));
     release_->setToolTip(tr("Lets commands through again; the robot does not move by itself"));
 

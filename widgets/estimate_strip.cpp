@@ -54,7 +54,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     cancel_->setFocusPolicy(Qt::TabFocus);
     cancel_->setToolTip(tr("Ends the estimate and the exploration"));
 
-    setFixedHeight(palette::kTarget);
+    setFixedHeight(kTarget);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);

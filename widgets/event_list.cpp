@@ -19,11 +19,11 @@ void EventList::add(const QString& text, Weight weight, QTime at)
 {
     constexpr int kMost = 500;
     static const QString kMarks[]{QString(), QStringLiteral("! "), QStringLiteral("✘ ")};
-    static constexpr QColor kColours[]{palette::kText, palette::kDoubt, palette::kBad};
+    const QColor colours[]{theme().text, theme().doubt, theme().bad};
     const auto level = static_cast<std::size_t>(weight);
     auto* item =
         new QListWidgetItem(at.toString(QStringLiteral("HH:mm:ss  ")) + kMarks[level] + text);
-    item->setForeground(kColours[level]);
+    item->setForeground(colours[level]);
     insertItem(0, item);
     while (count() > kMost) delete takeItem(count() - 1);
 }

@@ -31,7 +31,7 @@ public:
     {
         const QRectF bar = column.toRect().normalized();
         painter->save();
-        painter->fillRect(bar, touching_ ? palette::kContact : palette::kForce);
+        painter->fillRect(bar, touching_ ? theme().contact : theme().force);
         if (touching_) painter->fillRect(bar, QBrush(QColor(255, 255, 255, 110), Qt::BDiagPattern));
         painter->restore();
     }
@@ -82,7 +82,7 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
     frame->setFrameStyle(QFrame::NoFrame);
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
     setCanvas(frame);
-    setCanvasBackground(palette::kCard);
+    setCanvasBackground(theme().card);
     plotLayout()->setAlignCanvasToScales(true);
     plotLayout()->setCanvasMargin(0);
     QFont small = font();
@@ -90,8 +90,8 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
     for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
         setAxisFont(axis, small);
         QPalette colours = axisWidget(axis)->palette();
-        colours.setColor(QPalette::Text, palette::kMuted);
-        colours.setColor(QPalette::WindowText, palette::kCardBorder);
+        colours.setColor(QPalette::Text, theme().muted);
+        colours.setColor(QPalette::WindowText, theme().cardBorder);
         axisWidget(axis)->setPalette(colours);
         axisWidget(axis)->setMargin(0);
     }
@@ -107,7 +107,7 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
 
     auto* grid = new QwtPlotGrid;
     grid->enableX(false);
-    grid->setMajorPen(palette::kGrid, 1.0);
+    grid->setMajorPen(theme().grid, 1.0);
     grid->attach(this);
 
     chart_ = new ForceChart;
@@ -116,7 +116,7 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
 
     thresholdLine_ = new QwtPlotMarker;
     thresholdLine_->setLineStyle(QwtPlotMarker::HLine);
-    thresholdLine_->setLinePen(palette::kBad, 1.5, Qt::DashLine);
+    thresholdLine_->setLinePen(theme().bad, 1.5, Qt::DashLine);
     thresholdLine_->setZ(20.0);
     thresholdLine_->attach(this);
 
@@ -204,9 +204,9 @@ void ForceBars::show()
         face.setPixelSize(13);
         face.setBold(touching(element));
         label.setFont(face);
-        label.setColor(touching(element) ? palette::kContact : palette::kMuted);
+        label.setColor(touching(element) ? theme().contact : theme().muted);
         // Above the threshold line too, which would strike it out.
-        label.setBackgroundBrush(palette::kCard);
+        label.setBackgroundBrush(theme().card);
         numbers_[i]->setValue(element, std::max(height, threshold_));
         numbers_[i]->setLabel(label);
         spoken << tr("element %1: %2 N%3")

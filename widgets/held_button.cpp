@@ -153,7 +153,7 @@ void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
         painter.fillRect(QRectF(done.right() - 3, area.top(), 3, area.height()), Qt::white);
         painter.setClipping(false);
     }
-    painter.setPen(QPen(hasFocus() ? palette::kText : colour_.darker(130), hasFocus() ? 2.5 : 1.0));
+    painter.setPen(QPen(hasFocus() ? theme().text : colour_.darker(130), hasFocus() ? 2.5 : 1.0));
     if (!isEnabled()) painter.setPen(QColor(0xd5, 0xdd, 0xe5));
     painter.drawPath(shape);
     painter.setPen(isEnabled() ? QColor(Qt::white) : QColor(0x5d, 0x6a, 0x77));

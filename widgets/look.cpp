@@ -14,7 +14,6 @@ namespace {
 
 QString styleSheet()
 {
-    using namespace palette;
     QString sheet = QStringLiteral(R"(
 QToolTip { color: @text; background: #fffbe6; border: 1px solid @border; padding: 4px; }
 QFrame[card="true"] { background: @card; border: 1px solid @border; border-radius: 6px; }
@@ -44,6 +43,14 @@ QPushButton[role="stop"]:pressed { background: #8e0f0f; }
 QPushButton[role="stop"]:focus { border: 3px solid @source; }
 QPushButton[latched="true"] { background: #7d0b0b; border: 2px dashed #ffffff; }
 
+QFrame#navigationRail { background: @header; }
+QFrame#navigationRail QPushButton { background: transparent; color: @headertext; border: none; padding: 4px 6px;
+                                    min-width: 78px; min-height: 40px; }
+QFrame#navigationRail QPushButton:hover { background: #33444f; }
+QFrame#navigationRail QPushButton:checked { background: #33444f; color: @source; border-left: 4px solid @source;
+                                            font-weight: bold; padding-left: 2px; }
+QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
+
 QFrame#statusHeader { background: @header; }
 QFrame#statusHeader QPushButton[role="quiet"] { background: #33444f; color: @headertext; border-color: #4d606d; }
 QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: #b4c0c9; border-color: #46565f; }
@@ -64,21 +71,21 @@ QListWidget { background: @card; border: none; color: @text; }
 QListWidget::item { padding: 2px 0; }
 )");
     const std::pair<const char*, QString> words[]{
-        {"@headertext", kHeaderText.name()},
-        {"@header", kHeader.name()},
-        {"@text", kText.name()},
-        {"@muted", kMuted.name()},
-        {"@card", kCard.name()},
-        {"@border", kCardBorder.name()},
-        {"@good", kGood.name()},
-        {"@doubt", kDoubt.name()},
-        {"@bad", kBad.name()},
-        {"@accent", kAccent.name()},
-        {"@button", kButton.name()},
-        {"@down", kButtonDown.name()},
-        {"@contact", kContact.name()},
-        {"@stop", kStop.name()},
-        {"@source", kSource.name()},
+        {"@headertext", theme().headerText.name()},
+        {"@header", theme().header.name()},
+        {"@text", theme().text.name()},
+        {"@muted", theme().muted.name()},
+        {"@card", theme().card.name()},
+        {"@border", theme().cardBorder.name()},
+        {"@good", theme().good.name()},
+        {"@doubt", theme().doubt.name()},
+        {"@bad", theme().bad.name()},
+        {"@accent", theme().accent.name()},
+        {"@button", theme().button.name()},
+        {"@down", theme().buttonDown.name()},
+        {"@contact", theme().contact.name()},
+        {"@stop", theme().stop.name()},
+        {"@source", theme().source.name()},
         {"@target", QString::number(kTarget - 10)},
     };
     for (const auto& [word, value] : words) sheet.replace(QLatin1String(word), value);
@@ -87,18 +94,24 @@ QListWidget::item { padding: 2px 0; }
 
 }  // namespace
 
+const Theme& theme()
+{
+    static const Theme day;
+    return day;
+}
+
 void applyLook(QApplication& application)
 {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QPalette colours;
-    colours.setColor(QPalette::Window, palette::kWindow);
-    colours.setColor(QPalette::WindowText, palette::kText);
-    colours.setColor(QPalette::Base, palette::kCard);
-    colours.setColor(QPalette::Text, palette::kText);
-    colours.setColor(QPalette::Button, palette::kButton);
-    colours.setColor(QPalette::ButtonText, palette::kText);
-    colours.setColor(QPalette::Highlight, palette::kContact);
-    colours.setColor(QPalette::ToolTipText, palette::kText);
+    colours.setColor(QPalette::Window, theme().window);
+    colours.setColor(QPalette::WindowText, theme().text);
+    colours.setColor(QPalette::Base, theme().card);
+    colours.setColor(QPalette::Text, theme().text);
+    colours.setColor(QPalette::Button, theme().button);
+    colours.setColor(QPalette::ButtonText, theme().text);
+    colours.setColor(QPalette::Highlight, theme().contact);
+    colours.setColor(QPalette::ToolTipText, theme().text);
     QApplication::setPalette(colours);
     QFont font = QApplication::font();
     font.setPixelSize(14);

@@ -56,7 +56,7 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     after_ = row(tr("gives"), Tone::Plain);
     cost_ = row(tr("costs"), Tone::Strong);
     rows->setRowStretch(rows->rowCount(), 1);
-    approve_ = new HoldToConfirmButton(QString(), palette::kAccent, question);
+    approve_ = new HoldToConfirmButton(QString(), theme().accent, question);
     approve_->setToolTip(
         tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing"));
     refuse_ = new QPushButton(tr("Refuse (N)"), question);

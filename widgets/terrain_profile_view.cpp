@@ -110,9 +110,9 @@ public:
         QwtGraphic icon;
         icon.setDefaultSize(QSizeF(26, 16));
         QPainter painter(&icon);
-        painter.setPen(QPen(palette::kSampled, 3.0));
+        painter.setPen(QPen(theme().sampled, 3.0));
         painter.drawLine(QPointF(1, 8), QPointF(25, 8));
-        painter.setPen(QPen(palette::kSampled, 2.0));
+        painter.setPen(QPen(theme().sampled, 2.0));
         painter.drawLine(QPointF(13, 1), QPointF(13, 15));
         painter.drawLine(QPointF(8, 1), QPointF(18, 1));
         painter.drawLine(QPointF(8, 15), QPointF(18, 15));
@@ -131,7 +131,7 @@ public:
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
               const QRectF& canvas) const override
     {
-        painter->setPen(palette::kGrid);
+        painter->setPen(theme().grid);
         for (int bin = 0; bin <= kBins; ++bin) {
             const double px = std::round(x.transform(binBegin(bin))) + 0.5;
             painter->drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
@@ -160,17 +160,17 @@ public:
             const double from = std::round(x.transform(binBegin(static_cast<int>(i))));
             const double to = std::round(x.transform(binEnd(static_cast<int>(last))));
             const QRectF zone(from, canvas.top(), to - from, canvas.height());
-            QColor fill = palette::kPriorZone;
+            QColor fill = theme().priorZone;
             fill.setAlpha(0xc0);
             painter->fillRect(zone, fill);
-            painter->setPen(palette::kDoubt);
+            painter->setPen(theme().doubt);
             painter->setFont(font);
             const QString label = QStringLiteral("prior only");
             const double width = painter->fontMetrics().horizontalAdvance(label);
             QRectF place(zone.center().x() - width / 2.0 - 2.0, zone.top() + 5.0, width + 4.0,
                          20.0);
             place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
-            painter->fillRect(place, palette::kPriorZone);
+            painter->fillRect(place, theme().priorZone);
             painter->drawText(place, Qt::AlignCenter, label);
         }
     }
@@ -192,13 +192,13 @@ public:
         const double px = std::round(x.transform(at)) + 0.5;
         const double top = canvas.top() + 28.0;
         painter->setFont(scaled(plot()->font(), 14, true));
-        painter->setPen(palette::kAccent);
+        painter->setPen(theme().accent);
         const QString label = QStringLiteral("▼ probe");
         const double width = painter->fontMetrics().horizontalAdvance(label) + 4.0;
         QRectF place(px - 8.0, top, width, 20.0);
         place.moveLeft(std::min(place.left(), canvas.right() - width));
         painter->drawText(place, Qt::AlignLeft | Qt::AlignVCenter, label);
-        QPen dashes(palette::kAccent, 2.0, Qt::CustomDashLine);
+        QPen dashes(theme().accent, 2.0, Qt::CustomDashLine);
         dashes.setDashPattern({4.0, 3.0});
         painter->setPen(dashes);
         const double bottom = std::max(y.transform(down) - 12.0, top + 34.0);
@@ -215,7 +215,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
     setCanvas(frame);
     frame->installEventFilter(this);
-    setCanvasBackground(palette::kCard);
+    setCanvasBackground(theme().card);
     setAutoFillBackground(false);
     plotLayout()->setAlignCanvasToScales(true);
     plotLayout()->setCanvasMargin(0);
@@ -226,8 +226,8 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
         setAxisFont(axis, small);
         QPalette colours = axisWidget(axis)->palette();
-        colours.setColor(QPalette::Text, palette::kMuted);
-        colours.setColor(QPalette::WindowText, palette::kMuted);
+        colours.setColor(QPalette::Text, theme().muted);
+        colours.setColor(QPalette::WindowText, theme().muted);
         axisWidget(axis)->setPalette(colours);
         axisWidget(axis)->setMargin(0);
     }
@@ -235,8 +235,8 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
     axisWidget(QwtPlot::xBottom)->setMinBorderDist(22, 22);
     axisWidget(QwtPlot::yLeft)->setMinBorderDist(10, 10);
-    setAxisTitle(QwtPlot::xBottom, text(tr("forward from the IMU [m]"), palette::kMuted, small));
-    setAxisTitle(QwtPlot::yLeft, text(tr("height above the IMU [m]"), palette::kMuted, small));
+    setAxisTitle(QwtPlot::xBottom, text(tr("forward from the IMU [m]"), theme().muted, small));
+    setAxisTitle(QwtPlot::yLeft, text(tr("height above the IMU [m]"), theme().muted, small));
 
     auto* key = new QwtLegend;
     key->setFont(small);
@@ -249,7 +249,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
 
     auto* grid = new QwtPlotGrid;
     grid->enableX(false);
-    grid->setMajorPen(palette::kGrid, 1.0);
+    grid->setMajorPen(theme().grid, 1.0);
     grid->setZ(0.5);
     grid->attach(this);
     (new BinBorders)->attach(this);
@@ -264,14 +264,13 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
         item->attach(this);
         return item;
     };
-    QPen ceilingPen(palette::kCeiling, 1.5, Qt::DotLine);
+    QPen ceilingPen(theme().ceiling, 1.5, Qt::DotLine);
     ceilings_ = line(ceilingPen, 12.0, tr("ceiling"));
-    QPen soft(palette::kSampled, 2.5, Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
+    QPen soft(theme().sampled, 2.5, Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
     soft.setDashPattern({2.5, 2.5});
     meanPrior_ = line(soft, 20.0, {});
-    mean_ =
-        line(QPen(palette::kSampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin), 21.0, {});
-    truthLine_ = line(QPen(palette::kTruth, 1.2), 19.0, tr("truth (simulation)"));
+    mean_ = line(QPen(theme().sampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin), 21.0, {});
+    truthLine_ = line(QPen(theme().truth, 1.2), 19.0, tr("truth (simulation)"));
 
     struct Look {
         QString name;
@@ -279,13 +278,13 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
         QwtSymbol* mark;
     };
     const std::array<Look, kKinds> looks{{
-        {tr("sampled"), palette::kSampled,
-         symbol(QwtSymbol::Ellipse, palette::kSampled, palette::kSampled, 10)},
-        {tr("prior only"), palette::kPrior,
-         symbol(QwtSymbol::Diamond, palette::kPrior, palette::kCard, 14)},
-        {tr("contact"), palette::kContact,
-         symbol(QwtSymbol::Rect, palette::kContact, palette::kContact, 11)},
-        {tr("arm"), palette::kArm, symbol(QwtSymbol::Triangle, palette::kArm, palette::kArm, 13)},
+        {tr("sampled"), theme().sampled,
+         symbol(QwtSymbol::Ellipse, theme().sampled, theme().sampled, 10)},
+        {tr("prior only"), theme().prior,
+         symbol(QwtSymbol::Diamond, theme().prior, theme().card, 14)},
+        {tr("contact"), theme().contact,
+         symbol(QwtSymbol::Rect, theme().contact, theme().contact, 11)},
+        {tr("arm"), theme().arm, symbol(QwtSymbol::Triangle, theme().arm, theme().arm, 13)},
     }};
     for (const std::size_t kind : {Contact, Arm, Sampled, PriorOnly}) {
         auto* bar = new QwtPlotIntervalCurve;
@@ -311,9 +310,9 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     }
 
     auto* imu = new QwtPlotMarker;
-    imu->setSymbol(symbol(QwtSymbol::Ellipse, palette::kText, palette::kText, 7));
+    imu->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, 7));
     imu->setValue(0.0, 0.0);
-    imu->setLabel(text(tr("IMU"), palette::kMuted, scaled(font(), 12)));
+    imu->setLabel(text(tr("IMU"), theme().muted, scaled(font(), 12)));
     imu->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
     imu->setSpacing(6);
     imu->setRenderHint(QwtPlotItem::RenderAntialiased);
@@ -337,14 +336,14 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
 void TerrainProfileView::setEstimate(const TerrainEstimate& estimate, const QString& note)
 {
     estimate_ = estimate;
-    showNote(note, palette::kDoubt);
+    showNote(note, theme().doubt);
     showEstimate();
 }
 
 void TerrainProfileView::clearEstimate(const QString& why)
 {
     estimate_.reset();
-    showNote(why, palette::kMuted);
+    showNote(why, theme().muted);
     showEstimate();
 }
 
@@ -433,14 +432,14 @@ void TerrainProfileView::setOutline(const Outline& outline)
             if (!path.isEmpty()) path.closeSubpath();
             QColor fill;
             switch (outline[i].kind) {
-            case OutlinePart::Kind::Body: fill = palette::kRobotBody; break;
-            case OutlinePart::Kind::Track: fill = palette::kRobotTrack; break;
+            case OutlinePart::Kind::Body: fill = theme().robotBody; break;
+            case OutlinePart::Kind::Track: fill = theme().robotTrack; break;
             case OutlinePart::Kind::FrontFlipper:
-            case OutlinePart::Kind::RearFlipper: fill = palette::kRobotFlipper; break;
+            case OutlinePart::Kind::RearFlipper: fill = theme().robotFlipper; break;
             }
             fill.setAlpha(0xd0);
             robot_[i]->setBrush(fill);
-            robot_[i]->setPen(QPen(palette::kRobotLine, 1.0));
+            robot_[i]->setPen(QPen(theme().robotLine, 1.0));
         }
         robot_[i]->setShape(path);
     }

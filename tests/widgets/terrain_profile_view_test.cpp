@@ -86,10 +86,10 @@ TEST_F(TerrainView, marksStandWhereTheMeansAre)
 {
     TerrainEstimate e = probedEstimate();
     view.setEstimate(e);
-    EXPECT_TRUE(alike(colourAt(view, 0.0, e.height[3]), palette::kSampled));
-    EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), palette::kContact));
-    EXPECT_TRUE(alike(colourAt(view, 0.6, e.height[9]), palette::kArm));
-    EXPECT_TRUE(alike(colourAt(view, 0.7, e.height[10]), palette::kCard))
+    EXPECT_TRUE(alike(colourAt(view, 0.0, e.height[3]), theme().sampled));
+    EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), theme().contact));
+    EXPECT_TRUE(alike(colourAt(view, 0.6, e.height[9]), theme().arm));
+    EXPECT_TRUE(alike(colourAt(view, 0.7, e.height[10]), theme().card))
         << "an open mark: nothing but the prior";
 }
 
@@ -105,9 +105,9 @@ TEST_F(TerrainView, kindsDifferInShapeAndNotOnlyInColour)
             view.pixelOf(binCentre(bin), e.height[static_cast<std::size_t>(bin)]);
         return image.pixelColor((centre + QPointF(-4.5, -4.5)).toPoint());
     };
-    EXPECT_TRUE(alike(upperLeft(8), palette::kContact));
-    EXPECT_FALSE(alike(upperLeft(3), palette::kSampled));
-    EXPECT_FALSE(alike(upperLeft(9), palette::kArm));
+    EXPECT_TRUE(alike(upperLeft(8), theme().contact));
+    EXPECT_FALSE(alike(upperLeft(3), theme().sampled));
+    EXPECT_FALSE(alike(upperLeft(9), theme().arm));
 }
 
 TEST_F(TerrainView, onlyPriorOnlyBinsLieInTheAmberZone)
@@ -125,10 +125,10 @@ TEST_F(TerrainView, onlyPriorOnlyBinsLieInTheAmberZone)
 TEST_F(TerrainView, theRobotIsDrawnInMetresAroundTheImu)
 {
     view.setOutline(square(-0.2, 0.05, 0.2, 0.15));
-    EXPECT_FALSE(alike(colourAt(view, 0.12, 0.13), palette::kCard));
-    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.17), palette::kCard));
+    EXPECT_FALSE(alike(colourAt(view, 0.12, 0.13), theme().card));
+    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.17), theme().card));
     view.setOutline({});
-    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.13), palette::kCard));
+    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.13), theme().card));
 }
 
 TEST_F(TerrainView, theProbeIsMarkedAboveItsBinOnly)
@@ -140,7 +140,7 @@ TEST_F(TerrainView, theProbeIsMarkedAboveItsBinOnly)
         int count = 0;
         for (int y = 0; y < image.height(); ++y)
             for (const int dx : {-1, 0, 1})
-                count += alike(image.pixelColor(px + dx, y), palette::kAccent) ? 1 : 0;
+                count += alike(image.pixelColor(px + dx, y), theme().accent) ? 1 : 0;
         return count;
     };
     EXPECT_EQ(purple(0.6), 0);
@@ -201,7 +201,7 @@ TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
         const QImage image = painted(view);
         ASSERT_FALSE(image.isNull()) << "painting hung on " << bad;
         EXPECT_GT(gui::colours(image), 20);
-        EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), palette::kContact)) << bad;
+        EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), theme().contact)) << bad;
         (void)view.binText(5);
     }
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QWidget>
+
+namespace terratact {
+
+/// A page of the console beside the terrain's.
+class Page : public QWidget {
+    Q_OBJECT
+public:
+    using QWidget::QWidget;
+
+    /// Shows the newest state; called at 25 Hz while the page is visible.  now: [s] on the steady clock.
+    virtual void refresh(double now) = 0;
+};
+
+}  // namespace terratact

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QFrame>
+#include <QList>
+
+class QPushButton;
+class QVBoxLayout;
+
+namespace terratact {
+
+/// The pages of the console, one button each, at the left edge.  Exactly one is chosen, by click or by its key,
+/// which stands below its name.
+class NavigationRail final : public QFrame {
+    Q_OBJECT
+public:
+    explicit NavigationRail(QWidget* parent = nullptr);
+
+    /// The first page that is added is the chosen one.
+    void addPage(const QString& name, Qt::Key key, const QString& tip);
+    void choose(int page);
+    int chosen() const { return chosen_; }
+    int pages() const { return static_cast<int>(buttons_.size()); }
+    int pageOf(int key) const;  ///< −1: the key means no page
+    QPushButton* button(int page) const { return buttons_.at(page); }
+
+signals:
+    void pageChosen(int page);
+
+private:
+    QVBoxLayout* column_ = nullptr;
+    QList<QPushButton*> buttons_;
+    QList<int> keys_;
+    int chosen_ = -1;
+};
+
+}  // namespace terratact
