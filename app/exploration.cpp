@@ -469,8 +469,7 @@ QList<Precondition> Exploration::preconditions() const
     if (latest_) {
         const Measurement& m = latest_->sample.measurement;
         const Settings& settings = options_.settings;
-        const double asymmetry =
-            std::max(std::abs(m.frontLeft - m.frontRight), std::abs(m.rearLeft - m.rearRight));
+        const double asymmetry = flipperAsymmetry(m);
         if (std::abs(m.roll) > settings.rollLimit)
             list << Precondition{
                 Level::Doubtful,

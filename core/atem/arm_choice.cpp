@@ -1,6 +1,6 @@
 #include "core/atem/arm_choice.h"
 
-#include "core/atem/probe_gain.h"
+#include "core/infer/obstacle.h"
 
 namespace terratact {
 
@@ -26,6 +26,21 @@ std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel
     if (!widest || isOfPaper(estimate.settings.method) || estimate.draws.empty()) return widest;
     const auto best = bestProbe(estimate, robot, robot.armSd, kAnyStep);
     return best ? best->bin : widest;
+}
+
+ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit)
+{
+    ProbeAdvice advice;
+    advice.stepLimit = stepLimit;
+    advice.bin = proposeProbe(estimate, robot);
+    if (!advice.bin || estimate.draws.empty()) return advice;
+    advice.before = uncertainty(estimate, stepLimit, kFirstAhead);
+    advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead);
+    std::erase_if(advice.gains, [&](const ProbeGain& gain) {
+        return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;
+    });
+    if (!isOfPaper(estimate.settings.method)) advice.bin = advice.gains.front().bin;
+    return advice;
 }
 
 }  // namespace terratact

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "core/atem/probe_gain.h"
 #include "core/infer/estimate.h"
 #include "core/robot/robot_model.h"
 
@@ -16,5 +18,16 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
 /// methods, and for the others the bin whose reading is expected to reduce the sum of all variances most
 /// (probe_gain.h): the rule that settles scenes with fewer probes, see docs/evaluation.md.
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
+
+/// What a probe would buy, for the operator to decide on.
+struct ProbeAdvice {
+    std::optional<int> bin;  ///< chooseProbe(); without it the rest is empty
+    Uncertainty before;      ///< of a step ahead of more than stepLimit
+    std::vector<ProbeGain>
+        gains;               ///< of the sampled bins in reach, the best first; empty without draws
+    double stepLimit = 0.0;  ///< [m]
+    bool operator==(const ProbeAdvice&) const = default;
+};
+ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit);
 
 }  // namespace terratact

@@ -16,7 +16,7 @@ constexpr std::size_t kReadings = 48;
 /// Draws of all bins with what is asked of them.
 class Draws {
 public:
-    Draws(const std::vector<Heights>& heights, double stepLimit)
+    Draws(const std::vector<Heights>& heights, double stepLimit, int firstBin)
         : heights_(heights), centred_(heights)
     {
         Heights mean{};
@@ -26,7 +26,7 @@ public:
         step_.reserve(heights.size());
         squares_.reserve(heights.size());
         for (Heights& h : centred_) {
-            step_.push_back(hasStep(h, stepLimit) ? 1.0 : 0.0);
+            step_.push_back(hasStep(h, stepLimit, firstBin) ? 1.0 : 0.0);
             double square = 0.0;
             for (std::size_t i = 0; i < kBins; ++i) {
                 h[i] -= mean[i];
@@ -63,6 +63,11 @@ public:
         for (const double m : mean) second -= m * m;
         constexpr double kAlone = 1e-9;
         return 1.0 - alone > kAlone ? std::max(0.0, second) / (1.0 - alone) : 0.0;
+    }
+
+    std::vector<double> equalWeights() const
+    {
+        return std::vector<double>(count(), 1.0 / static_cast<double>(count()));
     }
 
     /// H(w) [nat].
@@ -131,27 +136,42 @@ ProbeGain expectedAfter(const Draws& draws, int bin, double armSd)
     return after;
 }
 
+Draws drawsOf(const TerrainEstimate& estimate, double stepLimit, int firstBin)
+{
+    if (!(stepLimit >= 0.0) || !std::isfinite(stepLimit))
+        throw std::invalid_argument("probeGains: stepLimit must be finite and 0 m or more");
+    if (firstBin < 0 || firstBin >= kBins - 1)
+        throw std::invalid_argument("probeGains: no such pair of bins");
+    if (estimate.draws.empty()) throw std::invalid_argument("probeGains: no draws");
+    return {estimate.draws, stepLimit, firstBin};
+}
+
+Uncertainty uncertaintyOf(const Draws& draws)
+{
+    const std::vector<double> equal = draws.equalWeights();
+    return {draws.variance(equal), draws.entropy(equal)};
+}
+
 }  // namespace
 
+Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int firstBin)
+{
+    return uncertaintyOf(drawsOf(estimate, stepLimit, firstBin));
+}
+
 std::vector<ProbeGain> probeGains(const TerrainEstimate& estimate, const RobotModel& robot,
-                                  double armSd, double stepLimit)
+                                  double armSd, double stepLimit, int firstBin)
 {
     if (!(armSd > 0.0) || !std::isfinite(armSd))
         throw std::invalid_argument("probeGains: armSd must be finite and above 0 m");
-    if (!(stepLimit >= 0.0) || !std::isfinite(stepLimit))
-        throw std::invalid_argument("probeGains: stepLimit must be finite and 0 m or more");
-    if (estimate.draws.empty()) throw std::invalid_argument("probeGains: no draws");
-
-    const Draws draws(estimate.draws, stepLimit);
-    const std::vector<double> equal(draws.count(), 1.0 / static_cast<double>(draws.count()));
-    const double variance = draws.variance(equal);
-    const double entropy = draws.entropy(equal);
+    const Draws draws = drawsOf(estimate, stepLimit, firstBin);
+    const Uncertainty before = uncertaintyOf(draws);
     std::vector<ProbeGain> gains;
     for (int bin = 0; bin < kBins; ++bin) {
         if (!robot.armReaches(bin)) continue;
         const ProbeGain after = expectedAfter(draws, bin, armSd);
-        gains.push_back(
-            {bin, variance - after.varianceReduction, entropy - after.entropyReduction});
+        gains.push_back({bin, before.variance - after.varianceReduction,
+                         before.entropy - after.entropyReduction});
     }
     std::stable_sort(gains.begin(), gains.end(), [](const ProbeGain& a, const ProbeGain& b) {
         return a.varianceReduction > b.varianceReduction;

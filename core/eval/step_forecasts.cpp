@@ -11,8 +11,6 @@
 namespace terratact {
 namespace {
 
-constexpr int kFirstAhead = 6;  // bin +0.3, the left one of the first pair
-
 int firstBin(StepPlace place)
 {
     return place == StepPlace::Ahead ? kFirstAhead : 0;

@@ -14,6 +14,9 @@ struct StepProbability {
     bool operator==(const StepProbability&) const = default;
 };
 
+/// The rear bin of the first pair that counts as ahead of the robot: +0.3 m.
+inline constexpr int kFirstAhead = 6;
+
 /// Share p of draws in which some neighbours (i, i+1) of firstBin … lastBin differ by more than `limit`,
 ///   p = #{d : max_i |h_{i+1} − h_i| > limit} / n,   monteCarloSd = √(p (1 − p) / n_eff).
 /// limit: [m].  effectiveDraws: n_eff, independent draws that say as much as these n.

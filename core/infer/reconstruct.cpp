@@ -68,12 +68,10 @@ void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& m)
     if (std::abs(m.roll) > settings.rollLimit)
         estimate.warnings.push_back(fmt::format(
             "roll {:.1f}°: the ground is not the same left and right", m.roll * 57.29577951));
-    const double front = std::abs(m.frontLeft - m.frontRight);
-    const double rear = std::abs(m.rearLeft - m.rearRight);
-    if (std::max(front, rear) > settings.asymmetryLimit)
+    if (flipperAsymmetry(m) > settings.asymmetryLimit)
         estimate.warnings.push_back(fmt::format(
             "left and right flippers differ by {:.1f}°: the ground is not the same left and right",
-            std::max(front, rear) * 57.29577951));
+            flipperAsymmetry(m) * 57.29577951));
 }
 
 }  // namespace terratact

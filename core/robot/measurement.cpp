@@ -1,5 +1,7 @@
 #include "core/robot/measurement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace terratact {
@@ -43,6 +45,11 @@ Proprioception proprioception(const Measurement& m)
     s.rearCurrent = (m.rearLeftCurrent + m.rearRightCurrent) / 2.0;
     for (std::size_t i = 0; i < m.force.size(); ++i) s.force[i] = m.force[i];
     return s;
+}
+
+double flipperAsymmetry(const Measurement& m)
+{
+    return std::max(std::abs(m.frontLeft - m.frontRight), std::abs(m.rearLeft - m.rearRight));
 }
 
 }  // namespace terratact

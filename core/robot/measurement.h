@@ -67,4 +67,7 @@ struct Measurement {
 /// Averages left and right.
 Proprioception proprioception(const Measurement& measurement);
 
+/// The larger difference of left and right, of the front and of the rear flippers [rad].
+double flipperAsymmetry(const Measurement& measurement);
+
 }  // namespace terratact

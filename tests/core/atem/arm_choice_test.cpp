@@ -90,11 +90,35 @@ TEST(ChooseProbe, asksForTheBinThatTellsMostWhereTheMethodKnowsIt)
     ASSERT_TRUE(chosen);
     EXPECT_TRUE(*chosen == 8 || *chosen == 9) << *chosen;
 
+    const ProbeAdvice advice = adviseProbe(estimate, robot, 0.1);
+    EXPECT_EQ(advice.bin, chosen);
+    EXPECT_EQ(advice.gains.front().bin, *chosen);
+    EXPECT_NEAR(advice.before.variance, 0.01 + 0.01 + 0.0121, 0.004);
+    EXPECT_GT(advice.gains.front().varianceReduction, 0.5 * advice.before.variance);
+    EXPECT_GT(advice.before.entropy, 0.3);
+    EXPECT_TRUE(std::none_of(advice.gains.begin(), advice.gains.end(),
+                             [](const ProbeGain& g) { return g.bin < 6; }));  // out of reach
+
     estimate.settings.method = Method::Pafc;
     EXPECT_EQ(chooseProbe(estimate, robot), 10);
+    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).bin, 10);
     estimate.settings.method = Method::Local;
     estimate.sd.fill(0.01);
     EXPECT_EQ(chooseProbe(estimate, robot), std::nullopt);
+    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).bin, std::nullopt);
+    EXPECT_TRUE(adviseProbe(estimate, robot, 0.1).gains.empty());
+}
+
+TEST(AdviseProbe, leavesOutWhatIsMeasured)
+{
+    const RobotModel robot = absolem();
+    TerrainEstimate estimate;
+    estimate.draws = {Heights{}, Heights{}, Heights{}};
+    estimate.draws[0][9] = 0.3;
+    estimate.sd[9] = 0.2;
+    estimate.origin[8] = Origin::Contact;
+    for (const ProbeGain& gain : adviseProbe(estimate, robot, 0.1).gains) EXPECT_NE(gain.bin, 8);
+    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).bin, 9);
 }
 
 }  // namespace

@@ -1,0 +1,96 @@
+#include "core/infer/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+constexpr double kLimit = 0.10;
+
+/// 1000 draws, `steps` of which rise by 0.2 m at +0.5 m.
+TerrainEstimate estimateWith(int steps)
+{
+    TerrainEstimate e;
+    e.ess.fill(1000.0);
+    for (int d = 0; d < 1000; ++d) {
+        Heights h{};
+        if (d < steps) h[8] = h[9] = h[10] = 0.2;
+        e.draws.push_back(h);
+    }
+    return e;
+}
+
+Outlook outlook(int steps)
+{
+    return verdictOf(estimateWith(steps), Measurement{}, true, kLimit).outlook;
+}
+
+TEST(Verdict, isClearOrBlockedTwoMonteCarloSdFromTheLimit)
+{
+    // sd of p = 0.038: 0.0060, so that p + 2 sd is 0.0501; of 0.037: 0.0490
+    EXPECT_EQ(outlook(0), Outlook::Clear);
+    EXPECT_EQ(outlook(37), Outlook::Clear);
+    EXPECT_EQ(outlook(38), Outlook::CannotTell);
+    EXPECT_EQ(outlook(500), Outlook::CannotTell);
+    EXPECT_EQ(outlook(962), Outlook::CannotTell);
+    EXPECT_EQ(outlook(963), Outlook::Blocked);
+    EXPECT_EQ(outlook(1000), Outlook::Blocked);
+}
+
+TEST(Verdict, namesTheLikeliestPairAhead)
+{
+    TerrainEstimate e = estimateWith(300);
+    for (Heights& h : e.draws) h[0] = 1.0;  // behind the robot: not asked for
+    const Verdict v = verdictOf(e, Measurement{}, true, kLimit);
+    EXPECT_DOUBLE_EQ(v.step.p, 0.3);
+    EXPECT_EQ(v.likeliest, 7);
+    EXPECT_DOUBLE_EQ(v.likeliestP, 0.3);
+    EXPECT_DOUBLE_EQ(verdictOf(e, Measurement{}, true, 0.25).step.p, 0.0);
+}
+
+TEST(Verdict, isWithheldForEachDoubtByItself)
+{
+    struct Case {
+        Doubt doubt;
+        void (*make)(TerrainEstimate&, Measurement&, bool& heard);
+    };
+    const Case cases[]{
+        {Doubt::Stale, [](TerrainEstimate&, Measurement&, bool& heard) { heard = false; }},
+        {Doubt::NotConverged, [](TerrainEstimate& e, Measurement&, bool&) { e.converged = false; }},
+        {Doubt::UnlikeTraining, [](TerrainEstimate& e, Measurement&, bool&) { e.novelty = 1.01; }},
+        {Doubt::Roll, [](TerrainEstimate&, Measurement& m, bool&) { m.roll = -0.11; }},
+        {Doubt::Asymmetry, [](TerrainEstimate&, Measurement& m, bool&) { m.rearLeft = 0.11; }}};
+    for (const Case& c : cases) {
+        TerrainEstimate e = estimateWith(1000);
+        Measurement m;
+        bool heard = true;
+        c.make(e, m, heard);
+        const Verdict v = verdictOf(e, m, heard, kLimit);
+        EXPECT_EQ(v.outlook, Outlook::CannotTell) << describe(c.doubt);
+        EXPECT_EQ(v.doubts, std::vector{c.doubt});
+        EXPECT_DOUBLE_EQ(v.step.p, 1.0);  // still told
+        EXPECT_FALSE(describe(c.doubt).empty());
+    }
+}
+
+TEST(Verdict, saysNothingWithoutDraws)
+{
+    TerrainEstimate e = estimateWith(0);
+    e.draws.clear();
+    const Verdict v = verdictOf(e, Measurement{}, true, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.step.monteCarloSd, 1.0);
+}
+
+TEST(Verdict, refusesALimitThatIsNone)
+{
+    for (const double limit : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()})
+        EXPECT_THROW(verdictOf(estimateWith(0), Measurement{}, true, limit), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact
