@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/parallel.h"
-#include "core/atem/arm_choice.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
@@ -118,11 +117,12 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
         // Here and not in the window's thread: Qt's painting leaves the upper halves of that thread's vector
         // registers in use, which made this ten times slower there.
-        const auto probe =
-            request.prober ? chooseProbe(estimate, *request.prober) : std::optional<int>();
+        const ProbeAdvice advice = request.prober
+                                     ? adviseProbe(estimate, *request.prober, request.stepLimit)
+                                     : ProbeAdvice{};
         if (overtaken()) return;
         progress_ = -1.0;
-        emit estimated(job, estimate, seconds, probe);
+        emit estimated(job, estimate, seconds, advice);
         return;
     } catch (const Cancelled&) {
         return;

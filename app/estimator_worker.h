@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "core/atem/arm_choice.h"
 #include "core/infer/estimate.h"
+#include "core/infer/obstacle.h"
 #include "core/infer/watch.h"
 #include "core/result.h"
 #include "core/robot/measurement.h"
@@ -22,6 +24,7 @@ struct EstimateRequest {
     std::vector<ArmReading> arm;
     Settings settings;
     std::optional<RobotModel> prober{};  ///< whose arm might probe; empty: that is not asked
+    double stepLimit = kStepLimit;       ///< [m] of the question what a probe would tell
 };
 
 /// Computes an estimate; throws what reconstruct() throws.
@@ -58,9 +61,9 @@ signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
     void modelLoaded(const QString& name, const QString& details);
     void modelFailed(const QString& why);
-    /// seconds: the estimate took.  probe: the bin that the request's prober should touch (arm_choice.h).
+    /// seconds: the estimate took.  advice: what the request's prober should touch, and what that buys.
     void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds,
-                   std::optional<int> probe);
+                   const terratact::ProbeAdvice& advice);
     void failed(int job, const QString& why);
 
 private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/atem/probe_grounds.h"
@@ -35,42 +36,38 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
         modelTrouble_ = why;
         emit happened(why, Weight::Bad);
     });
-    connect(
-        &worker_, &EstimatorWorker::estimated, this,
-        [this](int job, const TerrainEstimate& estimate, double seconds, std::optional<int> bin) {
-            if (job == liveJob_) takeLive(estimate);
-            if (job != job_) return;
-            live_.reset();
-            estimate_ = estimate;
-            estimateSeconds_ = seconds;
-            pending_.estimateReady = true;
-            pending_.probeWanted = bin.has_value();
-            proposal_.reset();
-            if (bin) {
-                const auto i = static_cast<std::size_t>(*bin);
-                proposal_ = ProbeProposal{.id = ++lastProposal_,
-                                          .bin = *bin,
-                                          .height = estimate.height[i],
-                                          .q10 = estimate.q10[i],
-                                          .q90 = estimate.q90[i],
-                                          .sd = estimate.sd[i],
-                                          .limit = estimate.settings.probeAbove,
-                                          .armSd = robot_.armSd,
-                                          .seconds = options_.probeSeconds};
-                proposedOn_ = grounds();
-            }
-            emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
-            for (const std::string& warning : estimate.warnings)
-                emit happened(QString::fromStdString(warning), Weight::Doubt);
-            for (const std::string& sentence : hiddenByBands(estimate))
-                emit happened(QString::fromStdString(sentence), Weight::Note);
-        });
+    connect(&worker_, &EstimatorWorker::estimated, this,
+            [this](int job, const TerrainEstimate& estimate, double seconds,
+                   const ProbeAdvice& advice) {
+                if (job == liveJob_) takeLive(estimate);
+                if (job == secondJob_) second_ = estimate;
+                if (job != job_) return;
+                live_.reset();
+                estimate_ = estimate;
+                estimateSeconds_ = seconds;
+                advice_ = advice;
+                pending_.estimateReady = true;
+                pending_.probeWanted = advice.bin.has_value();
+                proposal_.reset();
+                if (advice.bin) {
+                    proposal_ = proposalFor(*advice.bin);
+                    proposal_->id = ++lastProposal_;
+                    proposedOn_ = grounds();
+                }
+                startSecond();
+                emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
+                for (const std::string& warning : estimate.warnings)
+                    emit happened(QString::fromStdString(warning), Weight::Doubt);
+                for (const std::string& sentence : hiddenByBands(estimate))
+                    emit happened(QString::fromStdString(sentence), Weight::Note);
+            });
     connect(&worker_, &EstimatorWorker::failed, this, [this](int job, const QString& why) {
         if (job == liveJob_) {
             liveJob_ = 0;
             live_.reset();
             whyNoEstimate_ = tr("No live estimate: %1").arg(why);
         }
+        if (job == secondJob_) emit happened(tr("no second estimate: %1").arg(why), Weight::Doubt);
         if (job != job_) return;
         pending_.estimateFailed = true;
         emit happened(tr("estimate failed: %1").arg(why), Weight::Bad);
@@ -99,6 +96,66 @@ void Exploration::approve(quint64 proposal)
 void Exploration::refuse(quint64 proposal)
 {
     if (proposal_ && proposal_->id == proposal) pending_.refused = true;
+}
+
+void Exploration::choose(quint64 proposal, int bin)
+{
+    const auto& ranked = advice_.gains;
+    if (!proposal_ || proposal_->id != proposal
+        || std::none_of(ranked.begin(), ranked.end(),
+                        [bin](const ProbeGain& gain) { return gain.bin == bin; }))
+        return;
+    proposal_ = proposalFor(bin);
+    proposal_->id = ++lastProposal_;
+    proposedOn_ = grounds();
+    emit happened(tr("probe asked for at %1 instead").arg(words::binName(bin)), Weight::Note);
+}
+
+ProbeProposal Exploration::proposalFor(int bin) const
+{
+    const auto i = static_cast<std::size_t>(bin);
+    ProbeProposal proposal{.id = 0,
+                           .bin = bin,
+                           .height = estimate_->height[i],
+                           .q10 = estimate_->q10[i],
+                           .q90 = estimate_->q90[i],
+                           .sd = estimate_->sd[i],
+                           .limit = estimate_->settings.probeAbove,
+                           .armSd = robot_.armSd,
+                           .seconds = options_.probeSeconds,
+                           .stepLimit = advice_.stepLimit,
+                           .bitsBefore = advice_.before.entropy / std::numbers::ln2,
+                           .worth = {},
+                           .others = {}};
+    for (const ProbeGain& gain : advice_.gains) {
+        const ProbeWorth worth{
+            gain.bin, std::clamp(gain.varianceReduction / advice_.before.variance, 0.0, 1.0),
+            std::max(0.0, advice_.before.entropy - gain.entropyReduction) / std::numbers::ln2};
+        if (gain.bin == bin)
+            proposal.worth = worth;
+        else
+            proposal.others.push_back(worth);
+    }
+    return proposal;
+}
+
+void Exploration::setStepLimit(double metres)
+{
+    options_.stepLimit = metres;
+}
+
+void Exploration::setSecondMethod(std::optional<Method> method)
+{
+    secondMethod_ = method;
+    second_.reset();
+    secondJob_ = 0;
+    startSecond();
+}
+
+std::optional<Verdict> Exploration::verdict() const
+{
+    if (!estimate_ || !scene_) return std::nullopt;
+    return verdictOf(*estimate_, scene_->measurement, linkAlive_, options_.stepLimit);
 }
 
 void Exploration::drive(int direction)
@@ -317,7 +374,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Estimating:
         whyNoEstimate_ = tr("Estimating …");
         capture();
-        startEstimate({});
+        startEstimate();
         break;
     case AtemPhase::ProposingProbe:
         note(tr("probe proposed at %1").arg(words::binName(proposal_->bin)));
@@ -375,15 +432,30 @@ void Exploration::capture()
     movedAt_ = 0;
 }
 
-void Exploration::startEstimate(std::vector<ArmReading> arm)
+EstimateRequest Exploration::requestFor(Method method) const
 {
-    liveJob_ = 0;  // this request overtakes it
     Settings settings = options_.settings;
-    if (!arm.empty() && settings.method == Method::Pafc) settings.method = Method::Pafac;
-    job_ = worker_.request({.measurement = scene_->measurement,
-                            .arm = std::move(arm),
-                            .settings = settings,
-                            .prober = robot_});
+    settings.method = !readings_.empty() && method == Method::Pafc ? Method::Pafac : method;
+    return {.measurement = scene_->measurement,
+            .arm = readings_,
+            .settings = settings,
+            .prober = {},
+            .stepLimit = options_.stepLimit};
+}
+
+void Exploration::startEstimate()
+{
+    liveJob_ = secondJob_ = 0;  // this request overtakes them
+    second_.reset();
+    EstimateRequest request = requestFor(options_.settings.method);
+    request.prober = robot_;
+    job_ = worker_.request(request);
+}
+
+void Exploration::startSecond()
+{
+    if (secondMethod_ && estimate_ && scene_)
+        secondJob_ = worker_.request(requestFor(*secondMethod_));
 }
 
 void Exploration::finishProbe()
@@ -397,18 +469,19 @@ void Exploration::finishProbe()
     if (estimate_) ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
     std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
     readings_.push_back(reading);
-    startEstimate(readings_);
+    startEstimate();
 }
 
 void Exploration::cancelEstimate()
 {
     worker_.cancel();
-    job_ = liveJob_ = 0;  // a result already on its way is not ours any more
+    job_ = liveJob_ = secondJob_ = 0;  // a result already on its way is not ours any more
 }
 
 void Exploration::forget(const QString& why)
 {
     estimate_.reset();
+    second_.reset();
     scene_.reset();
     proposal_.reset();
     moved_ = false;

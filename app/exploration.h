@@ -11,6 +11,7 @@
 #include "core/atem/atem_machine.h"
 #include "core/eval/calibration_ledger.h"
 #include "core/infer/quality.h"
+#include "core/infer/verdict.h"
 #include "core/robot/robot_model.h"
 #include "drivers/measurement_source.h"
 #include "widgets/atem_panel.h"
@@ -34,10 +35,11 @@ public:
     struct Options {
         Settings settings;
         AtemLimits limits;
-        double pressTorque = 18.0;    ///< [N m] sum of both front flippers
-        double driveSpeed = 0.2;      ///< [m/s]
-        double linkLostAfter = 0.25;  ///< [s] without telemetry
-        double probeSeconds = 45.0;   ///< what a probe costs, as told to the operator
+        double pressTorque = 18.0;      ///< [N m] sum of both front flippers
+        double driveSpeed = 0.2;        ///< [m/s]
+        double linkLostAfter = 0.25;    ///< [s] without telemetry
+        double probeSeconds = 45.0;     ///< what a probe costs, as told to the operator
+        double stepLimit = kStepLimit;  ///< [m] what counts as an obstacle
     };
 
     /// link: the source again where its robot has to be armed; else null.
@@ -49,6 +51,10 @@ public:
     void abort();
     void approve(quint64 proposal);
     void refuse(quint64 proposal);
+    void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
+    void setStepLimit(double metres);        ///< what counts as an obstacle
+    void
+    setSecondMethod(std::optional<Method> method);  ///< estimated beside the first; empty: none
     void drive(int direction);
     void halt();  ///< ends drive(); does nothing when not driving
     void stop();  ///< goes out at once and again until the robot confirms it
@@ -69,6 +75,16 @@ public:
     /// Every probe beside the band shown before it, since the console started.
     const CalibrationLedger& ledger() const { return ledger_; }
     double estimateSeconds() const { return estimateSeconds_; }
+    /// What the estimate says about driving on, for the limit of now; empty without an estimate.
+    std::optional<Verdict> verdict() const;
+    /// The estimate of a captured scene is under way.
+    bool estimating() const
+    {
+        return state_.phase == AtemPhase::Estimating || state_.phase == AtemPhase::EstimatingAgain;
+    }
+    /// The second method's estimate of the same scene, once there is one.
+    const std::optional<TerrainEstimate>& second() const { return second_; }
+    std::optional<Method> secondMethod() const { return secondMethod_; }
     /// Of telemetry while the flippers still move down, until estimate() stands: a preview by the local method,
     /// as often as the estimator keeps up with the telemetry.
     const std::optional<TerrainEstimate>& live() const { return live_; }
@@ -90,7 +106,10 @@ private:
     bool moved() const;
     void enter(const AtemState& before);
     void capture();
-    void startEstimate(std::vector<ArmReading> arm);
+    void startEstimate();
+    void startSecond();
+    EstimateRequest requestFor(Method method) const;
+    ProbeProposal proposalFor(int bin) const;
     void cancelEstimate();
     void keepLive();
     void takeLive(const TerrainEstimate& estimate);
@@ -123,6 +142,7 @@ private:
     std::optional<TerrainEstimate> estimate_;
     double estimateSeconds_ = 0.0;
     QString whyNoEstimate_;
+    ProbeAdvice advice_;  ///< of the estimate
     std::optional<ProbeProposal> proposal_;
     std::string proposedOn_;  ///< grounds() when it was proposed
     double approvedAt_ = 0.0;
@@ -133,6 +153,10 @@ private:
     bool sawProbing_ = false;
     quint64 lastProposal_ = 0;
     int job_ = 0;
+
+    std::optional<Method> secondMethod_;
+    std::optional<TerrainEstimate> second_;
+    int secondJob_ = 0;
 
     std::optional<TerrainEstimate> live_;
     int liveJob_ = 0;              ///< 0: none under way

@@ -1,10 +1,13 @@
 #include "app/main_window.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QTime>
 #include <QVBoxLayout>
@@ -12,6 +15,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/numbers_page.h"
 #include "app/page.h"
 #include "core/terrain/body_ceiling.h"
 #include "widgets/arming_control.h"
@@ -28,6 +32,7 @@
 #include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
+#include "widgets/verdict_strip.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -65,6 +70,19 @@ QString glance(RobotActivity activity)
     return {};
 }
 
+/// Letters and digits typed there are not commands.
+bool takesText(const QWidget* widget)
+{
+    return widget->inherits("QLineEdit") || widget->inherits("QAbstractSpinBox")
+        || widget->inherits("QTextEdit") || widget->inherits("QPlainTextEdit")
+        || widget->inherits("QComboBox");
+}
+
+bool isFunctionKey(int key)
+{
+    return key >= Qt::Key_F1 && key <= Qt::Key_F12;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Options options)
@@ -80,6 +98,7 @@ MainWindow::MainWindow(Options options)
     build();
     connectAll();
     offerQualities(options.presets);
+    offerViews();
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, &MainWindow::look);
     setFocus();
@@ -110,6 +129,8 @@ void MainWindow::build()
     pages_->addWidget(terrainPage());
     rail_->addPage(tr("Terrain"), Qt::Key_F2,
                    tr("The terrain under the robot, exploring it, and the arm"));
+    numbers_ = new NumbersPage(*exploration_, this);
+    addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
     connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
 
     auto* below = new QHBoxLayout;
@@ -133,11 +154,18 @@ void MainWindow::addPage(Page* page, const QString& name, Qt::Key key, const QSt
 QWidget* MainWindow::terrainPage()
 {
     auto* page = new QWidget(this);
-    auto* terrainCard = new Card(tr("Terrain under the robot"), page);
+    auto* terrainCard = new Card(tr("Terrain"), page);
+    verdict_ = new VerdictStrip(page);
+    verdict_->setLimit(exploration_->options().stepLimit);
+    view_ = new QPushButton(tr("view"), terrainCard);
+    view_->setFocusPolicy(Qt::TabFocus);
+    view_->setToolTip(tr("What else is drawn: draws, a second method"));
+    view_->setAccessibleName(tr("View of the terrain"));
     strip_ = new EstimateStrip(terrainCard);
     terrain_ = new TerrainProfileView(terrainCard);
     terrainCard->note()->hide();
     terrainCard->titleRow()->addWidget(strip_, 1);
+    terrainCard->titleRow()->addWidget(view_);
     terrainCard->titleRow()->addWidget(header_->qualityButton());  // the header has no room
     terrainCard->body()->addWidget(strip_->warnings());
     terrainCard->body()->addWidget(terrain_, 1);
@@ -171,7 +199,11 @@ QWidget* MainWindow::terrainPage()
     decide->addWidget(probe_, 1);
     auto* upper = new QHBoxLayout;
     upper->setSpacing(10);
-    upper->addWidget(terrainCard, 1);
+    auto* ground = new QVBoxLayout;
+    ground->setSpacing(10);
+    ground->addWidget(verdict_);
+    ground->addWidget(terrainCard, 1);
+    upper->addLayout(ground, 1);
     upper->addLayout(decide);
     auto* lower = new QHBoxLayout;
     lower->setSpacing(10);
@@ -186,6 +218,28 @@ QWidget* MainWindow::terrainPage()
     content->addLayout(upper, 17);
     content->addLayout(lower, 6);
     return page;
+}
+
+void MainWindow::offerViews()
+{
+    auto* menu = new QMenu(view_);
+    drawsAction_ = menu->addAction(tr("Some of the draws as thin lines (D)"));
+    drawsAction_->setCheckable(true);
+    connect(drawsAction_, &QAction::toggled, terrain_, &TerrainProfileView::setDrawsShown);
+    menu->addSection(tr("A second method beside it"));
+    auto* group = new QActionGroup(menu);
+    const auto offer = [&](const QString& text, std::optional<Method> method) {
+        QAction* action = menu->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(method == exploration_->secondMethod());
+        group->addAction(action);
+        connect(action, &QAction::triggered, exploration_.get(),
+                [this, method] { exploration_->setSecondMethod(method); });
+    };
+    offer(tr("none"), std::nullopt);
+    for (const Method method : kMethods)
+        if (method != Method::Pafac) offer(words::text(name(method)), method);
+    view_->setMenu(menu);
 }
 
 void MainWindow::offerQualities(const std::vector<PresetCost>& presets)
@@ -227,6 +281,8 @@ void MainWindow::connectAll()
     connect(strip_, &EstimateStrip::cancelled, exploration, &Exploration::abort);
     connect(probe_, &ProbeCard::approved, exploration, &Exploration::approve);
     connect(probe_, &ProbeCard::refused, exploration, &Exploration::refuse);
+    connect(probe_, &ProbeCard::otherChosen, exploration, &Exploration::choose);
+    connect(verdict_, &VerdictStrip::limitChosen, exploration, &Exploration::setStepLimit);
     connect(drive_, &DrivePad::driveRequested, exploration, &Exploration::drive);
     connect(drive_, &DrivePad::haltRequested, exploration, &Exploration::halt);
     const auto note = [this](const QString& text, Weight weight) {
@@ -263,10 +319,10 @@ void MainWindow::redraw(double now)
     showLink(now, latest_);
     showArming(now);
     showTerrain(latest_);
+    showVerdict();
     showProbe();
     // A preview takes a telemetry's time: its progress would only flicker.
-    const bool preview = exploration_->state().phase == AtemPhase::Pressing;
-    strip_->setProgress(preview ? std::nullopt : worker_->progress());
+    strip_->setProgress(exploration_->estimating() ? worker_->progress() : std::nullopt);
     header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
     atem_->setState(exploration_->state(), exploration_->timeLeft());
     QList<Precondition> preconditions = exploration_->preconditions();
@@ -392,6 +448,12 @@ void MainWindow::showTerrain(const std::optional<Received>& latest)
         terrain_->clearEstimate(shownReason_);
         strip_->setNothing(QString());
     }
+    const auto& second = exploration_->second();
+    if (shownSecond_ != second) {
+        shownSecond_ = second;
+        terrain_->setSecond(second,
+                            second ? words::text(name(second->settings.method)) : QString());
+    }
     shownLive_ = live;
     shownEstimate_ = estimate.has_value() && !live;
     if (estimate) shownReason_.clear();
@@ -404,6 +466,21 @@ void MainWindow::showTerrain(const std::optional<Received>& latest)
         terrain_->setTruth(scene ? scene->truth : latest->sample.truth);
         shownCount_ = latest->count;
     }
+}
+
+void MainWindow::showVerdict()
+{
+    const auto verdict = exploration_->verdict();
+    if (!verdict)
+        return verdict_->setNothing(exploration_->live() ? tr("The flippers still move")
+                                                         : exploration_->whyNoEstimate());
+    QString probe;
+    const auto& proposal = exploration_->proposal();
+    if (proposal && proposal->worth)
+        probe = tr("probe at %1: %2 → %3 bit")
+                    .arg(words::binName(proposal->bin), words::number(proposal->bitsBefore, 2),
+                         words::number(proposal->worth->bitsAfter, 2));
+    verdict_->setVerdict(*verdict, probe);
 }
 
 void MainWindow::showProbe()
@@ -449,6 +526,10 @@ void MainWindow::showHelp()
             {tr("A"), tr("explore the terrain")},
             {tr("Space, held"), tr("approve the proposed probe")},
             {tr("N"), tr("refuse it")},
+            {tr("1, 2, 3"), tr("ask for another bin instead")},
+            {tr("PgUp, PgDown"), tr("raise or lower what counts as an obstacle")},
+            {tr("D"), tr("show some of the draws as thin lines")},
+            {tr("F2 … F8"), tr("the pages at the left edge")},
             {tr("Esc"), tr("abort the exploration, or clear its result")},
             {tr("Tab, Space"), tr("go to a button, press it")},
         };
@@ -477,6 +558,14 @@ bool MainWindow::keyPressed(int key)
         if (atem_->requestButton()->isEnabled()) exploration_->request();
         return true;
     case Qt::Key_F1: showHelp(); return true;
+    case Qt::Key_D: drawsAction_->toggle(); return true;
+    case Qt::Key_PageUp: verdict_->raiseButton()->click(); return true;
+    case Qt::Key_PageDown: verdict_->lowerButton()->click(); return true;
+    case Qt::Key_1:
+    case Qt::Key_2:
+    case Qt::Key_3:
+        if (probe_->asks()) probe_->otherButton(static_cast<std::size_t>(key - Qt::Key_1))->click();
+        return true;
     case Qt::Key_Escape:
         if (atem_->abortButton()->isEnabled()) exploration_->abort();
         return true;
@@ -524,6 +613,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
         || QApplication::activePopupWidget())
         return false;
     if (keys->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) return false;
+    if (takesText(widget) && !isFunctionKey(keys->key())) return false;
     // Space means the button that has the focus; only without one it answers the proposal.
     if (keys->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(widget)) return false;
     if (keys->isAutoRepeat()) return keys->key() != Qt::Key_Tab && keys->key() != Qt::Key_Backtab;

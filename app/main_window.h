@@ -11,7 +11,9 @@
 #include "app/panel_control.h"
 #include "core/eval/tradeoff.h"
 
+class QAction;
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 
 namespace terratact {
@@ -27,7 +29,9 @@ class Page;
 class ProbeCard;
 class RobotReadout;
 class StatusHeader;
+class NumbersPage;
 class TerrainProfileView;
+class VerdictStrip;
 
 /// The operator's console: lays the widgets out, shows them the newest state every 40 ms at most and passes on
 /// what the operator does.  It owns the source and everything that runs.
@@ -63,6 +67,9 @@ public:
     TerrainProfileView* terrain() const { return terrain_; }
     EstimateStrip* strip() const { return strip_; }
     NavigationRail* rail() const { return rail_; }
+    NumbersPage* numbers() const { return numbers_; }
+    VerdictStrip* verdict() const { return verdict_; }
+    QPushButton* viewButton() const { return view_; }
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -82,7 +89,9 @@ private:
     void tickPanel(double now);
     void releaseStop();
     void showTerrain(const std::optional<Received>& latest);
+    void showVerdict();
     void showProbe();
+    void offerViews();
     void showHelp();
     void offerQualities(const std::vector<PresetCost>& presets);
     bool keyPressed(int key);
@@ -105,6 +114,10 @@ private:
     QStackedWidget* pages_ = nullptr;
     QLabel* banner_ = nullptr;
     QLabel* help_ = nullptr;
+    VerdictStrip* verdict_ = nullptr;
+    NumbersPage* numbers_ = nullptr;
+    QPushButton* view_ = nullptr;
+    QAction* drawsAction_ = nullptr;
     EstimateStrip* strip_ = nullptr;
     TerrainProfileView* terrain_ = nullptr;
     AtemPanel* atem_ = nullptr;
@@ -117,6 +130,8 @@ private:
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_;
+    std::optional<TerrainEstimate> shownSecond_;
+    std::optional<Verdict> shownVerdict_;
     QString shownReason_;
     bool shownEstimate_ = false;
     bool linkWasAlive_ = false;

@@ -36,7 +36,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     headline_ = new QLabel(this);
     headline_->setAccessibleName(tr("Result"));
     QFont large = headline_->font();
-    large.setPixelSize(17);
+    large.setPixelSize(15);
     large.setBold(true);
     headline_->setFont(large);
     details_ = new QLabel(this);
@@ -76,8 +76,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     const bool doubtful = estimate.sd[at] > estimate.settings.probeAbove;
     const QString bin = words::binName(static_cast<int>(widest));
     const QString sd = words::number(estimate.sd[at], 2);
-    headline_->setText(doubtful ? tr("Uncertain at %1: %2 m ± %3 m")
-                                      .arg(bin, words::signedNumber(estimate.height[at], 2), sd)
+    headline_->setText(doubtful ? tr("Uncertain at %1: ± %2 m").arg(bin, sd)
                                 : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
     headline_->setVisible(true);
     setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);

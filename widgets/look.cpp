@@ -43,6 +43,16 @@ QPushButton[role="stop"]:pressed { background: #8e0f0f; }
 QPushButton[role="stop"]:focus { border: 3px solid @source; }
 QPushButton[latched="true"] { background: #7d0b0b; border: 2px dashed #ffffff; }
 
+QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: 172px; font-size: 19px; font-weight: bold;
+                      color: #ffffff; }
+QLabel#verdictBadge[outlook="clear"] { background: @good; }
+QLabel#verdictBadge[outlook="blocked"] { background: @bad; }
+QLabel#verdictBadge[outlook="open"] { background: @doubt; }
+QLabel#verdictBadge[outlook="none"] { background: @button; color: @muted; }
+QLabel#verdictQuestion { font-size: 16px; font-weight: bold; }
+QPushButton[role="compact"] { padding: 3px 3px; font-size: 13px; }
+QPushButton[role="small"] { padding: 5px 4px; min-width: 26px; font-size: 18px; font-weight: bold; }
+
 QFrame#navigationRail { background: @header; }
 QFrame#navigationRail QPushButton { background: transparent; color: @headertext; border: none; padding: 4px 6px;
                                     min-width: 78px; min-height: 40px; }

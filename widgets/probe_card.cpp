@@ -46,22 +46,37 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
         value->setAccessibleName(name);
         const int at = rows->rowCount();
         rows->addWidget(key, at, 0);
+        questionKey_ = key;
         rows->addWidget(value, at, 1);
         return value;
     };
     where_ = row(tr("where"), Tone::Accent);
     predicted_ = row(tr("predicted"), Tone::Strong);
     band_ = row(tr("80 % band"), Tone::Strong);
-    why_ = row(tr("why"), Tone::Plain);
-    after_ = row(tr("gives"), Tone::Plain);
+    variance_ = row(tr("all bins"), Tone::Strong);
     cost_ = row(tr("costs"), Tone::Strong);
+    question_ = row(tr("step ahead"), Tone::Strong);
     rows->setRowStretch(rows->rowCount(), 1);
+    auto* instead = new QHBoxLayout;
+    instead->setSpacing(6);
+    for (std::size_t i = 0; i < kOthers; ++i) {
+        others_[i] = new QPushButton(question);
+        others_[i]->setFocusPolicy(Qt::TabFocus);
+        others_[i]->setProperty("role", "compact");
+        instead->addWidget(others_[i], 1);
+        connect(others_[i], &QPushButton::clicked, this, [this, i] {
+            if (asks() && i < proposal_->others.size())
+                emit otherChosen(proposal_->id, proposal_->others[i].bin);
+        });
+    }
+    rows->addLayout(instead, rows->rowCount(), 0, 1, 2);
+    rows->setRowMinimumHeight(rows->rowCount(), 4);
     approve_ = new HoldToConfirmButton(QString(), theme().accent, question);
     approve_->setToolTip(
         tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing"));
-    refuse_ = new QPushButton(tr("Refuse (N)"), question);
+    refuse_ = new QPushButton(tr("Do not probe: 0 s, the estimate stays (N)"), question);
     refuse_->setFocusPolicy(Qt::TabFocus);
-    refuse_->setToolTip(tr("Keeps the estimate as it is"));
+    refuse_->setToolTip(tr("Refuses the arm; as good an answer as any other"));
     rows->addWidget(approve_, rows->rowCount(), 0, 1, 2);
     rows->setRowMinimumHeight(rows->rowCount(), 4);
     rows->addWidget(refuse_, rows->rowCount(), 0, 1, 2);
@@ -107,13 +122,42 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     band_->setText(
         tr("%1 … %2 m")
             .arg(words::signedNumber(proposal.q10, 2), words::signedNumber(proposal.q90, 2)));
-    why_->setText(tr("less certain than ± %1 m").arg(words::number(proposal.limit, 2)));
-    after_->setText(tr("this bin to ± %1 m").arg(words::number(proposal.armSd, 2)));
-    cost_->setText(tr("≈ %1 s, arm out in smoke").arg(words::number(proposal.seconds, 0)));
+    showWorth();
     approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));
     approve_->setAccessibleName(
         tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
     pages_->setCurrentIndex(kQuestion);
+}
+
+void ProbeCard::showWorth()
+{
+    const ProbeProposal& p = *proposal_;
+    const auto percent = [](double share) { return words::number(-100.0 * share, 0); };
+    questionKey_->setText(tr("step > %1 m").arg(words::number(p.stepLimit, 2)));
+    cost_->setText(tr("≈ %1 s, arm out in smoke").arg(words::number(p.seconds, 0)));
+    if (p.worth) {
+        const double bits = p.bitsBefore - p.worth->bitsAfter;
+        variance_->setText(tr("total variance %1 %").arg(percent(p.worth->varianceShare)));
+        question_->setText(tr("%1 → %2 bit: %3 a minute")
+                               .arg(words::number(p.bitsBefore, 2),
+                                    words::number(p.worth->bitsAfter, 2),
+                                    words::number(60.0 * bits / p.seconds, 2)));
+    } else {
+        variance_->setText(tr("this bin to ± %1 m").arg(words::number(p.armSd, 2)));
+        question_->setText(tr("not known for this method"));
+    }
+    for (std::size_t i = 0; i < kOthers; ++i) {
+        others_[i]->setVisible(i < p.others.size());
+        if (i >= p.others.size()) continue;
+        const ProbeWorth& other = p.others[i];
+        const QString bin = words::binName(other.bin);
+        others_[i]->setText(tr("%1: %2, %3 %").arg(i + 1).arg(bin, percent(other.varianceShare)));
+        const QString all =
+            tr("Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit")
+                .arg(bin, percent(other.varianceShare), words::number(other.bitsAfter, 2));
+        others_[i]->setToolTip(all);
+        others_[i]->setAccessibleName(all);
+    }
 }
 
 void ProbeCard::setTimeLeft(double seconds)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "widgets/card.h"
 
@@ -13,20 +15,32 @@ namespace terratact {
 
 class HoldToConfirmButton;
 
+/// What touching one bin is expected to buy.
+struct ProbeWorth {
+    int bin = 0;
+    double varianceShare = 0.0;  ///< 0 … 1 of the total variance of all bins, gone
+    double bitsAfter = 0.0;      ///< entropy of the question "is there a step ahead?" [bit]
+    bool operator==(const ProbeWorth&) const = default;
+};
+
 /// A probe as it is put to the operator.  An answer carries the proposal's id, so that it can only
 /// mean what was on the screen.
 struct ProbeProposal {
     quint64 id = 0;
     int bin = 0;
     double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
-    double limit = 0.06;    ///< [m] sd above which the arm is asked for
-    double armSd = 0.03;    ///< [m] sd of what the arm would measure
-    double seconds = 45.0;  ///< what it costs
+    double limit = 0.06;              ///< [m] sd above which the arm is asked for
+    double armSd = 0.03;              ///< [m] sd of what the arm would measure
+    double seconds = 45.0;            ///< what it costs
+    double stepLimit = 0.1;           ///< [m] of the question
+    double bitsBefore = 0.0;          ///< its entropy now [bit]
+    std::optional<ProbeWorth> worth;  ///< of this bin; empty: the method cannot tell
+    std::vector<ProbeWorth> others;   ///< the bins the operator may choose instead, the best first
     bool operator==(const ProbeProposal&) const = default;
 };
 
-/// The card that asks for the arm: where, what is expected there, what it costs, and how long the
-/// question stands.  Approving takes a hold of 1.5 s; refusing a click; no answer means no.
+/// The card that asks for the arm: where, what is expected there, what it buys and costs, what else could be
+/// touched, and how long the question stands.  Approving takes a hold of 1.5 s; refusing a click; no answer means no.
 class ProbeCard final : public Card {
     Q_OBJECT
 public:
@@ -41,23 +55,30 @@ public:
     bool asks() const;  ///< a proposal is on the screen
     HoldToConfirmButton* approveButton() const { return approve_; }
     QPushButton* refuseButton() const { return refuse_; }
+    QPushButton* otherButton(std::size_t i) const { return others_.at(i); }
+    static constexpr std::size_t kOthers = 3;
 
 signals:
     void approved(quint64 id);
     void refused(quint64 id);
+    void otherChosen(quint64 id, int bin);
 
 private:
+    void showWorth();
+
     std::optional<ProbeProposal> proposal_;
     QStackedLayout* pages_ = nullptr;
     QLabel* nothing_ = nullptr;
     QLabel* where_ = nullptr;
     QLabel* predicted_ = nullptr;
     QLabel* band_ = nullptr;
-    QLabel* why_ = nullptr;
-    QLabel* after_ = nullptr;
+    QLabel* variance_ = nullptr;
+    QLabel* question_ = nullptr;
+    QLabel* questionKey_ = nullptr;
     QLabel* cost_ = nullptr;
     HoldToConfirmButton* approve_ = nullptr;
     QPushButton* refuse_ = nullptr;
+    std::array<QPushButton*, kOthers> others_{};
     QLabel* probingText_ = nullptr;
     QProgressBar* probingBar_ = nullptr;
 };

@@ -18,14 +18,17 @@
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
-#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/bin_inspector.h"
 #include "widgets/drawable.h"
 #include "widgets/palette.h"
+#include "widgets/profile_layers.h"
+#include "widgets/provenance_words.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -77,6 +80,12 @@ QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill
     return new QwtSymbol(style, fill, QPen(line, 2.0), QSize(size, size));
 }
 
+void setInLegend(QwtPlotItem& item, bool shown)
+{
+    if (item.testItemAttribute(QwtPlotItem::Legend) != shown)
+        item.setItemAttribute(QwtPlotItem::Legend, shown);
+}
+
 }  // namespace
 
 /// A line in metres whose legend shows a piece of it.
@@ -97,7 +106,7 @@ public:
 /// Says in the legend what the bars are; draws nothing itself.
 class BandKey final : public QwtPlotItem {
 public:
-    BandKey() : QwtPlotItem(QwtText(TerrainProfileView::tr("estimate, 80 % band")))
+    BandKey() : QwtPlotItem(QwtText(TerrainProfileView::tr("80 % band")))
     {
         setItemAttribute(QwtPlotItem::Legend);
     }
@@ -270,40 +279,42 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     soft.setDashPattern({2.5, 2.5});
     meanPrior_ = line(soft, 20.0, {});
     mean_ = line(QPen(theme().sampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin), 21.0, {});
-    truthLine_ = line(QPen(theme().truth, 1.2), 19.0, tr("truth (simulation)"));
+    truthLine_ = line(QPen(theme().truth, 1.2), 19.0, tr("truth"));
 
-    struct Look {
-        QString name;
-        QColor colour;
-        QwtSymbol* mark;
+    const auto look = [](Provenance from) {
+        switch (from) {
+        case Provenance::Arm: return symbol(QwtSymbol::Triangle, theme().arm, theme().arm, 13);
+        case Provenance::Contact:
+            return symbol(QwtSymbol::Rect, theme().contact, theme().contact, 11);
+        case Provenance::Constrained:
+            return symbol(QwtSymbol::DTriangle, theme().sampled, theme().sampled, 11);
+        case Provenance::Sampled:
+            return symbol(QwtSymbol::Ellipse, theme().sampled, theme().sampled, 10);
+        case Provenance::PriorOnly: break;
+        }
+        return symbol(QwtSymbol::Diamond, theme().prior, theme().card, 14);
     };
-    const std::array<Look, kKinds> looks{{
-        {tr("sampled"), theme().sampled,
-         symbol(QwtSymbol::Ellipse, theme().sampled, theme().sampled, 10)},
-        {tr("prior only"), theme().prior,
-         symbol(QwtSymbol::Diamond, theme().prior, theme().card, 14)},
-        {tr("contact"), theme().contact,
-         symbol(QwtSymbol::Rect, theme().contact, theme().contact, 11)},
-        {tr("arm"), theme().arm, symbol(QwtSymbol::Triangle, theme().arm, theme().arm, 13)},
-    }};
-    for (const std::size_t kind : {Contact, Arm, Sampled, PriorOnly}) {
+    for (const Provenance from : {Provenance::Contact, Provenance::Arm, Provenance::Constrained,
+                                  Provenance::Sampled, Provenance::PriorOnly}) {
+        const auto kind = static_cast<std::size_t>(from);
+        QwtSymbol* mark = look(from);
         auto* bar = new QwtPlotIntervalCurve;
         bar->setStyle(QwtPlotIntervalCurve::NoCurve);
         auto* cap = new QwtIntervalSymbol(QwtIntervalSymbol::Bar);
         cap->setWidth(13);
-        cap->setPen(QPen(looks[kind].colour, 2.0));
+        cap->setPen(QPen(mark->pen().color(), 2.0));
         bar->setSymbol(cap);
         bar->setItemAttribute(QwtPlotItem::Legend, false);
         bar->setZ(24.0);
         bar->attach(this);
         bars_[kind] = bar;
 
-        auto* points = new QwtPlotCurve(looks[kind].name);
+        auto* points = new QwtPlotCurve(provenanceWord(from));
         points->setStyle(QwtPlotCurve::NoCurve);
-        points->setSymbol(looks[kind].mark);
+        points->setSymbol(mark);
         points->setRenderHint(QwtPlotItem::RenderAntialiased);
         points->setLegendAttribute(QwtPlotCurve::LegendShowSymbol);
-        points->setLegendIconSize(looks[kind].mark->size() + QSize(3, 3));
+        points->setLegendIconSize(mark->size() + QSize(3, 3));
         points->setZ(26.0);
         points->attach(this);
         points_[kind] = points;
@@ -322,6 +333,18 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     probeMark_ = new ProbeMark;
     probeMark_->setVisible(false);
     probeMark_->attach(this);
+
+    draws_ = new SampleLines;
+    draws_->attach(this);
+    second_ = new SecondEstimate;
+    second_->attach(this);
+    twoHeights_ = new TwoHeights;
+    twoHeights_->attach(this);
+    for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_})
+        layer->setItemAttribute(QwtPlotItem::Legend, false);  // until there is something to see
+    inspector_ = new BinInspector(this);
+    setFocusPolicy(Qt::TabFocus);
+    frame->setMouseTracking(true);
 
     note_ = new QwtPlotTextLabel;
     note_->setItemAttribute(QwtPlotItem::Legend, false);
@@ -356,16 +379,6 @@ void TerrainProfileView::showNote(const QString& note, const QColor& colour)
     note_->setVisible(!note.isEmpty());
 }
 
-TerrainProfileView::Kind TerrainProfileView::kindOf(const TerrainEstimate& estimate, int bin)
-{
-    switch (estimate.origin[static_cast<std::size_t>(bin)]) {
-    case Origin::Contact: return Contact;
-    case Origin::Arm: return Arm;
-    case Origin::Sampled: break;
-    }
-    return estimate.priorOnly(bin) ? PriorOnly : Sampled;
-}
-
 void TerrainProfileView::showEstimate()
 {
     std::array<QVector<QPointF>, kKinds> points;
@@ -378,7 +391,8 @@ void TerrainProfileView::showEstimate()
         constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
         for (int bin = 0; bin < kBins; ++bin) {
             const auto i = static_cast<std::size_t>(bin);
-            const Kind kind = kindOf(e, bin);
+            const Provenance from = provenance(e, bin);
+            const auto kind = static_cast<std::size_t>(from);
             const QPointF point(binCentre(bin), e.height[i]);
             if (drawable(point)) points[kind].append(point);
             if (drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
@@ -387,12 +401,12 @@ void TerrainProfileView::showEstimate()
                 ceilings.moveTo(binBegin(bin), e.ceiling[i]);
                 ceilings.lineTo(binEnd(bin), e.ceiling[i]);
             }
-            zones_->shown[i] = kind == PriorOnly;
+            zones_->shown[i] = from == Provenance::PriorOnly;
 
             // A segment that touches a prior-only bin is dashed.
-            known.push_back(kind == PriorOnly ? QPointF(point.x(), kGap) : point);
+            known.push_back(e.priorOnly(bin) ? QPointF(point.x(), kGap) : point);
             if (bin > 0) {
-                const bool soft = kind == PriorOnly || kindOf(e, bin - 1) == PriorOnly;
+                const bool soft = e.priorOnly(bin) || e.priorOnly(bin - 1);
                 prior.push_back(soft ? QPointF(binCentre(bin - 1), e.height[i - 1])
                                      : QPointF(point.x(), kGap));
                 prior.push_back(soft ? point : QPointF(point.x(), kGap));
@@ -404,11 +418,79 @@ void TerrainProfileView::showEstimate()
         points_[kind]->setSamples(points[kind]);
         bars_[kind]->setSamples(bars[kind]);
     }
+    twoHeights_->modes = estimate_ ? twoModes(*estimate_) : decltype(twoHeights_->modes){};
+    const bool two = std::any_of(twoHeights_->modes.begin(), twoHeights_->modes.end(),
+                                 [](const auto& modes) { return modes.has_value(); });
+    setInLegend(*twoHeights_, two);
+    showDraws();
+    inspect(inspector_->bin() >= 0 ? std::optional(inspector_->bin()) : std::nullopt);
     mean_->setShape(pathThrough(known));
     meanPrior_->setShape(pathThrough(prior));
     ceilings_->setShape(ceilings);
     showProbe();
     describe();
+}
+
+void TerrainProfileView::showDraws()
+{
+    draws_->draws.clear();
+    if (estimate_ && drawsShown_) draws_->draws = estimate_->draws;
+    setInLegend(*draws_, !draws_->draws.empty());
+}
+
+void TerrainProfileView::setDrawsShown(bool shown)
+{
+    if (shown == drawsShown_) return;
+    drawsShown_ = shown;
+    showDraws();
+    replot();
+}
+
+void TerrainProfileView::setSecond(const std::optional<TerrainEstimate>& estimate,
+                                   const QString& name)
+{
+    if (estimate == second_->estimate) return;
+    second_->estimate = estimate;
+    second_->setTitle(name);
+    setInLegend(*second_, estimate.has_value());
+    fitAxes();
+    replot();
+}
+
+void TerrainProfileView::inspect(std::optional<int> bin)
+{
+    if (!estimate_ || !bin) return inspector_->clear();
+    inspector_->setBin(*estimate_, *bin, closeUp(*bin));
+    // Beside the bin, where it does not hide what it explains.
+    const QPoint at = canvas()->mapTo(this, pixelOf(binEnd(*bin), 0.0).toPoint());
+    const int width = inspector_->width();
+    const bool right = at.x() + 8 + width < this->width();
+    const int left =
+        right ? at.x() + 8
+              : canvas()->mapTo(this, pixelOf(binBegin(*bin), 0.0).toPoint()).x() - 8 - width;
+    inspector_->move(std::max(0, left), canvas()->y() + 8);
+    inspector_->raise();
+}
+
+QStringList TerrainProfileView::closeUp(int bin) const
+{
+    const TerrainEstimate& e = *estimate_;
+    const auto i = static_cast<std::size_t>(bin);
+    QStringList lines{tr("bin %1").arg(words::binName(bin)),
+                      tr("height %1 m ± %2 m")
+                          .arg(words::signedNumber(e.height[i], 3), words::number(e.sd[i], 3)),
+                      tr("80 % in %1 … %2 m")
+                          .arg(words::signedNumber(e.q10[i], 3), words::signedNumber(e.q90[i], 3)),
+                      tr("ceiling %1 m").arg(words::signedNumber(e.ceiling[i], 3)),
+                      tr("from: %1").arg(provenanceWord(provenance(e, bin)))};
+    if (const auto& two = twoHeights_->modes[i])
+        lines << tr("either %1 m (%2 %)")
+                     .arg(words::signedNumber(two->lowMean, 2),
+                          words::number(100.0 * two->lowShare, 0))
+              << tr("or %1 m (%2 %)")
+                     .arg(words::signedNumber(two->highMean, 2),
+                          words::number(100.0 * two->highShare, 0));
+    return lines;
 }
 
 void TerrainProfileView::setOutline(const Outline& outline)
@@ -467,8 +549,7 @@ void TerrainProfileView::showTruth()
         }
     }
     truthLine_->setShape(pathThrough(line));
-    if (truthLine_->testItemAttribute(QwtPlotItem::Legend) != truth_.has_value())
-        truthLine_->setItemAttribute(QwtPlotItem::Legend, truth_.has_value());
+    setInLegend(*truthLine_, truth_.has_value());
 }
 
 void TerrainProfileView::setProposedProbe(std::optional<int> bin)
@@ -525,6 +606,9 @@ bool TerrainProfileView::setScales()
     if (truth_) {
         for (const double z : *truth_) include(z);
     }
+    if (second_ && second_->estimate) {  // the legend lays the plot out before all of it is there
+        for (const double z : second_->estimate->height) include(z);
+    }
     // In steps, so that the picture does not swim with the noise.
     bottom = std::floor(bottom / 0.05 + 1e-9) * 0.05;
     top = std::ceil(top / 0.05 - 1e-9) * 0.05;
@@ -569,12 +653,10 @@ QString TerrainProfileView::binText(int bin) const
 {
     if (!estimate_ || bin < 0 || bin >= kBins) return {};
     const auto i = static_cast<std::size_t>(bin);
-    static const std::array<QString, kKinds> kNames{tr("sampled"), tr("prior only"), tr("contact"),
-                                                    tr("arm")};
     return tr("bin %1: %2 m, 80 % in %3 … %4, %5")
         .arg(words::binName(bin), words::signedNumber(estimate_->height[i], 2),
              words::signedNumber(estimate_->q10[i], 2), words::signedNumber(estimate_->q90[i], 2),
-             kNames[kindOf(*estimate_, bin)]);
+             provenanceWord(provenance(*estimate_, bin)));
 }
 
 void TerrainProfileView::describe()
@@ -586,13 +668,24 @@ void TerrainProfileView::describe()
 
 bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
 {
-    if (object == canvas() && event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const auto bin = binOf(pointAt(help->pos()).x());
-        QToolTip::showText(help->globalPos(), bin ? binText(*bin) : QString(), canvas());
-        return true;
-    }
+    if (object == canvas() && event->type() == QEvent::MouseMove)
+        inspect(binOf(pointAt(static_cast<QMouseEvent*>(event)->position()).x()));
+    if (object == canvas() && event->type() == QEvent::Leave) inspect(std::nullopt);
     return QwtPlot::eventFilter(object, event);
+}
+
+void TerrainProfileView::keyPressEvent(QKeyEvent* event)
+{
+    const int now = inspector_->bin();
+    if (event->key() == Qt::Key_Right) return inspect(now < 0 ? 0 : std::min(now + 1, kBins - 1));
+    if (event->key() == Qt::Key_Left) return inspect(now < 0 ? kBins - 1 : std::max(now - 1, 0));
+    QwtPlot::keyPressEvent(event);
+}
+
+void TerrainProfileView::focusOutEvent(QFocusEvent* event)
+{
+    inspect(std::nullopt);
+    QwtPlot::focusOutEvent(event);
 }
 
 }  // namespace terratact

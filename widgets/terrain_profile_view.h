@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/infer/estimate.h"
+#include "core/infer/provenance.h"
 #include "core/terrain/outline.h"
 
 class QwtPlotCurve;
@@ -17,12 +18,18 @@ class QwtPlotTextLabel;
 
 namespace terratact {
 
+class BinInspector;
 class BinZones;
 class ProbeMark;
+class SampleLines;
+class SecondEstimate;
+class TwoHeights;
 
 /// Draws one TerrainEstimate under the robot: mean line, bars from the 0.1 to the 0.9 quantile, ceilings,
 /// the robot's side view with the IMU at the origin.  Bins are told apart by shape and colour:
-/// contact = square, arm = triangle, sampled = circle, prior only = open diamond in an amber zone.
+/// contact = square, arm = triangle, constrained = triangle upside down, sampled = circle, prior only = open
+/// diamond in an amber zone.  A bin whose draws fall into two heaps shows both heights.
+/// The bin under the mouse, or chosen with the arrow keys, is shown up close.
 /// One metre is as long upwards as forwards, whatever the size, so a step looks as steep as it is.
 /// What is not finite, or beyond 100 m, is left out.  GUI thread only.
 class TerrainProfileView final : public QwtPlot {
@@ -36,6 +43,10 @@ public:
     void setOutline(const Outline& outline);
     void setTruth(const std::optional<Heights>& truth);
     void setProposedProbe(std::optional<int> bin);
+    void setDrawsShown(bool shown);  ///< some draws as thin lines
+    /// A second method's estimate of the same scene beside the first; empty: none.  name: in the legend.
+    void setSecond(const std::optional<TerrainEstimate>& estimate, const QString& name);
+    void inspect(std::optional<int> bin);  ///< shows a bin up close
 
     /// Canvas position of a point of the DEM frame [m].
     QPointF pixelOf(double x, double z) const;
@@ -43,6 +54,8 @@ public:
     QPointF pointAt(QPointF pixel) const;
     /// One bin in words: "bin 0.4 m: +0.07 m, 80 % in +0.05 … +0.09, contact".
     QString binText(int bin) const;
+    BinInspector* inspector() const { return inspector_; }
+    bool drawsShown() const { return drawsShown_; }
 
     void updateLayout() override;
     QSize sizeHint() const override { return {760, 420}; }
@@ -50,12 +63,15 @@ public:
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    enum Kind : std::size_t { Sampled, PriorOnly, Contact, Arm, kKinds };
+    static constexpr std::size_t kKinds = kProvenances.size();
 
-    static Kind kindOf(const TerrainEstimate& estimate, int bin);
     void showEstimate();
+    void showDraws();
+    QStringList closeUp(int bin) const;
     void showNote(const QString& note, const QColor& colour);
     void showTruth();
     void showProbe();
@@ -80,6 +96,11 @@ private:
     std::vector<QwtPlotShapeItem*> robot_;
     BinZones* zones_ = nullptr;
     ProbeMark* probeMark_ = nullptr;
+    SampleLines* draws_ = nullptr;
+    SecondEstimate* second_ = nullptr;
+    TwoHeights* twoHeights_ = nullptr;
+    BinInspector* inspector_ = nullptr;
+    bool drawsShown_ = false;
     QwtPlotTextLabel* note_ = nullptr;
 };
 

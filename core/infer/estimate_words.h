@@ -3,13 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/infer/estimate.h"
+#include "core/infer/obstacle.h"
 
 namespace terratact {
-
-/// Neighbouring bins that differ by more are a step [m]: the height a tracked robot takes without a second
-/// thought.
-inline constexpr double kStepLimit = 0.10;
 
 /// What a mean and two quantiles hide, one sentence each: the probability of a step of more than `limit` [m]
 /// and where it is likeliest, then every bin whose draws fall into two heaps.  Empty without draws.

@@ -14,6 +14,10 @@ struct StepProbability {
     bool operator==(const StepProbability&) const = default;
 };
 
+/// Neighbouring bins that differ by more are a step [m]: the height a tracked robot takes without a second
+/// thought.
+inline constexpr double kStepLimit = 0.10;
+
 /// The rear bin of the first pair that counts as ahead of the robot: +0.3 m.
 inline constexpr int kFirstAhead = 6;
 

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/numbers_page.h"
 #include "app/resources.h"
 #include "app/steady_now.h"
 #include "core/learn/model_file.h"
@@ -35,10 +36,13 @@
 #include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
+#include "widgets/navigation_rail.h"
 #include "widgets/probe_card.h"
 #include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
+#include "widgets/verdict_strip.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -198,6 +202,79 @@ TEST_F(Console, lettingGoEarlyApprovesNothing)
     QTest::keyClick(window.get(), Qt::Key_N);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_FALSE(window->exploration().state().probed);
+}
+
+/// stepEstimate with draws: at +0.6 and +0.7 m the ground is high or low, each by itself.
+TerrainEstimate withDraws(TerrainEstimate e)
+{
+    for (int d = 0; d < 400; ++d) {
+        Heights h = e.height;
+        h[9] += d % 2 == 0 ? 0.09 : -0.09;
+        h[10] += d % 4 < 2 ? 0.08 : -0.08;
+        e.draws.push_back(h);
+    }
+    return e;
+}
+
+TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
+{
+    open(fastRobot(robot, 2.1), [] {
+        return Result<LoadedModel>(
+            LoadedModel{.estimate =
+                            [](const EstimateRequest& request, const Watch&) {
+                                TerrainEstimate e = withDraws(stepEstimate());
+                                e.settings = request.settings;
+                                return e;
+                            },
+                        .name = "fake.ttm",
+                        .details = {}});
+    });
+    EXPECT_EQ(window->verdict()->badge(), QStringLiteral("NO VERDICT"));
+    proposeByKeyboard();
+    ASSERT_TRUE(
+        eventually([&] { return window->verdict()->badge() == QStringLiteral("✘ BLOCKED"); }));
+    for (int i = 0; i < 40; ++i) QTest::keyClick(window.get(), Qt::Key_PageUp);
+    EXPECT_TRUE(
+        eventually([&] { return window->verdict()->badge() == QStringLiteral("✔ CLEAR"); }));
+    EXPECT_NEAR(window->exploration().options().stepLimit, 0.5, 1e-9);
+
+    const auto first = window->exploration().proposal();
+    ASSERT_TRUE(first && first->worth && !first->others.empty());
+    QTest::keyClick(window.get(), Qt::Key_1);
+    const auto chosen = window->exploration().proposal();
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(chosen->bin, first->others[0].bin);
+    EXPECT_NE(chosen->id, first->id) << "an answer to the first must not count for the second";
+    EXPECT_EQ(chosen->worth, first->others[0]);
+    ASSERT_TRUE(eventually([&] {
+        return window->probeCard()->approveButton()->text().contains(words::binName(chosen->bin));
+    }));
+}
+
+TEST_F(Console, aSecondMethodIsEstimatedBesideTheFirst)
+{
+    open(fastRobot(robot, 2.1));
+    window->exploration().setSecondMethod(Method::Pafc);
+    proposeByKeyboard();
+    ASSERT_TRUE(eventually([&] { return window->exploration().second().has_value(); }));
+    EXPECT_EQ(window->exploration().second()->settings.method, Method::Pafc);
+    EXPECT_EQ(window->exploration().estimate()->settings.method, Method::Local);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
+    window->exploration().setSecondMethod(std::nullopt);
+    EXPECT_FALSE(window->exploration().second());
+}
+
+TEST_F(Console, thePagesAreReachedByTheirKeys)
+{
+    open(fastRobot(robot, 2.1));
+    for (int page = 0; page < window->rail()->pages(); ++page) {
+        QTest::keyClick(window.get(), static_cast<Qt::Key>(Qt::Key_F2 + page));
+        EXPECT_EQ(window->rail()->chosen(), page);
+        EXPECT_TRUE(window->header()->stopButton()->isVisible());
+    }
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    EXPECT_TRUE(window->numbers()->isVisible());
+    EXPECT_FALSE(window->terrain()->isVisible());
 }
 
 TEST_F(Console, spaceOnAButtonWithTheFocusMeansThatButton)

@@ -11,8 +11,15 @@
 namespace terratact {
 namespace {
 
-constexpr ProbeProposal kProposal{
-    .id = 7, .bin = 9, .height = 0.02, .q10 = -0.05, .q90 = 0.09, .sd = 0.07};
+const ProbeProposal kProposal{.id = 7,
+                              .bin = 9,
+                              .height = 0.02,
+                              .q10 = -0.05,
+                              .q90 = 0.09,
+                              .sd = 0.07,
+                              .bitsBefore = 0.98,
+                              .worth = ProbeWorth{9, 0.71, 0.31},
+                              .others = {{10, 0.58, 0.52}, {8, 0.2, 0.9}}};
 
 struct Probe : testing::Test {
     Probe()
@@ -39,10 +46,37 @@ TEST_F(Probe, saysWhereWhatAndForHowMuch)
     card.setProposal(kProposal);
     card.setTimeLeft(23.4);
     const QString text = allText();
-    for (const char* words : {"bin 0.6 m", "+0.02 m", "−0.05 … +0.09 m", "45 s", "0:24 left"})
+    for (const char* words : {"bin 0.6 m", "+0.02 m", "−0.05 … +0.09 m", "45 s", "0:24 left",
+                              "total variance −71 %", "0.98 → 0.31 bit: 0.89 a minute"})
         EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
                                                              << text.toStdString();
     EXPECT_TRUE(card.approveButton()->text().contains("0.6 m"));
+}
+
+TEST_F(Probe, offersTheOtherBinsAndTheirWorth)
+{
+    QList<int> bins;
+    QObject::connect(&card, &ProbeCard::otherChosen, [&](quint64 id, int bin) {
+        EXPECT_EQ(id, 7u);
+        bins << bin;
+    });
+    card.setProposal(kProposal);
+    EXPECT_TRUE(card.otherButton(0)->text().contains(QStringLiteral("0.7 m, −58 %")));
+    EXPECT_TRUE(card.otherButton(0)->toolTip().contains("0.52 bit"));
+    EXPECT_FALSE(card.otherButton(2)->isVisible());
+    QTest::mouseClick(card.otherButton(1), Qt::LeftButton);
+    EXPECT_EQ(bins, QList<int>{8});
+    for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
+}
+
+TEST_F(Probe, claimsNothingForAMethodThatKnowsNothing)
+{
+    ProbeProposal plain = kProposal;
+    plain.worth.reset();
+    plain.others.clear();
+    card.setProposal(plain);
+    EXPECT_FALSE(allText().contains("bit:"));
+    EXPECT_TRUE(allText().contains(QStringLiteral("± 0.03 m")));
 }
 
 TEST_F(Probe, anAnswerCarriesTheProposalsNumber)
@@ -98,8 +132,16 @@ TEST_F(Probe, showsTheArmOnItsWay)
 TEST_F(Probe, hostileNumbersReadAsNothing)
 {
     for (const double bad : gui::kHostile) {
-        ProbeProposal p{
-            .id = 9, .bin = 9, .height = bad, .q10 = bad, .q90 = bad, .sd = bad, .seconds = bad};
+        ProbeProposal p{.id = 9,
+                        .bin = 9,
+                        .height = bad,
+                        .q10 = bad,
+                        .q90 = bad,
+                        .sd = bad,
+                        .seconds = bad,
+                        .bitsBefore = bad,
+                        .worth = ProbeWorth{9, bad, bad},
+                        .others = {{10, bad, bad}}};
         card.setProposal(p);
         card.setTimeLeft(bad);
         ASSERT_FALSE(gui::painted(card).isNull());

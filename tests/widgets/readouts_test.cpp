@@ -92,7 +92,7 @@ struct Strip : testing::Test {
 TEST_F(Strip, saysWhereTheEstimateIsWidest)
 {
     strip.setEstimate(stepEstimate(), 0.62);
-    EXPECT_EQ(strip.headline(), QStringLiteral("Uncertain at 0.6 m: −0.05 m ± 0.09 m"));
+    EXPECT_EQ(strip.headline(), QStringLiteral("Uncertain at 0.6 m: ± 0.09 m"));
     TerrainEstimate known = stepEstimate();
     known.sd.fill(0.02);
     strip.setEstimate(known, 0.62);

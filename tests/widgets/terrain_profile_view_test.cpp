@@ -4,6 +4,7 @@
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "widgets/bin_inspector.h"
 #include "widgets/drawable.h"
 #include "widgets/palette.h"
 
@@ -120,6 +121,65 @@ TEST_F(TerrainView, onlyPriorOnlyBinsLieInTheAmberZone)
     EXPECT_FALSE(amber(0.77));
     view.clearEstimate("none");
     EXPECT_FALSE(amber(0.57));
+}
+
+/// Half of the draws up on the step at +0.6 and +0.7 m, half down.
+TerrainEstimate divided()
+{
+    TerrainEstimate e = stepEstimate();
+    for (int d = 0; d < 200; ++d) {
+        Heights h = e.height;
+        if (d % 2 == 0) h[9] = h[10] = -0.25;
+        e.draws.push_back(h);
+    }
+    return e;
+}
+
+TEST_F(TerrainView, aBinWithTwoHeightsShowsBoth)
+{
+    const auto marked = [&](double z) { return alike(colourAt(view, 0.63, z), theme().doubt); };
+    view.setEstimate(stepEstimate());
+    EXPECT_FALSE(marked(-0.25));
+    view.setEstimate(divided());
+    EXPECT_TRUE(marked(-0.25));
+    EXPECT_TRUE(marked(-0.05));
+}
+
+TEST_F(TerrainView, drawsAndASecondMethodAreLayersOnDemand)
+{
+    view.setEstimate(divided());
+    const QImage plain = painted(*view.canvas());
+    view.setDrawsShown(true);
+    const QImage withDraws = painted(*view.canvas());
+    EXPECT_NE(plain, withDraws);
+    view.setDrawsShown(false);
+    EXPECT_EQ(painted(*view.canvas()), plain);
+    TerrainEstimate second = stepEstimate();
+    second.height[4] = -0.35;
+    view.setSecond(second, "pafc");
+    EXPECT_TRUE(alike(colourAt(view, 0.118, -0.35), theme().card));  // an open circle
+    view.setSecond(std::nullopt, {});
+    EXPECT_EQ(painted(*view.canvas()), plain);
+}
+
+TEST_F(TerrainView, theBinUnderTheMouseOrTheArrowKeysIsShownUpClose)
+{
+    view.setEstimate(divided());
+    QTest::mouseMove(view.canvas(), view.pixelOf(0.6, -0.2).toPoint());
+    QMouseEvent move(QEvent::MouseMove, view.pixelOf(0.6, -0.2), view.pixelOf(0.6, -0.2),
+                     Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view.canvas(), &move);
+    const BinInspector& inspector = *view.inspector();
+    ASSERT_EQ(inspector.bin(), 9);
+    EXPECT_TRUE(inspector.isVisible());
+    EXPECT_TRUE(inspector.lines().join(' ').contains(QStringLiteral("either −0.25 m (50 %)")));
+    ASSERT_EQ(inspector.histogram().size(), static_cast<std::size_t>(BinInspector::kClasses));
+    EXPECT_EQ(inspector.histogram().front(), 100);
+    EXPECT_EQ(inspector.histogram().back(), 100);
+    QTest::keyClick(&view, Qt::Key_Left);
+    EXPECT_EQ(inspector.bin(), 8);
+    view.clearEstimate("none");
+    EXPECT_FALSE(inspector.isVisible());
 }
 
 TEST_F(TerrainView, theRobotIsDrawnInMetresAroundTheImu)

@@ -1,0 +1,58 @@
+#include "app/numbers_page.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/exploration.h"
+#include "widgets/card.h"
+#include "widgets/look.h"
+#include "widgets/numbers_table.h"
+#include "widgets/words.h"
+
+namespace terratact {
+
+NumbersPage::NumbersPage(const Exploration& exploration, QWidget* parent)
+    : Page(parent), exploration_(exploration)
+{
+    auto* card = new Card(tr("The scene as numbers"), this);
+    copy_ = new QPushButton(tr("Copy (Ctrl+C)"), card);
+    copy_->setFocusPolicy(Qt::TabFocus);
+    copy_->setToolTip(tr("The whole table, columns apart by tabs"));
+    card->titleRow()->addWidget(copy_);
+    summary_ = new QLabel(card);
+    summary_->setWordWrap(true);
+    summary_->setAccessibleName(tr("Estimate"));
+    setTone(*summary_, Tone::Muted);
+    table_ = new NumbersTable(card);
+    card->body()->addWidget(summary_);
+    card->body()->addWidget(table_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 10, 12, 10);
+    column->addWidget(card);
+    connect(copy_, &QPushButton::clicked, table_, &NumbersTable::copy);
+    summary_->setText(exploration_.whyNoEstimate());
+}
+
+void NumbersPage::refresh(double /*now*/)
+{
+    const auto& estimate = exploration_.estimate();
+    const double limit = exploration_.options().stepLimit;
+    if (!estimate) {
+        if (shown_) table_->clearEstimate();
+        shown_.reset();
+        summary_->setText(exploration_.whyNoEstimate());
+        return;
+    }
+    if (shown_ == estimate && shownLimit_ == limit) return;
+    shown_ = estimate;
+    shownLimit_ = limit;
+    table_->setEstimate(*estimate, limit);
+    summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m")
+                          .arg(words::text(name(estimate->settings.method)))
+                          .arg(estimate->draws.size())
+                          .arg(estimate->settings.seed)
+                          .arg(words::number(limit, 2)));
+}
+
+}  // namespace terratact

@@ -1,0 +1,30 @@
+#include "core/infer/provenance.h"
+
+namespace terratact {
+
+Provenance provenance(const TerrainEstimate& estimate, int bin)
+{
+    const auto i = static_cast<std::size_t>(bin);
+    switch (estimate.origin[i]) {
+    case Origin::Contact: return Provenance::Contact;
+    case Origin::Arm: return Provenance::Arm;
+    case Origin::Sampled: break;
+    }
+    if (estimate.priorOnly(bin)) return Provenance::PriorOnly;
+    return estimate.ceiling[i] - estimate.q90[i] < kTouching ? Provenance::Constrained
+                                                             : Provenance::Sampled;
+}
+
+std::string_view name(Provenance provenance)
+{
+    switch (provenance) {
+    case Provenance::Arm: return "arm";
+    case Provenance::Contact: return "contact";
+    case Provenance::Constrained: return "constrained";
+    case Provenance::Sampled: return "sampled";
+    case Provenance::PriorOnly: return "prior only";
+    }
+    return {};
+}
+
+}  // namespace terratact

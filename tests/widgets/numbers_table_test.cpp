@@ -1,0 +1,77 @@
+#include "widgets/numbers_table.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+
+namespace terratact {
+namespace {
+
+QString cell(const NumbersTable& table, int row, NumbersTable::Column column)
+{
+    return table.item(row, column)->text();
+}
+
+TEST(NumbersTable, hasARowPerBinFromTheRear)
+{
+    NumbersTable table;
+    table.setEstimate(stepEstimate(), 0.1);
+    ASSERT_EQ(table.rowCount(), kBins);
+    EXPECT_EQ(cell(table, 0, NumbersTable::Bin), QStringLiteral("−0.3"));
+    EXPECT_EQ(cell(table, 8, NumbersTable::Height), QStringLiteral("−0.050"));
+    EXPECT_EQ(cell(table, 8, NumbersTable::From), QStringLiteral("contact"));
+    EXPECT_EQ(cell(table, 3, NumbersTable::From), QStringLiteral("constrained"));
+    EXPECT_EQ(cell(table, 10, NumbersTable::From), QStringLiteral("prior only"));
+    EXPECT_EQ(cell(table, 10, NumbersTable::Ceiling), QStringLiteral("--"));
+    table.clearEstimate();
+    EXPECT_EQ(cell(table, 8, NumbersTable::Height), QStringLiteral("--"));
+}
+
+TEST(NumbersTable, knowsStepsAndTwoHeights)
+{
+    TerrainEstimate e = stepEstimate();
+    for (int d = 0; d < 100; ++d) {
+        Heights h = e.height;
+        if (d < 40) h[9] = h[10] = 0.2;
+        e.draws.push_back(h);
+    }
+    NumbersTable table;
+    table.setEstimate(e, 0.1);
+    EXPECT_EQ(cell(table, 8, NumbersTable::Step), QStringLiteral("0.400"));
+    EXPECT_EQ(cell(table, 9, NumbersTable::Step), QStringLiteral("0.000"));
+    EXPECT_EQ(cell(table, 9, NumbersTable::TwoHeaps),
+              QStringLiteral("−0.05 (60 %) or +0.20 (40 %)"));
+    EXPECT_EQ(cell(table, 3, NumbersTable::TwoHeaps), QStringLiteral("--"));
+}
+
+TEST(NumbersTable, isCopiedWithItsHeadings)
+{
+    NumbersTable table;
+    table.setEstimate(stepEstimate(), 0.1);
+    gui::showActive(table);
+    QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+    const QStringList lines = QApplication::clipboard()->text().split('\n');
+    ASSERT_GE(lines.size(), kBins + 1);
+    EXPECT_EQ(lines[0].split('\t').size(), NumbersTable::kColumns);
+    EXPECT_TRUE(lines[9].startsWith(QStringLiteral("+0.5\t−0.050\t")));
+}
+
+TEST(NumbersTable, showsNoHostileNumber)
+{
+    for (const double hostile : gui::kHostile) {
+        if (std::isfinite(hostile)) continue;
+        TerrainEstimate e = stepEstimate();
+        e.height.fill(hostile);
+        e.sd.fill(hostile);
+        NumbersTable table;
+        table.setEstimate(e, 0.1);
+        EXPECT_EQ(cell(table, 2, NumbersTable::Height), QStringLiteral("--"));
+    }
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,93 @@
+#include "widgets/verdict_strip.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "tests/support/gui.h"
+#include "widgets/look.h"
+
+namespace terratact {
+namespace {
+
+struct Strip : testing::Test {
+    static void SetUpTestSuite()
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+    }
+    Strip()
+    {
+        strip.resize(650, 80);
+        gui::showActive(strip);
+        QObject::connect(&strip, &VerdictStrip::limitChosen, [this](double m) { chosen << m; });
+    }
+    VerdictStrip strip;
+    QList<double> chosen;
+};
+
+Verdict verdict(Outlook outlook, double p)
+{
+    return {
+        .outlook = outlook, .step = {p, 0.013}, .likeliest = 8, .likeliestP = 0.5, .doubts = {}};
+}
+
+TEST_F(Strip, answersInAWordWithAShape)
+{
+    strip.setVerdict(verdict(Outlook::Clear, 0.01));
+    EXPECT_EQ(strip.badge(), QStringLiteral("✔ CLEAR"));
+    strip.setVerdict(verdict(Outlook::Blocked, 0.99));
+    EXPECT_EQ(strip.badge(), QStringLiteral("✘ BLOCKED"));
+    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.99 ± 0.01"));
+    EXPECT_TRUE(strip.reason().contains(QStringLiteral("at +0.5 … +0.6 m (0.50)")));
+    strip.setNothing("the robot has moved");
+    EXPECT_EQ(strip.badge(), QStringLiteral("NO VERDICT"));
+    EXPECT_EQ(strip.reason(), QStringLiteral("the robot has moved"));
+}
+
+TEST_F(Strip, saysWhyAVerdictIsWithheld)
+{
+    Verdict v = verdict(Outlook::CannotTell, 0.99);
+    v.doubts = {Doubt::NotConverged, Doubt::Roll};
+    strip.setVerdict(v, "a probe at 0.6 m: 0.98 → 0.31 bit");
+    EXPECT_EQ(strip.badge(), QStringLiteral("? CANNOT TELL"));
+    for (const char* part : {"withheld", "converged", "rolls", "0.31 bit"})
+        EXPECT_TRUE(strip.reason().contains(QString::fromUtf8(part))) << part;
+    EXPECT_FALSE(strip.reason().contains("likeliest"));
+}
+
+TEST_F(Strip, theLimitMovesByACentimetreWithinItsRange)
+{
+    QTest::mouseClick(strip.raiseButton(), Qt::LeftButton);
+    QTest::mouseClick(strip.raiseButton(), Qt::LeftButton);
+    QTest::mouseClick(strip.lowerButton(), Qt::LeftButton);
+    ASSERT_EQ(chosen.size(), 3);
+    EXPECT_NEAR(chosen[1], 0.12, 1e-12);
+    EXPECT_NEAR(strip.limit(), 0.11, 1e-12);
+    for (int i = 0; i < 100; ++i) QTest::mouseClick(strip.lowerButton(), Qt::LeftButton);
+    EXPECT_NEAR(strip.limit(), VerdictStrip::kLeastLimit, 1e-12);
+    EXPECT_FALSE(strip.lowerButton()->isEnabled());
+    for (const double hostile : gui::kHostile) {
+        strip.setLimit(hostile);
+        EXPECT_GE(strip.limit(), VerdictStrip::kLeastLimit);
+        EXPECT_LE(strip.limit(), VerdictStrip::kGreatestLimit);
+    }
+}
+
+TEST_F(Strip, nothingIsCutInTheNarrowestWindow)
+{
+    strip.setVerdict(verdict(Outlook::CannotTell, 0.71), "probe at 0.4 m: 0.87 → 0.53 bit");
+    QCoreApplication::processEvents();
+    for (const std::string& text : gui::cutText(strip)) ADD_FAILURE() << text;
+}
+
+TEST_F(Strip, survivesHostileNumbers)
+{
+    for (const double hostile : gui::kHostile) {
+        strip.setVerdict(verdict(Outlook::CannotTell, hostile));
+        EXPECT_FALSE(gui::painted(strip).isNull());
+    }
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,107 @@
+#include "widgets/numbers_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+#include "core/infer/bimodality.h"
+#include "core/infer/obstacle.h"
+#include "widgets/provenance_words.h"
+#include "widgets/words.h"
+
+namespace terratact {
+
+NumbersTable::NumbersTable(QWidget* parent) : QTableWidget(kBins, kColumns, parent)
+{
+    setAccessibleName(tr("The scene as numbers"));
+    setHorizontalHeaderLabels({tr("bin [m]"), tr("height [m]"), tr("sd [m]"), tr("10 % [m]"),
+                               tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("step to next"),
+                               tr("R-hat"), tr("ESS"), tr("two heights")});
+    verticalHeader()->hide();
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(TwoHeaps, QHeaderView::ResizeToContents);
+    horizontalHeader()->setHighlightSections(false);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setTabKeyNavigation(false);
+    setAlternatingRowColors(true);
+    for (int row = 0; row < kBins; ++row)
+        for (int column = 0; column < kColumns; ++column) {
+            auto* item = new QTableWidgetItem;
+            item->setTextAlignment(column == From || column == TwoHeaps
+                                       ? Qt::AlignLeft | Qt::AlignVCenter
+                                       : Qt::AlignRight | Qt::AlignVCenter);
+            setItem(row, column, item);
+        }
+    clearEstimate();
+}
+
+void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
+{
+    const auto modes = twoModes(e);
+    const auto steps = e.draws.empty() ? std::array<StepProbability, kBins - 1>{}
+                                       : stepProbabilities(e, stepLimit);
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        set(bin, Height, words::signedNumber(e.height[i], 3));
+        set(bin, Sd, words::number(e.sd[i], 3));
+        set(bin, Low, words::signedNumber(e.q10[i], 3));
+        set(bin, High, words::signedNumber(e.q90[i], 3));
+        set(bin, Ceiling, words::signedNumber(e.ceiling[i], 3));
+        set(bin, From, provenanceWord(provenance(e, bin)));
+        set(bin, Step,
+            bin + 1 < kBins && !e.draws.empty() ? words::number(steps[i].p, 3) : words::kNothing);
+        set(bin, Rhat, words::number(e.rhat[i], 3));
+        set(bin, Ess, words::number(e.ess[i], 0));
+        set(bin, TwoHeaps,
+            modes[i] ? tr("%1 (%2 %) or %3 (%4 %)")
+                           .arg(words::signedNumber(modes[i]->lowMean, 2),
+                                words::number(100.0 * modes[i]->lowShare, 0),
+                                words::signedNumber(modes[i]->highMean, 2),
+                                words::number(100.0 * modes[i]->highShare, 0))
+                     : words::kNothing);
+    }
+}
+
+void NumbersTable::clearEstimate()
+{
+    for (int bin = 0; bin < kBins; ++bin) {
+        set(bin, Bin, words::signedNumber(binCentre(bin), 1));
+        for (int column = Height; column < kColumns; ++column)
+            set(bin, static_cast<Column>(column), words::kNothing);
+    }
+}
+
+void NumbersTable::set(int row, Column column, const QString& text)
+{
+    QTableWidgetItem* cell = item(row, column);
+    if (cell->text() != text) cell->setText(text);
+}
+
+QString NumbersTable::text() const
+{
+    QStringList lines, headings;
+    for (int column = 0; column < kColumns; ++column)
+        headings << horizontalHeaderItem(column)->text();
+    lines << headings.join(QLatin1Char('\t'));
+    for (int row = 0; row < rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < kColumns; ++column) cells << item(row, column)->text();
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+void NumbersTable::copy() const
+{
+    QApplication::clipboard()->setText(text());
+}
+
+void NumbersTable::keyPressEvent(QKeyEvent* event)
+{
+    if (event->matches(QKeySequence::Copy)) return copy();
+    QTableWidget::keyPressEvent(event);
+}
+
+}  // namespace terratact

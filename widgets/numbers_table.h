@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QTableWidget>
+#include <optional>
+
+#include "core/infer/estimate.h"
+
+namespace terratact {
+
+/// The scene as numbers: a row per bin, rear to front.  A screen reader reads it cell by cell, Ctrl+C copies it.
+class NumbersTable final : public QTableWidget {
+    Q_OBJECT
+public:
+    enum Column { Bin, Height, Sd, Low, High, Ceiling, From, Step, Rhat, Ess, TwoHeaps, kColumns };
+
+    explicit NumbersTable(QWidget* parent = nullptr);
+
+    /// stepLimit: [m] of the step to the next bin.
+    void setEstimate(const TerrainEstimate& estimate, double stepLimit);
+    void clearEstimate();
+
+    /// All cells with their headings, columns apart by tabs.
+    QString text() const;
+    void copy() const;  ///< text() to the clipboard
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void set(int row, Column column, const QString& text);
+};
+
+}  // namespace terratact

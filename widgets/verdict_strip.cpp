@@ -1,0 +1,163 @@
+#include "widgets/verdict_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/look.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+QString doubtText(Doubt doubt)
+{
+    switch (doubt) {
+    case Doubt::Stale: return VerdictStrip::tr("no live telemetry, the robot may have moved");
+    case Doubt::NotConverged: return VerdictStrip::tr("the chains have not converged");
+    case Doubt::UnlikeTraining: return VerdictStrip::tr("the scene is unlike all training");
+    case Doubt::Roll: return VerdictStrip::tr("the robot rolls, left and right ground differ");
+    case Doubt::Asymmetry:
+        return VerdictStrip::tr("the flippers differ, left and right ground differ");
+    }
+    return {};
+}
+
+QString likeliestText(const Verdict& verdict)
+{
+    return VerdictStrip::tr("likeliest at %1 … %2 m (%3)")
+        .arg(words::signedNumber(binCentre(verdict.likeliest), 1),
+             words::signedNumber(binCentre(verdict.likeliest + 1), 1),
+             words::number(verdict.likeliestP, 2));
+}
+
+}  // namespace
+
+VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
+{
+    setProperty("card", true);
+    badge_ = new QLabel(this);
+    badge_->setObjectName(QStringLiteral("verdictBadge"));
+    badge_->setAlignment(Qt::AlignCenter);
+    badge_->setAccessibleName(tr("Verdict"));
+    question_ = new QLabel(this);
+    question_->setObjectName(QStringLiteral("verdictQuestion"));
+    question_->setAccessibleName(tr("Probability of a step ahead"));
+    reason_ = new QLabel(this);
+    reason_->setAccessibleName(tr("Why"));
+    reason_->setWordWrap(true);
+    setTone(*reason_, Tone::Muted);
+    reason_->setFixedHeight(2 * reason_->fontMetrics().lineSpacing() + 2);  // a jumping layout misleads
+    reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    const auto button = [this](const QString& text, const QString& name, const QString& tip) {
+        auto* b = new QPushButton(text, this);
+        b->setFocusPolicy(Qt::TabFocus);
+        b->setAccessibleName(name);
+        b->setToolTip(tip);
+        b->setAutoRepeat(true);
+        b->setProperty("role", "small");
+        return b;
+    };
+    lower_ = button(QStringLiteral("−"), tr("Lower the limit"),
+                    tr("A lower step counts as an obstacle, too (PgDown)"));
+    raise_ = button(QStringLiteral("+"), tr("Raise the limit"),
+                    tr("Only a higher step counts as an obstacle (PgUp)"));
+    connect(lower_, &QPushButton::clicked, this, [this] { choose(limit_ - kLimitStep); });
+    connect(raise_, &QPushButton::clicked, this, [this] { choose(limit_ + kLimitStep); });
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(1);
+    words->addWidget(question_);
+    words->addWidget(reason_);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 6, 10, 6);
+    row->setSpacing(10);
+    row->addWidget(badge_);
+    row->addLayout(words, 1);
+    row->addWidget(lower_);
+    row->addWidget(raise_);
+    setLimit(kStepLimit);
+    setNothing(QString());
+}
+
+void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
+{
+    question_->setText(tr("P(step > %1 m ahead) = %2 ± %3")
+                           .arg(words::number(limit_, 2), words::number(verdict.step.p, 2),
+                                words::number(verdict.step.monteCarloSd, 2)));
+    QStringList why;
+    for (const Doubt doubt : verdict.doubts) why << doubtText(doubt);
+    switch (verdict.outlook) {
+    case Outlook::Clear:
+        setBadge(tr("✔ CLEAR"), QStringLiteral("clear"));
+        why << tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
+                   .arg(words::number(100.0 * kClearBelow, 0));
+        break;
+    case Outlook::Blocked:
+        setBadge(tr("✘ BLOCKED"), QStringLiteral("blocked"));
+        why << likeliestText(verdict);
+        break;
+    case Outlook::CannotTell:
+        setBadge(tr("? CANNOT TELL"), QStringLiteral("open"));
+        if (!why.isEmpty())
+            why = {tr("withheld: %1").arg(why.join(QStringLiteral(" · ")))};
+        else
+            why << likeliestText(verdict);
+        break;
+    }
+    if (!probe.isEmpty()) why << probe;
+    reason_->setText(why.join(QStringLiteral(" — ")));
+}
+
+void VerdictStrip::setNothing(const QString& why)
+{
+    setBadge(tr("NO VERDICT"), QStringLiteral("none"));
+    question_->setText(
+        tr("Is there a step of more than %1 m ahead?").arg(words::number(limit_, 2)));
+    reason_->setText(why);
+}
+
+void VerdictStrip::setBadge(const QString& text, const QString& outlook)
+{
+    badge_->setText(text);
+    if (badge_->property("outlook").toString() == outlook) return;
+    badge_->setProperty("outlook", outlook);
+    badge_->style()->unpolish(badge_);
+    badge_->style()->polish(badge_);
+}
+
+void VerdictStrip::setLimit(double metres)
+{
+    limit_ = std::isfinite(metres) ? std::clamp(metres, kLeastLimit, kGreatestLimit) : kStepLimit;
+    lower_->setEnabled(limit_ > kLeastLimit + 1e-9);
+    raise_->setEnabled(limit_ < kGreatestLimit - 1e-9);
+}
+
+void VerdictStrip::choose(double metres)
+{
+    const double rounded = std::round(metres / kLimitStep) * kLimitStep;
+    if (rounded < kLeastLimit - 1e-9 || rounded > kGreatestLimit + 1e-9) return;
+    setLimit(rounded);
+    emit limitChosen(limit_);
+}
+
+QString VerdictStrip::badge() const
+{
+    return badge_->text();
+}
+
+QString VerdictStrip::question() const
+{
+    return question_->text();
+}
+
+QString VerdictStrip::reason() const
+{
+    return reason_->text();
+}
+
+}  // namespace terratact

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QFrame>
+
+#include "core/infer/verdict.h"
+
+class QLabel;
+class QPushButton;
+
+namespace terratact {
+
+/// The first glance: can I drive on?  A badge of word, shape and colour, the probability of a step ahead higher
+/// than the operator's limit with its Monte-Carlo error, and below it why.
+class VerdictStrip final : public QFrame {
+    Q_OBJECT
+public:
+    explicit VerdictStrip(QWidget* parent = nullptr);
+
+    /// probe: what a probe would buy, in words; empty where none is proposed.  limit(): of this verdict.
+    void setVerdict(const Verdict& verdict, const QString& probe = {});
+    void setNothing(const QString& why);  ///< no estimate, so no verdict
+    void setLimit(double metres);         ///< clamped to kLeastLimit … kGreatestLimit
+
+    double limit() const { return limit_; }
+    QString badge() const;
+    QString question() const;
+    QString reason() const;
+    QPushButton* lowerButton() const { return lower_; }
+    QPushButton* raiseButton() const { return raise_; }
+
+    static constexpr double kLeastLimit = 0.02, kGreatestLimit = 0.60, kLimitStep = 0.01;  ///< [m]
+
+signals:
+    void limitChosen(double metres);
+
+private:
+    void choose(double metres);
+    void setBadge(const QString& text, const QString& outlook);
+
+    double limit_ = kStepLimit;
+    QLabel* badge_ = nullptr;
+    QLabel* question_ = nullptr;
+    QLabel* reason_ = nullptr;
+    QPushButton* lower_ = nullptr;
+    QPushButton* raise_ = nullptr;
+};
+
+}  // namespace terratact
