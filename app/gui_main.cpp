@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QIcon>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -63,7 +64,7 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_flag("--transmit", arguments.transmit,
                  "Command the robot on --can; without it the console only listens")
         ->needs(can);
-    auto* replay = app.add_option("--replay", arguments.replay,
+    auto* replay = app.add_option("file,--replay", arguments.replay,
                                   "Log of candump -L to show as if it happened now")
                        ->excludes(can)
                        ->excludes("--terrain");
@@ -195,6 +196,8 @@ int run(int argc, char** argv, const Arguments& arguments)
     QApplication::setApplicationName(QStringLiteral("terratact-console"));
     QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
     QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
+    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
     applyLook(application);
 
     options.model = modelFileLoader(
