@@ -132,7 +132,7 @@ Result<std::unique_ptr<CanBus>> openBus(const Arguments& arguments)
 {
     if (!arguments.replay.empty()) {
         auto log = CandumpReplay::open(arguments.replay, {.speed = arguments.speed});
-        if (!log) return log.error();
+        if (!log) return Error{log.error().text + " (a replay needs a log of candump -L)"};
         return std::unique_ptr<CanBus>(std::move(*log));
     }
     auto bus = SocketCan::open({.interface = arguments.can, .transmit = arguments.transmit});

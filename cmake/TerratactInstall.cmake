@@ -31,7 +31,7 @@ install(FILES
   ${_docs}/extremes.md ${_docs}/fig8.svg ${_docs}/fig9.svg ${_docs}/link.md ${_docs}/panel.md ${_docs}/pit.svg
   ${_docs}/tradeoff.md ${_docs}/tradeoff.svg
   ${_resources}/desktop/changelog ${_resources}/desktop/copyright
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/terratact)
 
 # bash-completion loads the file that is called like the program.
 foreach(_program IN LISTS _programs)
@@ -58,15 +58,15 @@ set(CPACK_PACKAGE_CONTACT "Terratact contributors <terratact@localhost.invalid>"
   "Who maintains the package, as Name <address>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "terrain profile by touch for tracked robots in smoke")
 set(CPACK_PACKAGE_DESCRIPTION
-"Terratact is for the operator of a tracked rescue robot where cameras and lasers
-see nothing: the robot feels the ground with its flippers and a probing arm, and
-the console shows the terrain profile under and ahead of it, with bands that say
-how sure it is.
+"Terratact is for the operator of a tracked rescue robot where cameras and
+lasers see nothing: the robot feels the ground with its flippers and a probing
+arm, and the console shows the terrain profile under and ahead of it, with
+bands that say how sure it is.
 .
 The package has the console (terratact-console), the command line (terratact)
 with a simulated robot, a trained model, and tools for the robot's CAN bus.")
 set(CPACK_STRIP_FILES ON)
-set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_docs.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_files.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)   # the versions of this release's libraries; Qwt is linked statically
