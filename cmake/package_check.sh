@@ -10,12 +10,6 @@ cd "$(dirname "$0")/.."
 cmake/setup.sh core gui package
 out=$PWD/build/package
 log=$out/check.log
-if [ $# = 0 ]; then
-  cmake/build.sh package terratact terratact-console
-  rm -f "$out"/terratact_*.deb
-  cpack --config "$out/CPackConfig.cmake" -G DEB -B "$out"
-  set -- "$out"/terratact_*.deb
-fi
 mkdir -p "$out"
 : >"$log"
 
@@ -57,6 +51,12 @@ nothing_left() {
     ! grep -rIil terratact "$root/etc" "$root/usr" "$root/var/lib" --exclude='status-old'
 }
 
+if [ $# = 0 ]; then
+  cmake/build.sh package terratact terratact-console
+  rm -f "$out"/terratact_*.deb
+  step "cpack" cpack --config "$out/CPackConfig.cmake" -G DEB -B "$out"
+  set -- "$out"/terratact_*.deb
+fi
 step "lintian" lintian --allow-root --fail-on error,warning "$1"
 # shellcheck disable=SC2086
 step "minimal Debian 12" debootstrap --variant=minbase bookworm "$root" ${MIRROR:-}
