@@ -5,6 +5,7 @@
 # only recommends; both programs run as a user of that system; the package purged, and nothing of it left.
 # What apt and the programs say goes to build/package/check.log, the console's picture beside it.
 set -euo pipefail
+[ $# = 0 ] || set -- "$(realpath "$1")"
 cd "$(dirname "$0")/.."
 [ "$(id -u)" = 0 ] || { echo "package_check.sh: needs root, for debootstrap and chroot" >&2; exit 1; }
 cmake/setup.sh core gui package
