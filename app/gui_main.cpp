@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QIcon>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -63,7 +64,7 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_flag("--transmit", arguments.transmit,
                  "Command the robot on --can; without it the console only listens")
         ->needs(can);
-    auto* replay = app.add_option("--replay", arguments.replay,
+    auto* replay = app.add_option("file,--replay", arguments.replay,
                                   "Log of candump -L to show as if it happened now")
                        ->excludes(can)
                        ->excludes("--terrain");
@@ -131,7 +132,7 @@ Result<std::unique_ptr<CanBus>> openBus(const Arguments& arguments)
 {
     if (!arguments.replay.empty()) {
         auto log = CandumpReplay::open(arguments.replay, {.speed = arguments.speed});
-        if (!log) return log.error();
+        if (!log) return Error{log.error().text + " (a replay needs a log of candump -L)"};
         return std::unique_ptr<CanBus>(std::move(*log));
     }
     auto bus = SocketCan::open({.interface = arguments.can, .transmit = arguments.transmit});
@@ -195,6 +196,8 @@ int run(int argc, char** argv, const Arguments& arguments)
     QApplication::setApplicationName(QStringLiteral("terratact-console"));
     QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
     QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
+    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
     applyLook(application);
 
     options.model = modelFileLoader(

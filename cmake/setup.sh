@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what is missing for the named groups, and says nothing if nothing is missing:
-#   cmake/setup.sh [core] [gui] [test] [tidy] [kernel]
+#   cmake/setup.sh [core] [gui] [test] [tidy] [package] [kernel]
 #   core  compiler and libraries of the core, the drivers and the command line
 #   gui   Qt 6, and Qwt for Qt 6: the system's where it has one, else built into .deps/qwt
 #   test  libraries and tools of the tests      tidy  clang, clang-tidy, clang-format
+#   package  what makes the Debian package and checks it: cmake/package_check.sh
 #   kernel  what tests/kernel/ needs to build and use a kernel of its own; libgpiod 2 into .deps/libgpiod2
 # Packages come through apt (sudo where needed); the system's apt sources stay as they are.
 set -euo pipefail
@@ -25,8 +26,10 @@ declare -A packages=(
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-wayland qmake6 libgl-dev make bzip2 fonts-dejavu-core"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
-          python3-can sqlite3 parallel xvfb xauth xdotool"
+          python3-can sqlite3 parallel xvfb xauth xdotool
+          appstream desktop-file-utils man-db groff-base dpkg-dev file"
   [tidy]="clang clang-tidy clang-format libclang-rt-14-dev git"
+  [package]="dpkg-dev file debootstrap debian-archive-keyring lintian"
   [kernel]="linux-source-6.1 gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
 )
 
@@ -126,7 +129,7 @@ exec 9>.deps/lock
 flock 9
 wanted=()
 for group in "$@"; do
-  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy, kernel)"
+  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy, package, kernel)"
   # shellcheck disable=SC2206
   wanted+=(${packages[$group]})
 done

@@ -33,7 +33,7 @@ class Console(unittest.TestCase):
 
     def test_wrong_arguments_end_with_2(self):
         for arguments in (["--no-such"], ["--seed", "x"], ["--size", "12x"], ["--size", "99999x900"],
-                          ["--size", "1280x720x3"], ["stray"]):
+                          ["--size", "1280x720x3"], ["one.log", "two.log"], ["one.log", "--can", "vcan0"]):
             done = run(*arguments)
             self.assertEqual(done.returncode, 2, arguments)
             self.assertTrue(done.stderr, arguments)
@@ -42,6 +42,15 @@ class Console(unittest.TestCase):
         done = run()
         self.assertEqual(done.returncode, 1)
         self.assertIn("no display", done.stderr)
+
+    def test_an_argument_is_the_log_of_a_replay(self):
+        log = os.path.join(os.environ["TERRATACT_SOURCE_DIR"], "docs", "can_demo.log")
+        done = run(log)  # as far as it gets without a display: the log is read before
+        self.assertIn("no display", done.stderr)
+        for path, why in (("/nowhere/x.log", "No such file"), (CONSOLE, "needs a log of candump -L")):
+            done = run(path)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, f"^terratact-console: {path}.*{why}")
 
     def test_files_that_cannot_be_read_are_named(self):
         for option in ("--model", "--robot", "--terrain"):

@@ -1,0 +1,80 @@
+# What `cmake --install` puts where, and the Debian package that `cpack -G DEB` makes of it.
+
+include(GNUInstallDirs)
+
+# Programs find their files at ../share/terratact (app/resources.h): in the build tree, too.
+file(RELATIVE_PATH _data ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR})
+if(NOT _data STREQUAL "../share")
+  message(FATAL_ERROR "the programs look for ../share, but from CMAKE_INSTALL_BINDIR to CMAKE_INSTALL_DATADIR it is ${_data}")
+endif()
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/resources ${PROJECT_BINARY_DIR}/share/terratact SYMBOLIC)
+
+set(_resources ${PROJECT_SOURCE_DIR}/resources)
+set(_docs ${PROJECT_SOURCE_DIR}/docs)
+set(_programs terratact)
+if(TERRATACT_GUI)
+  list(APPEND _programs terratact-console)
+endif()
+
+install(TARGETS ${_programs})
+install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.presets.csv
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/models)
+install(FILES ${_resources}/robots/absolem.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/robots)
+install(FILES ${_resources}/dbc/terratact.dbc DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/dbc)
+install(FILES ${_resources}/panels/example.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/panels)
+
+list(TRANSFORM _programs REPLACE "(.+)" "${_docs}/man/\\1.1" OUTPUT_VARIABLE _pages)
+install(FILES ${_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES
+  ${_docs}/can.md ${_docs}/can_absolem.log ${_docs}/can_demo.log ${_docs}/clusters.md ${_docs}/evaluation.md
+  ${_docs}/extremes.md ${_docs}/fig8.svg ${_docs}/fig9.svg ${_docs}/link.md ${_docs}/panel.md ${_docs}/pit.svg
+  ${_docs}/tradeoff.md ${_docs}/tradeoff.svg
+  ${_resources}/desktop/changelog ${_resources}/desktop/copyright
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/terratact)
+
+# bash-completion loads the file that is called like the program.
+foreach(_program IN LISTS _programs)
+  install(FILES ${_resources}/desktop/completion.bash RENAME ${_program}
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endforeach()
+
+if(TERRATACT_GUI)
+  set(_id org.terratact.console)
+  install(FILES ${_resources}/desktop/${_id}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+  install(FILES ${_resources}/desktop/${_id}.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+  install(FILES ${_resources}/desktop/${_id}.mime.xml RENAME ${_id}.xml
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+  install(FILES ${_resources}/desktop/${_id}.svg
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+endif()
+
+# A package is made of what is built; it builds nothing, so that one needs no tests.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME terratact)
+set(CPACK_PACKAGE_VENDOR "Terratact contributors")
+set(CPACK_PACKAGE_CONTACT "Terratact contributors <terratact@localhost.invalid>" CACHE STRING
+  "Who maintains the package, as Name <address>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "terrain profile by touch for tracked robots in smoke")
+set(CPACK_PACKAGE_DESCRIPTION
+"Terratact is for the operator of a tracked rescue robot where cameras and
+lasers see nothing: the robot feels the ground with its flippers and a probing
+arm, and the console shows the terrain profile under and ahead of it, with
+bands that say how sure it is.
+.
+The package has the console (terratact-console), the command line (terratact)
+with a simulated robot, a trained model, and tools for the robot's CAN bus.")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_files.cmake)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)   # the versions of this release's libraries; Qwt is linked statically
+set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)   # figures and console have text, libraries bring no font
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "can-utils, gpiod")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS iproute2)   # `terratact can check` names its commands
+if(TERRATACT_GUI)
+  # Qt's plugins are loaded at run time: that of X11 and the offscreen one come with libqt6gui6.
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", qt6-wayland")
+endif()
+include(CPack)

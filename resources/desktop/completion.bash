@@ -1,0 +1,141 @@
+# Completion of terratact and terratact-console for bash 4 or later; needs nothing of bash-completion.
+
+# Each of these adds to COMPREPLY what begins with $word.
+
+# Files with one of the given suffixes, and folders.
+_terratact_files() {
+  local suffix
+  compopt -o filenames 2>/dev/null
+  mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(
+    compgen -d -- "$word"
+    for suffix; do compgen -f -X "!*.$suffix" -- "$word"; done
+  )
+}
+
+_terratact_words() {
+  mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "$*" -- "$word")
+}
+
+# Of a list with commas: what is before the last comma stays.
+_terratact_list() {
+  local before=
+  [[ $word != *,* ]] || before=${word%,*},
+  compopt -o nospace 2>/dev/null
+  mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -P "$before" -W "$*" -- "${word##*,}")
+}
+
+# CAN interfaces, which Linux gives the type 280.
+_terratact_buses() {
+  local type names=()
+  for type in /sys/class/net/*/type; do
+    [[ $(<"$type") != 280 ]] || names+=("$(basename "${type%/type}")")
+  done 2>/dev/null
+  _terratact_words "${names[@]}"
+}
+
+# COMPREPLY for the value of option $1 of command $2; fails where the option is a flag.
+_terratact_value() {
+  local methods="pa pac pafc pafac clearance joint local"
+  case $2:$1 in
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
+      *:--summary | *:--transmit | "model show:--csv") return 1 ;;
+    *:--robot | *:--panel) _terratact_files toml ;;
+    *:--model) _terratact_files ttm ;;
+    *:--data | *:--classes | *:--csv) _terratact_files csv ;;
+    simulate:--out | reconstruct:--out) _terratact_files csv ;;
+    train:--out | merge:--out) _terratact_files ttm ttp ;;
+    *:--out) _terratact_files ;;
+    console:--terrain) _terratact_files csv ;;
+    robot:--terrain) _terratact_files csv && _terratact_words varied ;;
+    *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
+    *:--replay) _terratact_files log ;;
+    *:--screenshot) _terratact_files png ;;
+    *:--can | *:--interface) _terratact_buses ;;
+    *:--method) _terratact_words "$methods" ;;
+    *:--methods) _terratact_list "$methods" ;;
+    *:--ceiling) _terratact_words truncate clamp none ;;
+    *:--contacts) _terratact_words isolated any none ;;
+    *:--quality) _terratact_words fast balanced accurate ;;
+    *:--precision) _terratact_words single double ;;
+    *:--scan) _terratact_words forward reverse random ;;
+    *:--protocol) _terratact_words terratact absolem ;;
+    *:--fault) _terratact_words none silence stuck-imu dead-element refuse-probe slow-arm reboot ;;
+    *:--disturb)
+      _terratact_words none imu-noise forces-high forces-low dead-element soft-ground light-robot heavy-robot \
+        friction-free
+      ;;
+    *:--*) ;;  # a number or a word of the user's own
+    *) return 1 ;;
+  esac
+}
+
+_terratact_options() {
+  local estimates="--ceiling --contacts --threshold --sweeps --chains --burn-in --inducing --precision --quality
+    --full --seconds --scan --seed"
+  case $1 in
+    console) echo --version --model --robot --terrain --can --transmit --replay --speed --panel --seed --screenshot \
+      --size ;;
+    simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
+    train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
+    reconstruct) echo --robot --model --data --out --method "$estimates" ;;
+    evaluate) echo --robot --model --data --out --methods --step-limit --shard --classes --class-column --probes \
+      "$estimates" ;;
+    tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
+    merge) echo --robot --out ;;
+    contacts) echo --robot --data --threshold ;;
+    probes) echo --data ;;
+    calibrate) echo --data --robot ;;
+    "model show") echo --csv ;;
+    "model predict") echo --data ;;
+    "panel check") echo --lamps --watch --seconds ;;
+    demo) echo --robot --model --out --method "$estimates" ;;
+    robot) echo --robot --can --terrain --fault --seed --speed --seconds ;;
+    "can decode") echo --interface --csv --summary --protocol ;;
+    "can monitor") echo --seconds --bitrate --interface --speed --protocol ;;
+    "") echo --version ;;
+  esac
+  echo --help
+}
+
+# What may stand where no option does.
+_terratact_argument() {
+  case $1 in
+    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts probes calibrate model panel demo \
+      robot can ;;
+    model) _terratact_words show predict ;;
+    panel) _terratact_words check ;;
+    can) _terratact_words decode monitor check ;;
+    "model "*) _terratact_files ttm ;;
+    "panel check") _terratact_files toml ;;
+    "can check") _terratact_buses ;;
+    "can monitor") _terratact_files log && _terratact_buses ;;
+    "can decode" | console) _terratact_files log ;;
+    merge) _terratact_files ttp tte ;;
+  esac
+}
+
+_terratact() {
+  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=
+  if [[ $word == = ]]; then  # "--seed=" comes as two words, "--seed=1" as three
+    word=
+  elif [[ $previous == = ]]; then
+    previous=${COMP_WORDS[COMP_CWORD - 2]}
+  fi
+  if [[ $1 == *terratact-console ]]; then
+    command=console
+  elif [ "$COMP_CWORD" -gt 1 ] && [[ ${COMP_WORDS[1]} != -* ]]; then
+    command=${COMP_WORDS[1]}
+    if [[ $command =~ ^(model|panel|can)$ ]] && [ "$COMP_CWORD" -gt 2 ] && [[ ${COMP_WORDS[2]} != -* ]]; then
+      command+=" ${COMP_WORDS[2]}"
+    fi
+  fi
+  COMPREPLY=()
+  _terratact_value "$previous" "$command" && return
+  if [[ $word == -* ]]; then
+    _terratact_words "$(_terratact_options "$command")"
+  else
+    _terratact_argument "$command"
+  fi
+}
+
+complete -F _terratact terratact terratact-console

@@ -1,0 +1,163 @@
+"""The Debian package as cpack makes it of this build, and what it tells a desktop: contents, dependencies, and that both
+programs run from where it is unpacked with the files of the package alone.  Arguments: cpack, the build folder.
+Installing it on a clean system is for cmake/package_check.sh."""
+
+import configparser
+import gzip
+import os
+import pathlib
+import re
+import shutil
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+from support import CLI, SOURCE
+
+CPACK, BUILD = sys.argv[1:]
+sys.argv[1:] = []
+DESKTOP = pathlib.Path(SOURCE, "resources/desktop")
+ID = "org.terratact.console"
+MIME = "{http://www.freedesktop.org/standards/shared-mime-info}"
+MISSING = [tool for tool in ("dpkg-deb", "dpkg-shlibdeps", "file", "gzip") if not shutil.which(tool)]
+MISSING += [] if os.path.exists(CPACK) else ["cpack"]
+
+
+def output(*command, code=0, **options):
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, timeout=300, check=False, **options)
+    assert done.returncode == code, f"{command}: exit {done.returncode}\n{done.stdout}\n{done.stderr}"
+    return done.stdout + done.stderr
+
+
+def entry():
+    parser = configparser.ConfigParser(interpolation=None)
+    parser.optionxform = str
+    parser.read(DESKTOP / f"{ID}.desktop")
+    return parser["Desktop Entry"]
+
+
+class Desktop(unittest.TestCase):
+    @unittest.skipUnless(shutil.which("desktop-file-validate"), "desktop-file-utils is not installed")
+    def test_the_entry_is_valid(self):
+        self.assertEqual(output("desktop-file-validate", DESKTOP / f"{ID}.desktop"), "")
+
+    @unittest.skipUnless(shutil.which("appstreamcli"), "appstream is not installed")
+    def test_the_metainfo_is_valid(self):
+        self.assertIn("successful", output("appstreamcli", "validate", "--no-net", "--pedantic", DESKTOP / f"{ID}.metainfo.xml"))
+
+    def test_they_speak_of_the_same_program_type_and_icon(self):
+        metainfo = xml.parse(DESKTOP / f"{ID}.metainfo.xml")
+        mime = xml.parse(DESKTOP / f"{ID}.mime.xml").find(f"{MIME}mime-type")
+        self.assertEqual(metainfo.findtext("id"), ID)
+        self.assertEqual(metainfo.findtext("launchable"), f"{ID}.desktop")
+        self.assertEqual(entry()["MimeType"], mime.get("type") + ";")
+        self.assertEqual(metainfo.findtext("provides/mediatype"), mime.get("type"))
+        self.assertEqual(entry()["Exec"], metainfo.findtext("provides/binary") + " %f")
+        self.assertEqual({ID}, {entry()["Icon"], metainfo.findtext("icon"), mime.find(f"{MIME}icon").get("name")})
+        self.assertTrue(xml.parse(DESKTOP / f"{ID}.svg").getroot().tag.endswith("svg"))
+
+    def test_a_session_is_known_by_its_content(self):
+        match = xml.parse(DESKTOP / f"{ID}.mime.xml").find(f"{MIME}mime-type/{MIME}magic/{MIME}match")
+        inner = match.find(f"{MIME}match")
+        with tempfile.NamedTemporaryFile() as file:
+            with sqlite3.connect(file.name) as base:
+                base.execute("PRAGMA application_id = 0x54545331")
+                base.execute("CREATE TABLE something (x)")
+            head = pathlib.Path(file.name).read_bytes()[:100]
+        self.assertEqual((match.get("type"), inner.get("type")), ("string", "big32"))
+        for rule, value in ((match, match.get("value").encode()), (inner, int(inner.get("value"), 0).to_bytes(4, "big"))):
+            offset = int(rule.get("offset"))
+            self.assertEqual(head[offset:offset + len(value)], value)
+        self.assertEqual(int(inner.get("value"), 0).to_bytes(4, "big"), b"TTS1")
+
+    def test_the_version_is_the_programs(self):
+        version = output(CLI, "--version").split()[1]
+        self.assertEqual(xml.parse(DESKTOP / f"{ID}.metainfo.xml").find("releases/release").get("version"), version)
+        self.assertTrue((DESKTOP / "changelog").read_text().startswith(f"terratact ({version}) "))
+
+
+@unittest.skipIf(MISSING, f"not installed: {', '.join(MISSING)}")
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.root = pathlib.Path(cls.folder.name, "root")
+        output(CPACK, "--config", f"{BUILD}/CPackConfig.cmake", "-G", "DEB", "-B", cls.folder.name)
+        cls.package, = pathlib.Path(cls.folder.name).glob("terratact_*.deb")
+        output("dpkg-deb", "-x", cls.package, cls.root)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def files(self):
+        return {str(path.relative_to(self.root)) for path in self.root.rglob("*") if path.is_file()}
+
+    def run_installed(self, program, *arguments, code=0):
+        clean = {"PATH": "/usr/bin:/bin", "HOME": self.folder.name, "LC_ALL": "C.UTF-8", "QT_QPA_PLATFORM": "offscreen"}
+        return output(self.root / "usr/bin" / program, *arguments, code=code, env=clean, cwd=self.folder.name)
+
+    def test_everything_is_where_debian_has_it(self):
+        share = "usr/share"
+        self.assertLessEqual(
+            {"usr/bin/terratact", "usr/bin/terratact-console",
+             f"{share}/man/man1/terratact.1.gz", f"{share}/man/man1/terratact-console.1.gz",
+             f"{share}/bash-completion/completions/terratact", f"{share}/bash-completion/completions/terratact-console",
+             f"{share}/applications/{ID}.desktop", f"{share}/metainfo/{ID}.metainfo.xml", f"{share}/mime/packages/{ID}.xml",
+             f"{share}/icons/hicolor/scalable/apps/{ID}.svg",
+             f"{share}/doc/terratact/copyright", f"{share}/doc/terratact/changelog.gz", f"{share}/doc/terratact/can_demo.log"},
+            self.files())
+        shipped = {path.split("terratact/", 1)[1] for path in self.files() if path.startswith(f"{share}/terratact/")}
+        self.assertEqual(shipped, {"models/default.ttm", "models/default.presets.csv", "robots/absolem.toml",
+                                   "dbc/terratact.dbc", "panels/example.toml"})
+        for line in output("dpkg-deb", "-c", self.package).splitlines():
+            self.assertRegex(line, r"^(drwxr-xr-x|-rwxr-xr-x|-rw-r--r--) root/root ")
+
+    def test_it_depends_on_what_is_linked_and_what_is_loaded(self):
+        depends = output("dpkg-deb", "-f", self.package, "Depends")
+        for needed in ("libc6 (>=", "libqt6gui6", "libqt6widgets6", "libcairo2", "libopenblas0", "libsqlite3-0",
+                       "fonts-dejavu-core"):
+            self.assertIn(needed, depends)
+        self.assertIn("qt6-wayland", output("dpkg-deb", "-f", self.package, "Recommends"))
+
+    def test_the_programs_are_stripped_and_know_no_place_of_this_machine(self):
+        for name in ("terratact", "terratact-console"):
+            program = self.root / "usr/bin" / name
+            self.assertIn(", stripped", output("file", program))
+            content = program.read_bytes()
+            for place in (SOURCE, BUILD):
+                self.assertNotIn(place.encode(), content)
+            self.assertNotRegex(output("readelf", "-d", program), "RPATH|RUNPATH")
+
+    def test_what_is_compressed_has_no_time(self):
+        for name in ("man/man1/terratact.1.gz", "man/man1/terratact-console.1.gz", "doc/terratact/changelog.gz"):
+            content = (self.root / "usr/share" / name).read_bytes()
+            self.assertEqual(content[4:8], bytes(4))
+            self.assertTrue(gzip.decompress(content))
+
+    def test_the_copyright_names_qwt(self):
+        self.assertIn("based in part on the work of the Qwt project (http://qwt.sf.net)",
+                      (self.root / "usr/share/doc/terratact/copyright").read_text())
+
+    def test_the_programs_run_with_the_files_of_the_package(self):
+        self.assertRegex(self.run_installed("terratact", "--version"), r"^terratact \d")
+        self.run_installed("terratact", "demo", "--out", "demo")
+        self.assertEqual(len(list(pathlib.Path(self.folder.name, "demo").iterdir())), 4)
+        self.run_installed("terratact-console", "--screenshot", "console.png")
+        self.assertTrue(pathlib.Path(self.folder.name, "console.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_without_the_files_of_the_package_they_look_nowhere_else(self):
+        hidden = self.root / "usr/share/elsewhere"
+        shipped = self.root / "usr/share/terratact"
+        shipped.rename(hidden)
+        self.addCleanup(hidden.rename, shipped)
+        for program, arguments in (("terratact", ["demo"]), ("terratact-console", ["--screenshot", "none.png"])):
+            complaint = self.run_installed(program, *arguments, code=1)
+            self.assertRegex(complaint, rf"^{program}: {re.escape(str(shipped))}/")
+
+
+if __name__ == "__main__":
+    unittest.main()
