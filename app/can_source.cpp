@@ -50,11 +50,15 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
     }
 }
 
+bool CanSource::ended() const
+{
+    return options_.mode == Mode::Replay && bus_->state() == BusState::Absent;
+}
+
 std::string CanSource::trouble() const
 {
+    if (ended()) return name() + " has ended";
     const BusState state = bus_->state();
-    if (options_.mode == Mode::Replay)
-        return state == BusState::Absent ? name() + " has ended" : std::string();
     return state == BusState::Up ? std::string() : describe(state, bus_->name());
 }
 
@@ -74,8 +78,10 @@ std::optional<Sample> CanSource::takePending()
     while (!pending_.empty()) {
         const BusFrame received = pending_.front();
         pending_.pop_front();
-        if (const auto measurement = link_.receive(received.frame, received.echo, received.time))
-            return Sample{.measurement = *measurement, .truth = std::nullopt};
+        const auto measurement = link_.receive(received.frame, received.echo, received.time);
+        if (!measurement) continue;
+        return Sample{.measurement = *measurement,
+                      .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt};
     }
     return std::nullopt;
 }
@@ -159,7 +165,8 @@ CanView CanSource::view() const
             .telemetry = link_.telemetry().counters(),
             .forces = link_.telemetry().forces(),
             .transmits = options_.mode == Mode::Transmit,
-            .whyNotTransmitting = whyNotTransmitting()};
+            .whyNotTransmitting = whyNotTransmitting(),
+            .ended = ended()};
 }
 
 std::string whyNotArming(const CanView& view)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -20,6 +21,7 @@ struct CanView {
     ElementForces forces;  ///< of the newest line
     bool transmits = false;
     std::string whyNotTransmitting;  ///< in words; empty where it transmits
+    bool ended = false;              ///< a replay that has come to its end
 };
 
 /// A robot on a CAN bus.  The thread that calls next() receives, beats the heart and repeats drives, so
@@ -31,6 +33,9 @@ public:
         Mode mode = Mode::Listen;
         std::string name{};  ///< what the operator reads; the bus's own where it is empty
         ConsoleLink::Options link{};
+        /// The true terrain at the robot's pose, asked for with every measurement; empty where nobody knows it,
+        /// as of every real robot.
+        std::function<Heights()> truth{};
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 
@@ -52,6 +57,7 @@ public:
 
 private:
     std::string whyNotTransmitting() const;
+    bool ended() const;
     std::string trouble() const;
     std::optional<Sample> takePending();
     void work();

@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "app/main_window.h"
+#include "app/robot_in_process.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_on_memory_bus.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
@@ -47,11 +47,11 @@ struct BusConsole : testing::Test {
     {
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
-        robot = std::make_unique<RobotOnMemoryBus>(
+        robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation),
             RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
-        auto source = std::make_unique<CanSource>(std::make_unique<TimedEnd>(bus, "can0", 2), model,
-                                                  CanSource::Options{.mode = mode});
+        auto source =
+            std::make_unique<CanSource>(bus.join("can0"), model, CanSource::Options{.mode = mode});
         MainWindow::Options options;
         options.robot = model;
         options.link = source.get();
@@ -108,8 +108,8 @@ struct BusConsole : testing::Test {
     }
 
     RobotModel model = absolem();
-    MemoryBus bus;
-    std::unique_ptr<RobotOnMemoryBus> robot;
+    MemoryBus bus{steadyNow};
+    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 

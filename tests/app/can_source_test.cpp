@@ -5,9 +5,9 @@
 #include <mutex>
 #include <thread>
 
+#include "app/robot_in_process.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
-#include "tests/support/robot_on_memory_bus.h"
 
 namespace terratact {
 namespace {
@@ -26,7 +26,7 @@ SimulatedRobot robotBeforeAStep()
 struct Link : testing::Test {
     explicit Link(CanSource::Mode mode = CanSource::Mode::Transmit)
         : robot(bus, absolem(), robotBeforeAStep(), {.speed = 4.0}),
-          source(std::make_unique<TimedEnd>(bus, "console", 2), absolem(), {.mode = mode}),
+          source(bus.join("console"), absolem(), {.mode = mode}),
           reader([this](const std::stop_token& stop) {
               while (!stop.stop_requested()) {
                   const auto next = source.next(50ms);
@@ -72,8 +72,8 @@ struct Link : testing::Test {
         ASSERT_TRUE(is(ArmingPhase::Armed));
     }
 
-    MemoryBus bus;
-    RobotOnMemoryBus robot;
+    MemoryBus bus{steadyNow};
+    RobotInProcess robot;
     CanSource source;
     std::mutex mutex;
     std::optional<Measurement> latest;
