@@ -7,6 +7,7 @@
 
 #include "app/main_window.h"
 #include "app/robot_in_process.h"
+#include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
