@@ -1,6 +1,7 @@
 #include "app/can_source.h"
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "app/steady_now.h"
@@ -23,7 +24,7 @@ std::optional<Command> commandIn(const CanFrame& frame)
 }  // namespace
 
 CanSource::CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options)
-    : bus_(std::move(bus)), options_(options), link_(robot, options.link)
+    : bus_(std::move(bus)), options_(options), waits_(options.waits), link_(robot, options.link)
 {
 }
 
@@ -34,6 +35,10 @@ std::string CanSource::name() const
 
 Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience)
 {
+    if (waits_) {
+        std::this_thread::sleep_for(std::min(patience, kTurn));
+        return std::optional<Sample>{};
+    }
     const auto end = std::chrono::steady_clock::now() + patience;
     while (true) {
         if (auto sample = takePending()) return sample;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -36,6 +37,7 @@ public:
         /// The true terrain at the robot's pose, asked for with every measurement; empty where nobody knows it,
         /// as of every real robot.
         std::function<Heights()> truth{};
+        bool waits = false;  ///< next() brings nothing before begin(): a replay for its viewer
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 
@@ -45,6 +47,8 @@ public:
     /// Leaves in the calling thread, at once.  Stop, Halt and the like, and disarming, are tried again in next()
     /// until they have left, a stop whatever is said after it but its release; nothing else is.
     Status send(const Command& command) override;
+
+    void begin() { waits_ = false; }  ///< from any thread
 
     // From the GUI thread, see ConsoleLink.
     void operatorAlive();
@@ -67,6 +71,7 @@ private:
     Options options_;
     std::array<BusFrame, 64> frames_;
     std::deque<BusFrame> pending_;  // only next() touches these two
+    std::atomic<bool> waits_;
 
     mutable std::mutex mutex_;  // guards what follows
     ConsoleLink link_;

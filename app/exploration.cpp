@@ -24,8 +24,7 @@ constexpr int kLiveDraws = 200;          // enough for what a glance asks of a p
 Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
                          const Options& options, CanSource* link)
     : source_(source), link_(link), robot_(std::move(robot)), worker_(worker), options_(options),
-      whyFollowing_(link ? QString::fromStdString(link->view().whyNotTransmitting) : QString()),
-      whyNoEstimate_(nothingYet())
+      whyFollowing_(link ? QString::fromStdString(link->view().whyNotTransmitting) : QString())
 {
     state_.followed = following();
     connect(&worker_, &EstimatorWorker::modelLoaded, this,
@@ -420,7 +419,7 @@ void Exploration::enterFollowed()
     }
     case AtemPhase::Idle:
         cancelEstimate();
-        forget(moved_ ? whyMoved() : nothingYet());
+        forget(moved_ ? whyMoved() : QString());
         break;
     case AtemPhase::Presenting:
     case AtemPhase::Halting:
@@ -613,7 +612,7 @@ Precondition Exploration::arming() const
 {
     if (armed()) return {Precondition::Level::Met, tr("the robot is armed")};
     return {Precondition::Level::Missing,
-            following() ? whyFollowing_ : tr("the robot is not armed: press M, then hold M")};
+            following() ? whyFollowing_ : tr("not armed: press M, then hold M")};
 }
 
 QList<Precondition> Exploration::preconditions() const

@@ -96,7 +96,10 @@ public:
     const std::optional<ProbeProposal>& proposal() const { return proposal_; }
     std::optional<int> probingBin() const;
     double secondsInPhase() const { return now_ - state_.since; }
-    QString whyNoEstimate() const { return whyNoEstimate_; }
+    QString whyNoEstimate() const
+    {
+        return whyNoEstimate_.isEmpty() ? nothingYet() : whyNoEstimate_;
+    }
     QString whyNotDriving() const;  ///< empty: driving is allowed
     QList<Precondition> preconditions() const;
     const Options& options() const { return options_; }
@@ -159,8 +162,8 @@ private:
     bool moved_ = false;
     std::optional<TerrainEstimate> estimate_;
     double estimateSeconds_ = 0.0;
-    QString whyNoEstimate_;
-    ProbeAdvice advice_;  ///< of the estimate
+    QString whyNoEstimate_;  ///< empty: there was none yet
+    ProbeAdvice advice_;     ///< of the estimate
     std::optional<ProbeProposal> proposal_;
     std::string proposedOn_;  ///< grounds() when it was proposed
     double approvedAt_ = 0.0;

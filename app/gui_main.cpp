@@ -174,8 +174,9 @@ std::unique_ptr<CanSource> onBus(std::unique_ptr<CanBus> bus, const RobotModel& 
     const Mode mode = !arguments.replay.empty() ? Mode::Replay
                     : arguments.transmit        ? Mode::Transmit
                                                 : Mode::Listen;
-    return std::make_unique<CanSource>(std::move(bus), robot,
-                                       CanSource::Options{.mode = mode, .link = {.seed = drawn()}});
+    return std::make_unique<CanSource>(
+        std::move(bus), robot,
+        CanSource::Options{.mode = mode, .link = {.seed = drawn()}, .waits = mode == Mode::Replay});
 }
 
 /// Where telemetry comes from and commands go to: a robot on a bus or in a log, or else one in `builtIn`.

@@ -303,10 +303,12 @@ void MainWindow::connectAll()
     connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
             [this](const QString& name, const QString& details) {
                 header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
+                if (link_) link_->begin();  // a replay, so that no press comes too early
             });
     connect(worker_.get(), &EstimatorWorker::modelFailed, header_, [this](const QString& why) {
         modelTrouble_ = why;
         header_->setModel(tr("no model"), Tone::Bad, why);
+        if (link_) link_->begin();
     });
 }
 
@@ -407,7 +409,7 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
     const Measurement& m = latest->sample.measurement;
     const bool fresh = age <= kStaleAfter;
     readout_->setMeasurement(m, age);
-    robotAge_->setText(ended ? tr("the last line of the log") : tr("%1 old").arg(words::age(age)));
+    robotAge_->setText(ended ? tr("the log has ended") : tr("%1 old").arg(words::age(age)));
     setTone(*robotAge_, fresh || ended ? Tone::Muted : Tone::Bad);
     if (fresh) {
         std::array<std::optional<double>, kForceElements> forces;

@@ -100,7 +100,9 @@ struct BusConsole : testing::Test {
     {
         auto source = std::make_unique<CanSource>(
             std::move(end), model,
-            CanSource::Options{.mode = mode, .link = {.gate = {.operatorAge = operatorAge}}});
+            CanSource::Options{.mode = mode,
+                               .link = {.gate = {.operatorAge = operatorAge}},
+                               .waits = mode == CanSource::Mode::Replay});
         MainWindow::Options options;
         options.robot = model;
         options.link = source.get();
@@ -360,8 +362,10 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
     };
     auto replay = CandumpReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
     ASSERT_TRUE(replay) << replay.error().text;
-    window = console(std::move(*replay), CanSource::Mode::Replay,
-                     [] { return Result<LoadedModel>(madeUp()); });
+    window = console(std::move(*replay), CanSource::Mode::Replay, [] {
+        std::this_thread::sleep_for(500ms);  // longer than the whole log
+        return Result<LoadedModel>(madeUp());
+    });
     gui::showActive(*window);
     ASSERT_TRUE(eventually([&] { return says("END OF THE LOG"); }));
     QTest::qWait(500);  // a link would be lost by now
@@ -369,6 +373,7 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
     EXPECT_FALSE(says("LINK LOST"));
     EXPECT_TRUE(says("the log has ended"));
     EXPECT_TRUE(says("Following"));
+    EXPECT_TRUE(window->exploration().estimate()) << "its press waited for the model";
     EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
     picture("end-of-the-log");
 }
