@@ -127,6 +127,12 @@ struct BusConsole : testing::Test {
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
         if (!folder.isEmpty()) window->grab().save(folder + "/" + name + ".png");
     }
+    static bool hasModel(MainWindow& console)
+    {
+        const QList<Precondition> all = console.exploration().preconditions();
+        return std::ranges::any_of(
+            all, [](const Precondition& p) { return p.text == "model default.ttm is ready"; });
+    }
     ArmingPhase arming() const { return window->link()->view().link.arming.phase; }
     bool holds(int key, ArmingPhase until)
     {
@@ -325,6 +331,8 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());
     const Estimates made(window->exploration());
     gui::showActive(*window);
+    for (MainWindow* one : {listener.get(), window.get()})
+        ASSERT_TRUE(eventually([&] { return hasModel(*one); }));
     arm();
     exploreAndProbe();
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
