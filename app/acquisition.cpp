@@ -2,10 +2,27 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace terratact {
 
 using namespace std::chrono_literals;
+
+Received received(const std::optional<Received>& before, Sample sample, SteadyTime arrived)
+{
+    Received now{.sample = std::move(sample),
+                 .arrived = arrived,
+                 .count = before ? before->count + 1 : 1,
+                 .press = before ? before->press : std::nullopt};
+    const RobotActivity activity = now.sample.measurement.activity;
+    const bool stands =
+        activity == RobotActivity::Pressed || (activity == RobotActivity::Probing && now.press);
+    if (!stands)
+        now.press.reset();
+    else if (!now.press)
+        now.press = Press{now.sample, now.count};
+    return now;
+}
 
 Acquisition::Acquisition(MeasurementSource& source)
     : source_(source), thread_([this](const std::stop_token& stop) { read(stop); })
@@ -22,8 +39,7 @@ void Acquisition::read(const std::stop_token& stop)
             if (next) {
                 const SteadyTime now = std::chrono::steady_clock::now();
                 const std::scoped_lock lock(mutex_);
-                const std::uint64_t count = latest_ ? latest_->count + 1 : 1;
-                latest_ = Received{.sample = **std::move(next), .arrived = now, .count = count};
+                latest_ = received(latest_, **std::move(next), now);
                 arrivals_.push_back(now);
                 while (now - arrivals_.front() > 1s) arrivals_.pop_front();
                 trouble_.clear();

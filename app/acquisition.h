@@ -15,12 +15,22 @@ namespace terratact {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
+/// The line of telemetry with which the robot said that its flippers are pressed.
+struct Press {
+    Sample sample;
+    std::uint64_t count = 0;  ///< of that line
+};
+
 /// The newest telemetry.
 struct Received {
     Sample sample;
     SteadyTime arrived;
-    std::uint64_t count = 0;  ///< 1 for the first
+    std::uint64_t count = 0;       ///< 1 for the first
+    std::optional<Press> press{};  ///< how the present press began; the arm may probe during one
 };
+
+/// The newest telemetry after one more line: no line is missed in press, however seldom somebody looks.
+Received received(const std::optional<Received>& before, Sample sample, SteadyTime arrived);
 
 /// Reads a source in its own thread into a mailbox that keeps only the newest: whoever draws looks when
 /// it likes and can never be flooded.  The source must outlive it.

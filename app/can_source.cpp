@@ -1,6 +1,7 @@
 #include "app/can_source.h"
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "app/steady_now.h"
@@ -23,7 +24,7 @@ std::optional<Command> commandIn(const CanFrame& frame)
 }  // namespace
 
 CanSource::CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options)
-    : bus_(std::move(bus)), options_(options), link_(robot, options.link)
+    : bus_(std::move(bus)), options_(options), waits_(options.waits), link_(robot, options.link)
 {
 }
 
@@ -34,6 +35,10 @@ std::string CanSource::name() const
 
 Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience)
 {
+    if (waits_) {
+        std::this_thread::sleep_for(std::min(patience, kTurn));
+        return std::optional<Sample>{};
+    }
     const auto end = std::chrono::steady_clock::now() + patience;
     while (true) {
         if (auto sample = takePending()) return sample;
@@ -50,11 +55,15 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
     }
 }
 
+bool CanSource::ended() const
+{
+    return options_.mode == Mode::Replay && bus_->state() == BusState::Absent;
+}
+
 std::string CanSource::trouble() const
 {
+    if (ended()) return name() + " has ended";
     const BusState state = bus_->state();
-    if (options_.mode == Mode::Replay)
-        return state == BusState::Absent ? name() + " has ended" : std::string();
     return state == BusState::Up ? std::string() : describe(state, bus_->name());
 }
 
@@ -74,8 +83,10 @@ std::optional<Sample> CanSource::takePending()
     while (!pending_.empty()) {
         const BusFrame received = pending_.front();
         pending_.pop_front();
-        if (const auto measurement = link_.receive(received.frame, received.echo, received.time))
-            return Sample{.measurement = *measurement, .truth = std::nullopt};
+        const auto measurement = link_.receive(received.frame, received.echo, received.time);
+        if (!measurement) continue;
+        return Sample{.measurement = *measurement,
+                      .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt};
     }
     return std::nullopt;
 }
@@ -159,7 +170,8 @@ CanView CanSource::view() const
             .telemetry = link_.telemetry().counters(),
             .forces = link_.telemetry().forces(),
             .transmits = options_.mode == Mode::Transmit,
-            .whyNotTransmitting = whyNotTransmitting()};
+            .whyNotTransmitting = whyNotTransmitting(),
+            .ended = ended()};
 }
 
 std::string whyNotArming(const CanView& view)

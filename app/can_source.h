@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -20,6 +22,7 @@ struct CanView {
     ElementForces forces;  ///< of the newest line
     bool transmits = false;
     std::string whyNotTransmitting;  ///< in words; empty where it transmits
+    bool ended = false;              ///< a replay that has come to its end
 };
 
 /// A robot on a CAN bus.  The thread that calls next() receives, beats the heart and repeats drives, so
@@ -31,6 +34,10 @@ public:
         Mode mode = Mode::Listen;
         std::string name{};  ///< what the operator reads; the bus's own where it is empty
         ConsoleLink::Options link{};
+        /// The true terrain at the robot's pose, asked for with every measurement; empty where nobody knows it,
+        /// as of every real robot.
+        std::function<Heights()> truth{};
+        bool waits = false;  ///< next() brings nothing before begin(): a replay for its viewer
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 
@@ -40,6 +47,8 @@ public:
     /// Leaves in the calling thread, at once.  Stop, Halt and the like, and disarming, are tried again in next()
     /// until they have left, a stop whatever is said after it but its release; nothing else is.
     Status send(const Command& command) override;
+
+    void begin() { waits_ = false; }  ///< from any thread
 
     // From the GUI thread, see ConsoleLink.
     void operatorAlive();
@@ -52,6 +61,7 @@ public:
 
 private:
     std::string whyNotTransmitting() const;
+    bool ended() const;
     std::string trouble() const;
     std::optional<Sample> takePending();
     void work();
@@ -61,6 +71,7 @@ private:
     Options options_;
     std::array<BusFrame, 64> frames_;
     std::deque<BusFrame> pending_;  // only next() touches these two
+    std::atomic<bool> waits_;
 
     mutable std::mutex mutex_;  // guards what follows
     ConsoleLink link_;

@@ -29,7 +29,11 @@ void ScreenshotDemo::tick()
     Exploration& exploration = window_.exploration();
     if (steadyNow() - began_ > kPatience) return fail(tr("the demonstration took too long"));
     if (!window_.modelTrouble().isEmpty()) return fail(window_.modelTrouble());
-    if (exploration.state().phase == AtemPhase::Failed)
+    if (stage_ != Stage::Settling && !exploration.armed()) {  // at first, or for a busy machine
+        stage_ = Stage::Loading;
+        return arm();
+    }
+    if (exploration.state().phase == AtemPhase::Failed && stage_ == Stage::Exploring)
         return fail(QString::fromStdString(describe(exploration.state().failure)));
 
     switch (stage_) {
@@ -62,6 +66,16 @@ void ScreenshotDemo::tick()
         if (steadyNow() - settled_ >= kSettle) finish();
         break;
     }
+}
+
+// Says both words of an operator; an arming that fails is begun anew.
+void ScreenshotDemo::arm()
+{
+    CanSource& link = *window_.link();
+    const CanView view = link.view();
+    if (view.link.arming.phase == ArmingPhase::Confirming) link.confirmArming();
+    if (view.link.arming.phase == ArmingPhase::Disarmed && whyNotArming(view).empty())
+        link.wantArming();
 }
 
 void ScreenshotDemo::finish()

@@ -8,7 +8,7 @@ namespace terratact {
 
 class MainWindow;
 
-/// Plays the operator of the simulated robot: drives up to the step, asks for an exploration, and
+/// Plays the operator of the simulated robot: arms it, drives up to the step, asks for an exploration, and
 /// saves a picture of the window once the first estimate stands on it.  Ends the program's event loop
 /// with 0, or with 1 and a sentence on stderr.
 class ScreenshotDemo final : public QObject {
@@ -19,6 +19,7 @@ public:
 private:
     enum class Stage { Loading, Driving, Exploring, Settling };
     void tick();
+    void arm();
     void finish();
     void fail(const QString& why);
 

@@ -24,8 +24,9 @@ constexpr int kLiveDraws = 200;          // enough for what a glance asks of a p
 Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
                          const Options& options, CanSource* link)
     : source_(source), link_(link), robot_(std::move(robot)), worker_(worker), options_(options),
-      whyNoEstimate_(tr("No estimate yet: explore the terrain (A)"))
+      whyFollowing_(link ? QString::fromStdString(link->view().whyNotTransmitting) : QString())
 {
+    state_.followed = following();
     connect(&worker_, &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
                 modelName_ = name;
@@ -49,7 +50,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 pending_.estimateReady = true;
                 pending_.probeWanted = advice.bin.has_value();
                 proposal_.reset();
-                if (advice.bin) {
+                if (advice.bin && !following()) {
                     proposal_ = proposalFor(*advice.bin);
                     proposal_->id = ++lastProposal_;
                     proposedOn_ = grounds();
@@ -74,8 +75,22 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     });
 }
 
+QString Exploration::nothingYet() const
+{
+    if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");
+    if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
+    return tr("No estimate yet: explore the terrain (A)");
+}
+
+QString Exploration::whyMoved() const
+{
+    return following() ? tr("The robot has moved: the next press brings the next estimate")
+                       : tr("The robot has moved: explore again (A)");
+}
+
 void Exploration::request()
 {
+    if (following()) return;
     pending_.requested = true;
     driving_ = false;  // the halt comes from the exploration
 }
@@ -173,8 +188,8 @@ void Exploration::halt()
 
 void Exploration::stop()
 {
-    if (const std::string why = link_ ? link_->view().whyNotTransmitting : ""; !why.empty()) {
-        emit happened(tr("STOP not sent: %1").arg(QString::fromStdString(why)), Weight::Bad);
+    if (following()) {
+        emit happened(tr("STOP not sent: %1").arg(whyFollowing_), Weight::Bad);
         return;  // nothing is stopped, so nothing must look so
     }
     command(StopCommand{});
@@ -186,7 +201,7 @@ void Exploration::stop()
 
 void Exploration::releaseStop()
 {
-    if (state_.phase != AtemPhase::Stopped) return;
+    if (state_.phase != AtemPhase::Stopped || following()) return;
     releasing_ = true;
     releaseBegan_ = stopSent_ = now_;
     command(ReleaseStopCommand{});
@@ -203,15 +218,14 @@ void Exploration::setQuality(Quality quality)
 void Exploration::leave()
 {
     halt();
-    if (exploring(state_.phase)) command(AbortAtemCommand{});
+    if (exploring(state_.phase) && !following()) command(AbortAtemCommand{});
     if (link_) link_->disarm();
     cancelEstimate();
 }
 
 void Exploration::command(const Command& command)
 {
-    // The next telemetry may have been measured before the command got there; the one after was not.
-    answersFrom_ = (latest_ ? latest_->count : 0) + 2;
+    commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
     if (!sent)
         emit happened(tr("command not sent: %1").arg(QString::fromStdString(sent.error().text)),
@@ -235,7 +249,8 @@ std::string Exploration::grounds() const
 
 bool Exploration::answered() const
 {
-    return latest_ && latest_->count >= answersFrom_;
+    // The next line may have been measured before the command got there; the one after was not.
+    return latest_ && latest_->count >= commandedAt_ + 2;
 }
 
 bool Exploration::moved() const
@@ -248,42 +263,43 @@ bool Exploration::moved() const
         || std::abs(s.rear - then.rear) > kFlipperChange;
 }
 
+void Exploration::repeatStop(AtemInput& in)
+{
+    const bool latched = latest_->sample.measurement.activity == RobotActivity::Stopped;
+    if (latched && state_.phase != AtemPhase::Stopped) in.stop = true;
+    if (state_.phase != AtemPhase::Stopped) return;
+    if (answered() && releasing_ && !latched) in.stopReleased = true;
+    if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
+        releasing_ = false;  // a word of the operator's that old is none
+        emit happened(tr("the robot did not release STOP: hold R again"), Weight::Bad);
+    }
+    if (now_ - stopSent_ < kRepeatStop || latched != releasing_) return;
+    stopSent_ = now_;
+    if (releasing_)
+        command(ReleaseStopCommand{});
+    else
+        command(StopCommand{});
+}
+
+void Exploration::lookForMoves()
+{
+    if (!scene_ || moved_) return;
+    // Twice in a row, so that one outlier of the IMU ends nothing.
+    if (!moved())
+        movedAt_ = 0;
+    else if (movedAt_ == 0)
+        movedAt_ = latest_->count;
+    else if (latest_->count > movedAt_)
+        moved_ = true;
+}
+
 void Exploration::look(AtemInput& in)
 {
-    linkAlive_ = latest_ && now_ - secondsOf(latest_->arrived) <= options_.linkLostAfter;
     in.linkAlive = linkAlive_;
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
-
-    if (m.activity == RobotActivity::Stopped && state_.phase != AtemPhase::Stopped) in.stop = true;
-    if (state_.phase == AtemPhase::Stopped) {
-        const bool latched = m.activity == RobotActivity::Stopped;
-        if (answered() && releasing_ && !latched) in.stopReleased = true;
-        if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
-            releasing_ = false;  // a word of the operator's that old is none
-            emit happened(tr("the robot did not release STOP: hold R again"), Weight::Bad);
-        }
-        if (now_ - stopSent_ >= kRepeatStop && latched == releasing_) {
-            stopSent_ = now_;
-            if (releasing_)
-                command(ReleaseStopCommand{});
-            else
-                command(StopCommand{});
-        }
-    }
-
-    if (scene_ && !moved_) {
-        // Twice in a row, so that one outlier of the IMU ends nothing.
-        if (!moved()) {
-            movedAt_ = 0;
-        } else if (movedAt_ == 0) {
-            movedAt_ = latest_->count;
-        } else if (latest_->count > movedAt_) {
-            moved_ = true;
-        }
-    }
+    repeatStop(in);
     in.poseChanged = moved_;
-
     if (!answered()) return;
     const bool refused = m.refusal != Refusal::None;
     switch (state_.phase) {
@@ -314,8 +330,20 @@ void Exploration::tick(double now, const std::optional<Received>& latest)
 {
     now_ = now;
     latest_ = latest;
+    linkAlive_ = latest_ && now_ - secondsOf(latest_->arrived) <= options_.linkLostAfter;
+    ended_ = following() && link_->view().ended;
+    if (latest_) lookForMoves();
+    if (following())
+        follow();
+    else
+        advance();
+    keepLive();
+}
+
+void Exploration::advance()
+{
     AtemInput in = std::exchange(pending_, AtemInput{});
-    in.now = now;
+    in.now = now_;
     in.armed = armed();
     if (in.approved) {
         in.approvalAge = now_ - approvedAt_;
@@ -324,12 +352,79 @@ void Exploration::tick(double now, const std::optional<Received>& latest)
     look(in);
     if (in.aborted && !exploring(state_.phase) && estimate_)
         forget(tr("No estimate: explore the terrain (A)"));
-    if (moved_ && estimate_) forget(tr("The robot has moved: explore again (A)"));
+    if (moved_ && estimate_) forget(whyMoved());
 
     const AtemState before = state_;
     state_ = nextState(state_, in, options_.limits);
     if (state_.phase != before.phase) enter(before);
-    keepLive();
+}
+
+FollowInput Exploration::followed() const
+{
+    const Measurement& m = latest_->sample.measurement;
+    const bool captured = latest_->press && latest_->press->count == capturedPress_;
+    return {.now = now_,
+            .activity = m.activity,
+            .linkLost = !linkAlive_ && !ended_,
+            .aborted = pending_.aborted,
+            .newPress = latest_->press && !captured && !modelName_.isEmpty(),
+            .newReading = captured && scene_ && m.arm
+                       && std::ranges::find(readings_, *m.arm) == readings_.end(),
+            .poseChanged = moved_,
+            .estimateReady = pending_.estimateReady,
+            .estimateFailed = pending_.estimateFailed};
+}
+
+void Exploration::follow()
+{
+    if (!latest_) return;
+    const FollowInput in = followed();
+    pending_ = AtemInput{};
+    if (in.linkLost) {  // who knows what the robot did meanwhile
+        capturedPress_ = 0;
+        commandedAt_ = latest_->count;
+    }
+    const AtemState before = state_;
+    state_ = nextFollowed(state_, in, options_.limits);
+    if (state_ != before) enterFollowed();
+    if (moved_ && estimate_) forget(whyMoved());
+}
+
+void Exploration::enterFollowed()
+{
+    switch (state_.phase) {
+    case AtemPhase::Pressing: forget(tr("Following: the front flippers press down")); break;
+    case AtemPhase::Estimating:
+        forget(tr("Estimating …"));
+        emit happened(tr("following: the robot has pressed its flippers down"), Weight::Note);
+        capturedPress_ = latest_->press->count;
+        capture();
+        startEstimate();
+        break;
+    case AtemPhase::Probing:
+        emit happened(tr("following: the arm is probing"), Weight::Note);
+        break;
+    case AtemPhase::EstimatingAgain: finishProbe(*latest_->sample.measurement.arm); break;
+    case AtemPhase::Stopped:
+        emit happened(tr("following: the robot is stopped"), Weight::Bad);
+        cancelEstimate();
+        if (!estimate_) forget(tr("No estimate: the robot is stopped"));
+        break;
+    case AtemPhase::Failed: {
+        const QString why = QString::fromStdString(describe(state_.failure));
+        emit happened(tr("following: no estimate: %1").arg(why), Weight::Bad);
+        cancelEstimate();
+        forget(tr("No estimate: %1").arg(why));
+        break;
+    }
+    case AtemPhase::Idle:
+        cancelEstimate();
+        forget(moved_ ? whyMoved() : QString());
+        break;
+    case AtemPhase::Presenting:
+    case AtemPhase::Halting:
+    case AtemPhase::ProposingProbe: break;
+    }
 }
 
 void Exploration::keepLive()
@@ -387,7 +482,7 @@ void Exploration::enter(const AtemState& before)
         if (link_) link_->approve(approved_->bin);
         command(ProbeCommand{.bin = approved_->bin});
         break;
-    case AtemPhase::EstimatingAgain: finishProbe(); break;
+    case AtemPhase::EstimatingAgain: finishProbe(*latest_->sample.measurement.arm); break;
     case AtemPhase::Presenting:
         if (before.phase == AtemPhase::ProposingProbe) {
             if (state_.approvalExpired)
@@ -423,10 +518,12 @@ void Exploration::enter(const AtemState& before)
     }
 }
 
+// With the first line of the press, so that everybody who sees it captures the same.
 void Exploration::capture()
 {
-    scene_ =
-        CapturedScene{.measurement = latest_->sample.measurement, .truth = latest_->sample.truth};
+    const bool isNew = latest_->press && latest_->press->count > commandedAt_;
+    const Sample& sample = isNew ? latest_->press->sample : latest_->sample;
+    scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
     readings_.clear();
     moved_ = false;
     movedAt_ = 0;
@@ -458,15 +555,15 @@ void Exploration::startSecond()
         secondJob_ = worker_.request(requestFor(*secondMethod_));
 }
 
-void Exploration::finishProbe()
+void Exploration::finishProbe(const ArmReading& reading)
 {
-    const ArmReading reading = *latest_->sample.measurement.arm;
-    const bool inside = approved_->q10 <= reading.height && reading.height <= approved_->q90;
+    const auto i = static_cast<std::size_t>(reading.bin);
+    const bool inside = estimate_->q10[i] <= reading.height && reading.height <= estimate_->q90[i];
     emit happened(tr("arm at %1: %2 m, %3 the band shown before")
                       .arg(words::binName(reading.bin), words::signedNumber(reading.height, 2),
                            inside ? tr("inside") : tr("outside")),
                   inside ? Weight::Note : Weight::Doubt);
-    if (estimate_) ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
+    ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
     std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
     readings_.push_back(reading);
     startEstimate();
@@ -503,6 +600,7 @@ std::optional<int> Exploration::probingBin() const
 
 QString Exploration::whyNotDriving() const
 {
+    if (following()) return whyFollowing_;
     if (state_.phase == AtemPhase::Stopped) return tr("STOP is latched: release it first");
     if (exploring(state_.phase)) return tr("An exploration is running: end it with Esc first");
     if (!linkAlive_) return tr("No telemetry from the robot");
@@ -513,9 +611,8 @@ QString Exploration::whyNotDriving() const
 Precondition Exploration::arming() const
 {
     if (armed()) return {Precondition::Level::Met, tr("the robot is armed")};
-    const std::string why = link_->view().whyNotTransmitting;
     return {Precondition::Level::Missing,
-            why.empty() ? tr("the robot is not armed") : QString::fromStdString(why)};
+            following() ? whyFollowing_ : tr("not armed: press M, then hold M")};
 }
 
 QList<Precondition> Exploration::preconditions() const
@@ -525,7 +622,8 @@ QList<Precondition> Exploration::preconditions() const
     if (linkAlive_)
         list << Precondition{Level::Met, tr("telemetry is live")};
     else
-        list << Precondition{Level::Missing, tr("no telemetry from the robot")};
+        list << Precondition{Level::Missing,
+                             ended_ ? tr("the log has ended") : tr("no telemetry from the robot")};
     if (state_.phase == AtemPhase::Stopped)
         list << Precondition{Level::Missing,
                              releasing_ ? tr("STOP: release sent, not yet confirmed by the robot")

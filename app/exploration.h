@@ -9,6 +9,7 @@
 #include "app/can_source.h"
 #include "app/estimator_worker.h"
 #include "core/atem/atem_machine.h"
+#include "core/atem/following.h"
 #include "core/eval/calibration_ledger.h"
 #include "core/infer/quality.h"
 #include "core/infer/verdict.h"
@@ -27,7 +28,9 @@ struct CapturedScene {
 };
 
 /// Joins the exploration's state machine to the world: telemetry, the operator and the estimator go in,
-/// commands go out.  GUI thread only; it looks at the world when tick() is called.  Source, worker and
+/// commands go out.  Over a link that takes no commands none do, and it follows instead what the robot does
+/// for somebody else: every press is captured and estimated, every reading of the arm estimated again and
+/// scored.  GUI thread only; it looks at the world when tick() is called.  Source, worker and
 /// link must outlive it.
 class Exploration final : public QObject {
     Q_OBJECT
@@ -69,7 +72,9 @@ public:
     const AtemState& state() const { return state_; }
     std::optional<double> timeLeft() const;
     bool linkAlive() const { return linkAlive_; }
-    bool armed() const;  ///< true without a link: what is simulated in here needs no arming
+    bool armed() const;  ///< true without a link: such a source needs no arming
+    bool following() const { return !whyFollowing_.isEmpty(); }
+    bool ended() const { return ended_; }  ///< a log that is replayed
     const std::optional<CapturedScene>& scene() const { return scene_; }
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     /// Every probe beside the band shown before it, since the console started.
@@ -91,7 +96,10 @@ public:
     const std::optional<ProbeProposal>& proposal() const { return proposal_; }
     std::optional<int> probingBin() const;
     double secondsInPhase() const { return now_ - state_.since; }
-    QString whyNoEstimate() const { return whyNoEstimate_; }
+    QString whyNoEstimate() const
+    {
+        return whyNoEstimate_.isEmpty() ? nothingYet() : whyNoEstimate_;
+    }
     QString whyNotDriving() const;  ///< empty: driving is allowed
     QList<Precondition> preconditions() const;
     const Options& options() const { return options_; }
@@ -102,9 +110,17 @@ signals:
 private:
     void command(const Command& command);
     bool answered() const;  ///< the newest telemetry was measured after the last command
+    void advance();         ///< the state by one tick
     void look(AtemInput& in);
+    void repeatStop(AtemInput& in);
+    void lookForMoves();
     bool moved() const;
     void enter(const AtemState& before);
+    void follow();
+    FollowInput followed() const;
+    void enterFollowed();
+    QString nothingYet() const;  ///< of estimates, and what brings one
+    QString whyMoved() const;
     void capture();
     void startEstimate();
     void startSecond();
@@ -114,7 +130,7 @@ private:
     void keepLive();
     void takeLive(const TerrainEstimate& estimate);
     void forget(const QString& why);
-    void finishProbe();
+    void finishProbe(const ArmReading& reading);
     Precondition arming() const;  ///< of a link
     std::string grounds() const;  ///< fingerprint of what the proposal rests on now
 
@@ -129,8 +145,13 @@ private:
     double now_ = 0.0;
     std::optional<Received> latest_;
     bool linkAlive_ = false;
-    std::uint64_t answersFrom_ =
-        0;  ///< telemetry from this count on was measured after the last command
+    bool ended_ = false;
+    /// Count of the newest telemetry at the last command, or while a followed link was lost: what it and those
+    /// before it say is no answer.
+    std::uint64_t commandedAt_ = 0;
+
+    QString whyFollowing_;             ///< why no command leaves, in words; empty: they do
+    std::uint64_t capturedPress_ = 0;  ///< Press::count
 
     bool driving_ = false;
     bool releasing_ = false;
@@ -141,8 +162,8 @@ private:
     bool moved_ = false;
     std::optional<TerrainEstimate> estimate_;
     double estimateSeconds_ = 0.0;
-    QString whyNoEstimate_;
-    ProbeAdvice advice_;  ///< of the estimate
+    QString whyNoEstimate_;  ///< empty: there was none yet
+    ProbeAdvice advice_;     ///< of the estimate
     std::optional<ProbeProposal> proposal_;
     std::string proposedOn_;  ///< grounds() when it was proposed
     double approvedAt_ = 0.0;

@@ -14,14 +14,14 @@
 #include "app/demo.h"
 #include "app/main_window.h"
 #include "app/resources.h"
+#include "app/robot_in_process.h"
+#include "app/robot_setup.h"
+#include "app/steady_now.h"
 #include "app/tradeoff_csv.h"
 #include "core/atem/panel_file.h"
-#include "core/learn/profile_file.h"
-#include "core/sim/simulated_robot.h"
-#include "core/sim/terrain_shapes.h"
 #include "drivers/candump_replay.h"
 #include "drivers/gpio_lines.h"
-#include "drivers/sim_source.h"
+#include "drivers/memory_bus.h"
 #include "drivers/socketcan.h"
 #include "widgets/look.h"
 
@@ -33,6 +33,7 @@ constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screens
 
 struct Arguments {
     std::string model, robot, terrain, screenshot, can, replay, panel;
+    std::string fault = "none";
     double speed = 1.0;
     bool transmit = false;
     std::uint64_t seed = 1;
@@ -56,18 +57,23 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_option("--model", arguments.model, "Model file (default: the shipped one)");
     app.add_option("--robot", arguments.robot, "Robot file (default: the shipped Absolem)");
     app.add_option("--terrain", arguments.terrain,
-                   "Profile the simulated robot stands on (default: a built-in one)");
+                   "Profile the simulated robot stands on, or varied (default: a built-in one)");
+    app.add_option("--fault", arguments.fault,
+                   "What goes wrong with the simulated robot, from the start or NAME@SECONDS later")
+        ->capture_default_str();
     auto* can =
         app.add_option("--can", arguments.can,
                        "CAN interface of the robot, such as can0 (default: a simulated robot)")
-            ->excludes("--terrain");
+            ->excludes("--terrain")
+            ->excludes("--fault");
     app.add_flag("--transmit", arguments.transmit,
                  "Command the robot on --can; without it the console only listens")
         ->needs(can);
     auto* replay = app.add_option("file,--replay", arguments.replay,
                                   "Log of candump -L to show as if it happened now")
                        ->excludes(can)
-                       ->excludes("--terrain");
+                       ->excludes("--terrain")
+                       ->excludes("--fault");
     app.add_option("--speed", arguments.speed, "Of the replay: seconds of the log per second")
         ->needs(replay)
         ->check(CLI::Range(0.01, 1000.0));
@@ -89,14 +95,6 @@ void addArguments(CLI::App& app, Arguments& arguments)
         });
 }
 
-Result<TerrainProfile> terrainFrom(const std::string& path)
-{
-    if (path.empty()) return demoTerrain();
-    auto file = readProfiles(path, 0.1, false);
-    if (!file) return file.error();
-    return file->profiles.front();
-}
-
 int failed(const std::string& why)
 {
     std::fprintf(stderr, "terratact-console: %s\n", why.c_str());
@@ -112,20 +110,48 @@ std::vector<PresetCost> presetsOf(const std::string& model)
     return presets ? *presets : std::vector<PresetCost>{};
 }
 
-/// Where the robot starts: with some way to go to the step of the built-in terrain.
-double startOn(const TerrainProfile& terrain, bool builtIn)
+/// The built-in robot and its bus; whoever talks to it on an end of that must not outlive it.
+struct BuiltInRobot {
+    BuiltInRobot(const RobotModel& model, const SimulatedRobot& simulated,
+                 const RobotOnBus::Options& options)
+        : robot(bus, model, simulated, options)
+    {
+    }
+    MemoryBus bus{steadyNow};
+    RobotInProcess robot;
+};
+
+std::uint64_t drawn()
 {
-    return builtIn ? kDemoStep - 1.1 : terrain.begin() + 0.7;
+    std::random_device device;
+    return (std::uint64_t{device()} << 32U) | device();
 }
 
-std::unique_ptr<MeasurementSource> simulated(const RobotModel& robot, const TerrainProfile& terrain,
-                                             const Arguments& arguments)
+Result<std::unique_ptr<BuiltInRobot>> builtInRobot(const RobotModel& model,
+                                                   const Arguments& arguments)
 {
+    const auto ground = robotGround(arguments.terrain, arguments.seed);
+    if (!ground) return ground.error();
+    const double speed = arguments.screenshot.empty() ? 1.0 : kDemoSpeed;
+    const auto onBus =
+        withFault({.firstEpoch = static_cast<std::uint8_t>(1 + drawn() % 255), .speed = speed},
+                  arguments.fault);
+    if (!onBus) return onBus.error();
     SimulatedRobot::Options simulation;
-    simulation.startX = startOn(terrain, arguments.terrain.empty());
+    simulation.startX = ground->start;
     simulation.seed = arguments.seed;
-    return std::make_unique<SimSource>(SimulatedRobot(robot, terrain, simulation),
-                                       arguments.screenshot.empty() ? 1.0 : kDemoSpeed);
+    return std::make_unique<BuiltInRobot>(model, SimulatedRobot(model, ground->profile, simulation),
+                                          *onBus);
+}
+
+std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& robot)
+{
+    return std::make_unique<CanSource>(
+        builtIn.bus.join("console"), robot,
+        CanSource::Options{.mode = CanSource::Mode::Transmit,
+                           .name = "SIMULATED ROBOT",
+                           .link = {.seed = drawn()},
+                           .truth = [&builtIn] { return builtIn.robot.truth(); }});
 }
 
 Result<std::unique_ptr<CanBus>> openBus(const Arguments& arguments)
@@ -149,26 +175,28 @@ std::unique_ptr<CanSource> onBus(std::unique_ptr<CanBus> bus, const RobotModel& 
     const Mode mode = !arguments.replay.empty() ? Mode::Replay
                     : arguments.transmit        ? Mode::Transmit
                                                 : Mode::Listen;
-    std::random_device device;
-    const std::uint64_t seed = (std::uint64_t{device()} << 32U) | device();
-    return std::make_unique<CanSource>(std::move(bus), robot,
-                                       CanSource::Options{.mode = mode, .link = {.seed = seed}});
+    return std::make_unique<CanSource>(
+        std::move(bus), robot,
+        CanSource::Options{.mode = mode, .link = {.seed = drawn()}, .waits = mode == Mode::Replay});
 }
 
-/// Where telemetry comes from and commands go to.
-Status connect(MainWindow::Options& options, const Arguments& arguments)
+/// Where telemetry comes from and commands go to: a robot on a bus or in a log, or else one in `builtIn`.
+Status connect(MainWindow::Options& options, const Arguments& arguments,
+               std::unique_ptr<BuiltInRobot>& builtIn)
 {
+    std::unique_ptr<CanSource> source;
     if (!arguments.can.empty() || !arguments.replay.empty()) {
         auto bus = openBus(arguments);
         if (!bus) return bus.error();
-        auto source = onBus(std::move(*bus), options.robot, arguments);
-        options.link = source.get();
-        options.source = std::move(source);
+        source = onBus(std::move(*bus), options.robot, arguments);
     } else {
-        const auto terrain = terrainFrom(arguments.terrain);
-        if (!terrain) return terrain.error();
-        options.source = simulated(options.robot, *terrain, arguments);
+        auto robot = builtInRobot(options.robot, arguments);
+        if (!robot) return robot.error();
+        builtIn = std::move(*robot);
+        source = sourceOn(*builtIn, options.robot);
     }
+    options.link = source.get();
+    options.source = std::move(source);
     if (arguments.panel.empty()) return Done{};
     const auto panel = readPanelFile(arguments.panel);
     if (!panel) return panel.error();
@@ -181,9 +209,10 @@ int run(int argc, char** argv, const Arguments& arguments)
     auto robot = readRobotModel(arguments.robot.empty() ? resourcePath("robots/absolem.toml")
                                                         : arguments.robot);
     if (!robot) return failed(robot.error().text);
+    std::unique_ptr<BuiltInRobot> builtIn;  // outlives the window, which talks to it
     MainWindow::Options options;
     options.robot = *robot;
-    if (const Status connected = connect(options, arguments); !connected)
+    if (const Status connected = connect(options, arguments, builtIn); !connected)
         return failed(connected.error().text);
 
     const bool demo = !arguments.screenshot.empty();

@@ -83,6 +83,15 @@ bool isFunctionKey(int key)
     return key >= Qt::Key_F1 && key <= Qt::Key_F12;
 }
 
+// What the probe's card says where nobody asks this operator.
+QString followedProbe(const AtemState& state)
+{
+    if (state.phase == AtemPhase::Probing) return MainWindow::tr("Following: the arm is probing.");
+    if (state.probed)
+        return MainWindow::tr("The arm has measured; its height is part of the estimate.");
+    return MainWindow::tr("Following: probes are approved where the robot is commanded.");
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Options options)
@@ -294,10 +303,12 @@ void MainWindow::connectAll()
     connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
             [this](const QString& name, const QString& details) {
                 header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
+                if (link_) link_->begin();  // a replay, so that no press comes too early
             });
     connect(worker_.get(), &EstimatorWorker::modelFailed, header_, [this](const QString& why) {
         modelTrouble_ = why;
         header_->setModel(tr("no model"), Tone::Bad, why);
+        if (link_) link_->begin();
     });
 }
 
@@ -358,9 +369,12 @@ void MainWindow::releaseStop()
 void MainWindow::showLink(double now, const std::optional<Received>& latest)
 {
     const double age = latest ? now - secondsOf(latest->arrived) : 0.0;
-    const bool alive = exploration_->linkAlive();
+    const bool ended = exploration_->ended();
+    const bool alive = exploration_->linkAlive() && !ended;
     worstAge_ = std::max(worstAge_, age);
-    if (!alive) {
+    if (ended) {
+        header_->setLink(tr("END OF THE LOG"), Tone::Doubt);
+    } else if (!alive) {
         header_->setLink(
             latest ? tr("LINK LOST · %1").arg(words::age(age)) : tr("no telemetry yet"), Tone::Bad);
         linkShownAt_ = 0.0;
@@ -372,16 +386,18 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
         worstAge_ = 0.0;
     }
     const std::string trouble = acquisition_->trouble();
-    banner_->setVisible(latest && !alive);
-    if (latest && !alive)
+    banner_->setVisible(latest && !alive && !ended);
+    if (banner_->isVisible())
         banner_->setText(tr("LINK LOST for %1 — nothing on this screen is live%2")
                              .arg(words::age(age),
                                   trouble.empty()
                                       ? QString()
                                       : QStringLiteral(": ") + QString::fromStdString(trouble)));
     if (latest && alive != linkWasAlive_)
-        events_->add(alive ? tr("link is up") : tr("link lost"), alive ? Weight::Note : Weight::Bad,
-                     QTime::currentTime());
+        events_->add(alive   ? tr("link is up")
+                     : ended ? tr("end of the log")
+                             : tr("link lost"),
+                     alive || ended ? Weight::Note : Weight::Bad, QTime::currentTime());
     linkWasAlive_ = alive;
 
     if (!latest) {
@@ -393,8 +409,8 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
     const Measurement& m = latest->sample.measurement;
     const bool fresh = age <= kStaleAfter;
     readout_->setMeasurement(m, age);
-    robotAge_->setText(tr("%1 old").arg(words::age(age)));
-    setTone(*robotAge_, fresh ? Tone::Muted : Tone::Bad);
+    robotAge_->setText(ended ? tr("the log has ended") : tr("%1 old").arg(words::age(age)));
+    setTone(*robotAge_, fresh || ended ? Tone::Muted : Tone::Bad);
     if (fresh) {
         std::array<std::optional<double>, kForceElements> forces;
         std::copy(m.force.begin(), m.force.end(), forces.begin());
@@ -498,7 +514,9 @@ void MainWindow::showProbe()
     } else {
         QString why = tr("No probe is proposed. After an exploration the arm is offered where the "
                          "terrain stays uncertain.");
-        if (state.phase == AtemPhase::Presenting) {
+        if (state.followed)
+            why = followedProbe(state);
+        else if (state.phase == AtemPhase::Presenting) {
             if (state.probed)
                 why = tr("The arm has measured; its height is part of the estimate.");
             else if (state.approvalExpired)
@@ -522,7 +540,7 @@ void MainWindow::showHelp()
             {tr("R, held"), tr("release STOP")},
             {tr("W or Up, held"), tr("drive forward")},
             {tr("S or Down, held"), tr("drive back")},
-            {tr("M, then M held"), tr("arm a robot on a bus; M again disarms it")},
+            {tr("M, then M held"), tr("arm the robot; M again disarms it")},
             {tr("A"), tr("explore the terrain")},
             {tr("Space, held"), tr("approve the proposed probe")},
             {tr("N"), tr("refuse it")},

@@ -36,7 +36,8 @@ void sendAll(CanBus& bus, const std::vector<CanFrame>& frames)
 }  // namespace
 
 Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
-                  const std::function<void(const std::string&)>& say)
+                  const std::function<void(const std::string&)>& say,
+                  const std::function<void()>& measured)
 {
     std::array<BusFrame, 64> frames;
     std::optional<Shown> before;
@@ -45,7 +46,9 @@ Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& g
         if (!count) return count.error();
         for (std::size_t i = 0; i < *count; ++i)
             if (!frames[i].echo) sendAll(bus, robot.receive(frames[i].frame, steadyNow()));
-        sendAll(bus, robot.tick(steadyNow()));
+        const std::vector<CanFrame> line = robot.tick(steadyNow());
+        if (!line.empty()) measured();
+        sendAll(bus, line);
         const Shown shown{robot.armed(), robot.robot().activity(), bus.state()};
         if (before != shown) say(words(shown, robot, bus));
         before = shown;

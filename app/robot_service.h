@@ -9,8 +9,11 @@
 
 namespace terratact {
 
-/// Lets the robot live on the bus as long as goOn() says so; `say` hears in words what changes.
-Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
-                  const std::function<void(const std::string&)>& say);
+/// Lets the robot live on the bus as long as goOn() says so; `say` hears in words what changes, and `measured`
+/// is called before a line of telemetry leaves.
+Status serveRobot(
+    CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
+    const std::function<void(const std::string&)>& say,
+    const std::function<void()>& measured = [] {});
 
 }  // namespace terratact

@@ -42,6 +42,16 @@ std::string cure(BusState state, const std::string& bus)
 
 }  // namespace
 
+void requireSendable(const CanFrame& frame)
+{
+    if (frame.fd || frame.error)
+        throw std::invalid_argument("CanBus: neither FD nor error frames are sent");
+    if (frame.length > frame.data.size())
+        throw std::invalid_argument("CanBus: more than eight bytes");
+    if (frame.id > (frame.extended ? 0x1fffffffu : 0x7ffu))
+        throw std::invalid_argument("CanBus: the identifier has too many bits");
+}
+
 std::string describe(BusState state, const std::string& bus)
 {
     std::string sentence = bus;

@@ -46,6 +46,9 @@ struct BusCounters {
     std::uint64_t reopened = 0;      ///< times the interface was found again
 };
 
+/// Throws std::invalid_argument for what is no classic data or remote frame.
+void requireSendable(const CanFrame& frame);
+
 /// Moves frames and gives them no meaning.  receive() belongs to one thread; the rest may be called from any.
 class CanBus {
 public:

@@ -26,16 +26,6 @@ double secondsOf()
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-void requireSendable(const CanFrame& frame)
-{
-    if (frame.fd || frame.error)
-        throw std::invalid_argument("SocketCan: neither FD nor error frames are sent");
-    if (frame.length > frame.data.size())
-        throw std::invalid_argument("SocketCan: more than eight bytes");
-    if (frame.id > (frame.extended ? 0x1fffffffu : 0x7ffu))
-        throw std::invalid_argument("SocketCan: the identifier has too many bits");
-}
-
 /// As it will come back: what lies behind its end is not sent.
 CanFrame trimmed(CanFrame frame)
 {

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/atem/following.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
@@ -75,7 +76,8 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
 void AtemPanel::setState(const AtemState& state, std::optional<double> timeLeft)
 {
     state_ = state;
-    QString text = QString::fromStdString(terratact::describe(state.phase));
+    QString text = QString::fromStdString(state.followed ? describeFollowed(state.phase)
+                                                         : terratact::describe(state.phase));
     if (state.phase == AtemPhase::Failed)
         text += QStringLiteral(": ") + QString::fromStdString(terratact::describe(state.failure));
     if (state.phase == AtemPhase::Presenting && state.approvalExpired)
@@ -141,25 +143,26 @@ void AtemPanel::showButtons()
     for (const Precondition& condition : preconditions_)
         if (condition.level == Precondition::Level::Missing) missing << condition.text;
     const bool busy = exploring(state_.phase);
-    const bool stopped = state_.phase == AtemPhase::Stopped;
+    const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
     const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting;
 
     request_->setVisible(!stopped);
     abort_->setVisible(!stopped);
     release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && missing.isEmpty());
-    if (busy)
+    if (busy && !state_.followed)
         request_->setToolTip(tr("An exploration is running: end it with Esc first"));
     else if (!missing.isEmpty())
         request_->setToolTip(tr("Not possible now: %1").arg(missing.join(QStringLiteral("; "))));
     else
         request_->setToolTip(
             tr("Halts the robot, presses the front flippers down and estimates the terrain"));
+    const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
     abort_->setEnabled(busy || ended);
-    abort_->setText(ended ? tr("Clear (Esc)") : tr("Abort (Esc)"));
-    abort_->setToolTip(busy    ? tr("Halts the robot and ends the exploration")
-                       : ended ? tr("Takes the result off the screen")
-                               : tr("No exploration is running"));
+    abort_->setText(clears ? tr("Clear (Esc)") : tr("Abort (Esc)"));
+    abort_->setToolTip(!abort_->isEnabled() ? tr("No exploration is running")
+                       : clears             ? tr("Takes the result off the screen")
+                                            : tr("Halts the robot and ends the exploration"));
 }
 
 }  // namespace terratact

@@ -116,6 +116,9 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
 
 std::optional<double> deadline(const AtemState& state, const AtemLimits& limits)
 {
+    const bool computes =
+        state.phase == AtemPhase::Estimating || state.phase == AtemPhase::EstimatingAgain;
+    if (state.followed && !computes) return std::nullopt;  // nobody waits for the robot
     switch (state.phase) {
     case AtemPhase::Halting: return state.since + limits.halt;
     case AtemPhase::Pressing: return state.since + limits.press;

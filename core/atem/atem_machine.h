@@ -54,6 +54,7 @@ struct AtemState {
     double since = 0.0;                       ///< [s] when the phase began
     bool probed = false;                      ///< the arm has measured in this exploration
     bool approvalExpired = false;  ///< the last proposal was not answered in time, which means no
+    bool followed = false;  ///< the robot does it for somebody else, see core/atem/following.h
     bool operator==(const AtemState&) const = default;
 };
 

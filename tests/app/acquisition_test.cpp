@@ -60,5 +60,26 @@ TEST(AcquisitionTest, endsPromptlyOnASilentSource)
     EXPECT_LT(timer.elapsed(), 2000);
 }
 
+TEST(AcquisitionTest, aPressIsRememberedFromItsFirstLineToItsEnd)
+{
+    using enum RobotActivity;
+    std::optional<Received> latest;
+    std::vector<std::uint64_t> began;  // 0: not pressed
+    for (const RobotActivity activity : {Halted, Probing, Pressing, Pressed, Pressed, Probing,
+                                         Pressed, Pressing, Pressed, Driving, Stopped}) {
+        Measurement m;
+        m.activity = activity;
+        m.time = static_cast<double>(began.size() + 1);
+        latest = received(latest, {.measurement = m, .truth = std::nullopt}, {});
+        EXPECT_EQ(latest->count, began.size() + 1);
+        began.push_back(latest->press ? latest->press->count : 0);
+        if (latest->press) {
+            EXPECT_EQ(latest->press->sample.measurement.time,
+                      static_cast<double>(latest->press->count));
+        }
+    }
+    EXPECT_EQ(began, (std::vector<std::uint64_t>{0, 0, 0, 4, 4, 4, 4, 0, 9, 0, 0}));
+}
+
 }  // namespace
 }  // namespace terratact

@@ -3,14 +3,23 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
+#include <array>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "app/main_window.h"
+#include "app/resources.h"
+#include "app/robot_in_process.h"
+#include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
+#include "core/wire/candump_log.h"
+#include "drivers/candump_replay.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_on_memory_bus.h"
+#include "tests/support/temporary_directory.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
@@ -38,6 +47,35 @@ LoadedModel madeUp()
             .details = {}};
 }
 
+/// Every estimate that an exploration comes to, the newest last.
+class Estimates {
+public:
+    explicit Estimates(Exploration& exploration)
+    {
+        QObject::connect(&exploration, &Exploration::happened, [this, &exploration] {
+            const auto& now = exploration.estimate();
+            if (now && (all_.empty() || all_.back() != *now)) all_.push_back(*now);
+        });
+    }
+    const std::vector<TerrainEstimate>& all() const { return all_; }
+
+private:
+    std::vector<TerrainEstimate> all_;
+};
+
+/// All that an end of a bus has received, as candump -L would have written it.
+std::string candumpOf(CanBus& end)
+{
+    std::string log;
+    std::array<BusFrame, 64> frames;
+    for (;;) {
+        const auto count = end.receive(frames, 0ms);
+        if (!count || *count == 0) return log;
+        for (std::size_t i = 0; i < *count; ++i)
+            log += candumpLine(frames[i].time, "can0", frames[i].frame) + "\n";
+    }
+}
+
 struct BusConsole : testing::Test {
     static void SetUpTestSuite()
     {
@@ -45,24 +83,38 @@ struct BusConsole : testing::Test {
     }
     void open(CanSource::Mode mode = CanSource::Mode::Transmit)
     {
+        startRobot();
+        window = console(bus.join("can0"), mode, [] { return Result<LoadedModel>(madeUp()); });
+        gui::showActive(*window);
+    }
+    void startRobot()
+    {
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
-        robot = std::make_unique<RobotOnMemoryBus>(
+        robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation),
             RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
-        auto source = std::make_unique<CanSource>(std::make_unique<TimedEnd>(bus, "can0", 2), model,
-                                                  CanSource::Options{.mode = mode});
+    }
+    std::unique_ptr<MainWindow> console(std::unique_ptr<CanBus> end, CanSource::Mode mode,
+                                        ModelLoader loader) const
+    {
+        auto source = std::make_unique<CanSource>(
+            std::move(end), model,
+            CanSource::Options{.mode = mode,
+                               .link = {.gate = {.operatorAge = operatorAge}},
+                               .waits = mode == CanSource::Mode::Replay});
         MainWindow::Options options;
         options.robot = model;
         options.link = source.get();
         options.source = std::move(source);
-        options.model = [] { return Result<LoadedModel>(madeUp()); };
+        options.model = std::move(loader);
         options.exploration.driveSpeed = 0.02;
-        window = std::make_unique<MainWindow>(std::move(options));
-        window->header()->arming()->confirmButton()->setHoldTime(150);
-        window->probeCard()->approveButton()->setHoldTime(150);
-        window->resize(1280, 720);
-        gui::showActive(*window);
+        options.exploration.settings.probeAbove = 0.005;  // there is always something to probe
+        auto made = std::make_unique<MainWindow>(std::move(options));
+        made->header()->arming()->confirmButton()->setHoldTime(150);
+        made->probeCard()->approveButton()->setHoldTime(150);
+        made->resize(1280, 720);
+        return made;
     }
     ~BusConsole() override
     {
@@ -74,6 +126,12 @@ struct BusConsole : testing::Test {
     {
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
         if (!folder.isEmpty()) window->grab().save(folder + "/" + name + ".png");
+    }
+    static bool hasModel(MainWindow& console)
+    {
+        const QList<Precondition> all = console.exploration().preconditions();
+        return std::ranges::any_of(
+            all, [](const Precondition& p) { return p.text == "model default.ttm is ready"; });
     }
     ArmingPhase arming() const { return window->link()->view().link.arming.phase; }
     bool holds(int key, ArmingPhase until)
@@ -95,6 +153,20 @@ struct BusConsole : testing::Test {
         picture("arming-asks");
         ASSERT_TRUE(holds(Qt::Key_M, ArmingPhase::Armed));
     }
+    void exploreAndProbe()
+    {
+        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        QTest::keyClick(window.get(), Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
+            << describe(window->exploration().state().failure);
+        ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+        picture("asks-for-a-probe");
+        QTest::keyPress(window.get(), Qt::Key_Space);
+        ASSERT_TRUE(robotIs(RobotActivity::Probing));
+        QTest::keyRelease(window.get(), Qt::Key_Space);
+        ASSERT_TRUE(reaches(AtemPhase::Presenting))
+            << describe(window->exploration().state().failure);
+    }
     bool robotIs(RobotActivity activity)
     {
         return eventually([&] {
@@ -108,8 +180,9 @@ struct BusConsole : testing::Test {
     }
 
     RobotModel model = absolem();
-    MemoryBus bus;
-    std::unique_ptr<RobotOnMemoryBus> robot;
+    double operatorAge = 1.0;  // [s] instead of 0.1: only a test that freezes the window means it
+    MemoryBus bus{steadyNow};
+    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 
@@ -160,16 +233,7 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     ASSERT_TRUE(robotIs(RobotActivity::Driving));
     QTest::keyRelease(window.get(), Qt::Key_W);
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
-    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
-    QTest::keyClick(window.get(), Qt::Key_A);
-    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
-        << describe(window->exploration().state().failure);
-    ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
-    picture("asks-for-a-probe");
-    QTest::keyPress(window.get(), Qt::Key_Space);
-    ASSERT_TRUE(robotIs(RobotActivity::Probing));
-    QTest::keyRelease(window.get(), Qt::Key_Space);
-    ASSERT_TRUE(reaches(AtemPhase::Presenting)) << describe(window->exploration().state().failure);
+    exploreAndProbe();
     EXPECT_TRUE(window->exploration().state().probed);
     picture("presenting");
     ASSERT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
@@ -182,6 +246,7 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
 
 TEST_F(BusConsole, frozenWindowStopsTheDrive)
 {
+    operatorAge = GateLimits{}.operatorAge;
     open();
     arm();
     ASSERT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
@@ -203,7 +268,8 @@ TEST_F(BusConsole, disarmedRobotEndsTheExploration)
     arm();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
     QTest::keyClick(window.get(), Qt::Key_A);
-    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
+        << describe(window->exploration().state().failure);
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     EXPECT_EQ(window->exploration().state().failure, AtemFailure::Disarmed);
@@ -218,7 +284,8 @@ TEST_F(BusConsole, noTextIsCutAtTheSmallestSize)
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
     EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
     QTest::keyClick(window.get(), Qt::Key_A);
-    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
+        << describe(window->exploration().state().failure);
     QTest::qWait(100);
     EXPECT_EQ(window->size(), window->minimumSize()) << "the layout needs more than this";
     EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
@@ -250,6 +317,73 @@ TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle) << "nothing is stopped";
     EXPECT_EQ(window->link()->view().frames.sent, 0U);
     picture("listening");
+}
+
+TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
+{
+    const auto shipped = [this] {
+        return modelFileLoader(resourcePath("models/default.ttm"), model);
+    };
+    const auto recorder = bus.join("recorder", 0);
+    startRobot();
+    const auto listener = console(bus.join("can1"), CanSource::Mode::Listen, shipped());
+    const Estimates heard(listener->exploration());
+    window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());
+    const Estimates made(window->exploration());
+    gui::showActive(*window);
+    for (MainWindow* one : {listener.get(), window.get()})
+        ASSERT_TRUE(eventually([&] { return hasModel(*one); }));
+    arm();
+    exploreAndProbe();
+    ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
+    const auto ledger = window->exploration().ledger().entries();
+    const TemporaryDirectory directory;
+    const std::string log = directory.write("atem.log", candumpOf(*recorder));
+    window.reset();
+
+    auto replay = CandumpReplay::open(log, {.speed = 2.0});
+    ASSERT_TRUE(replay) << replay.error().text;
+    window = console(std::move(*replay), CanSource::Mode::Replay, shipped());
+    const Estimates replayed(window->exploration());
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return replayed.all().size() == 1; }));
+    picture("following");
+    ASSERT_TRUE(eventually([&] { return window->exploration().ended(); }));
+    ASSERT_TRUE(eventually([&] { return replayed.all().size() == 2; }));
+    ASSERT_EQ(made.all().size(), 2U);
+    EXPECT_EQ(std::ranges::count(made.all()[0].origin, Origin::Arm), 0);
+    EXPECT_EQ(std::ranges::count(made.all()[1].origin, Origin::Arm), 1);
+    EXPECT_EQ(heard.all(), made.all());
+    EXPECT_EQ(replayed.all(), made.all());
+    ASSERT_EQ(ledger.size(), 1U);
+    EXPECT_EQ(listener->exploration().ledger().entries(), ledger);
+    EXPECT_EQ(window->exploration().ledger().entries(), ledger);
+    EXPECT_EQ(listener->link()->view().frames.sent, 0U);
+}
+
+TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
+{
+    const auto says = [this](const QString& words) {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    };
+    auto replay = CandumpReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
+    ASSERT_TRUE(replay) << replay.error().text;
+    window = console(std::move(*replay), CanSource::Mode::Replay, [] {
+        std::this_thread::sleep_for(500ms);  // longer than the whole log
+        return Result<LoadedModel>(madeUp());
+    });
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return says("END OF THE LOG"); }));
+    QTest::qWait(500);  // a link would be lost by now
+    EXPECT_TRUE(says("END OF THE LOG"));
+    EXPECT_FALSE(says("LINK LOST"));
+    EXPECT_TRUE(says("the log has ended"));
+    EXPECT_TRUE(says("Following"));
+    EXPECT_TRUE(window->exploration().estimate()) << "its press waited for the model";
+    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    picture("end-of-the-log");
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 #include <mutex>
 #include <thread>
 
+#include "app/robot_in_process.h"
+#include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
-#include "tests/support/robot_on_memory_bus.h"
 
 namespace terratact {
 namespace {
@@ -26,13 +27,15 @@ SimulatedRobot robotBeforeAStep()
 struct Link : testing::Test {
     explicit Link(CanSource::Mode mode = CanSource::Mode::Transmit)
         : robot(bus, absolem(), robotBeforeAStep(), {.speed = 4.0}),
-          source(std::make_unique<TimedEnd>(bus, "console", 2), absolem(), {.mode = mode}),
+          source(bus.join("console"), absolem(),
+                 {.mode = mode, .truth = [this] { return robot.truth(); }}),
           reader([this](const std::stop_token& stop) {
               while (!stop.stop_requested()) {
                   const auto next = source.next(50ms);
                   if (next && *next) {
                       const std::scoped_lock lock(mutex);
                       latest = (*next)->measurement;
+                      truth = (*next)->truth;
                   }
               }
           })
@@ -72,11 +75,12 @@ struct Link : testing::Test {
         ASSERT_TRUE(is(ArmingPhase::Armed));
     }
 
-    MemoryBus bus;
-    RobotOnMemoryBus robot;
+    MemoryBus bus{steadyNow};
+    RobotInProcess robot;
     CanSource source;
     std::mutex mutex;
     std::optional<Measurement> latest;
+    std::optional<Heights> truth;
     bool operatorThere = true;
     std::jthread reader;
 };
@@ -99,6 +103,36 @@ TEST_F(Link, carriesAWholeExplorationWithAProbe)
     }));
     ASSERT_TRUE(source.send(AbortAtemCommand{}));
     EXPECT_TRUE(eventually([&] { return !source.view().link.robot->exploring; }));
+}
+
+TEST_F(Link, bringsTheTrueTerrainOfTheRobotsPose)
+{
+    const auto comes = [this](const Heights& heights) {
+        return eventually([&] {
+            const std::scoped_lock lock(mutex);
+            return truth == heights;
+        });
+    };
+    EXPECT_TRUE(comes(robotBeforeAStep().truth()));
+    arm();
+    ASSERT_TRUE(source.send(DriveCommand{0.2}));
+    EXPECT_TRUE(eventually([&] {
+        const std::scoped_lock lock(mutex);
+        return truth->back() - truth->front() > 0.2;  // the step ahead
+    }));
+    ASSERT_TRUE(source.send(HaltCommand{}));
+    ASSERT_TRUE(does(RobotActivity::Halted));
+    EXPECT_TRUE(comes(robot.truth()));
+}
+
+TEST(CanSourceTruth, isNotMadeUpWhereNobodyKnowsIt)
+{
+    MemoryBus bus{steadyNow};
+    const RobotInProcess robot(bus, absolem(), robotBeforeAStep(), {});
+    CanSource source(bus.join("console"), absolem(), {});
+    const auto next = source.next(20s);
+    ASSERT_TRUE(next && *next);
+    EXPECT_FALSE((*next)->truth);
 }
 
 TEST_F(Link, endsADriveWhenTheOperatorNoLongerAnswers)

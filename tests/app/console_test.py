@@ -61,6 +61,14 @@ class Console(unittest.TestCase):
                 self.assertIn("/nowhere/x", done.stderr)
                 self.assertEqual(os.listdir(directory), [])
 
+    def test_a_fault_that_is_none_is_named_and_needs_the_built_in_robot(self):
+        done = run("--fault", "hiccups@3")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("hiccups@3", done.stderr)
+        self.assertIn("slow-arm", done.stderr)
+        for other in ("--can", "--replay"):
+            self.assertEqual(run("--fault", "silence", other, "x").returncode, 2, other)
+
     def test_a_picture_that_cannot_be_written_is_named(self):
         done = run("--screenshot", "/nowhere/x.png")
         self.assertEqual(done.returncode, 1)

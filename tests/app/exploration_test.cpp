@@ -4,9 +4,12 @@
 
 #include <QCoreApplication>
 #include <atomic>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
+#include "app/steady_now.h"
+#include "drivers/memory_bus.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
@@ -20,7 +23,7 @@ constexpr int kBin06 = 9;
 
 /// An exploration whose telemetry and clock are in the test's hands; only the estimator is a thread.
 struct Bench : testing::Test {
-    Bench()
+    explicit Bench(CanSource* link = nullptr)
     {
         RobotModel robot;
         robot.armReachBegin = 0.35;
@@ -31,7 +34,8 @@ struct Bench : testing::Test {
                                .name = "fake.ttm",
                                .details = {}};
         });
-        exploration = std::make_unique<Exploration>(source, robot, *worker, Exploration::Options{});
+        exploration =
+            std::make_unique<Exploration>(source, robot, *worker, Exploration::Options{}, link);
         QObject::connect(exploration.get(), &Exploration::happened,
                          [this](const QString& text) { events << text; });
         worker->start();
@@ -41,6 +45,10 @@ struct Bench : testing::Test {
 
     TerrainEstimate estimate(const EstimateRequest& request, const Watch& watch)
     {
+        {
+            const std::scoped_lock lock(mutex);
+            asked = request;
+        }
         ++estimates;
         while (blocked && !watch.cancelled()) std::this_thread::sleep_for(1ms);
         if (watch.cancelled()) throw Cancelled{};
@@ -54,14 +62,22 @@ struct Bench : testing::Test {
     void tick(int times = 1)
     {
         for (int i = 0; i < times; ++i) {
-            now += 0.04;
-            latest =
-                Received{.sample = {.measurement = telemetry, .truth = std::nullopt},
-                         .arrived = SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
-                             std::chrono::duration<double>(now))),
-                         .count = ++count};
+            line();
             exploration->tick(now, latest);
         }
+    }
+    /// Telemetry at which nobody looks.
+    void line()
+    {
+        now += 0.04;
+        latest = received(latest, {.measurement = telemetry, .truth = std::nullopt},
+                          SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
+                              std::chrono::duration<double>(now))));
+    }
+    EstimateRequest lastAsked() const
+    {
+        const std::scoped_lock lock(mutex);
+        return asked;
     }
     /// Lets ticks pass without telemetry.
     void tickInSilence(int times)
@@ -106,7 +122,8 @@ struct Bench : testing::Test {
     std::unique_ptr<Exploration> exploration;
     Measurement telemetry;
     std::optional<Received> latest;
-    std::uint64_t count = 0;
+    mutable std::mutex mutex;
+    EstimateRequest asked;  ///< of the newest estimate; guarded by the mutex
     double now = 1000.0;
     QStringList events;
     std::vector<Command> all;
@@ -473,6 +490,177 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     EXPECT_EQ(level("flippers differ"), static_cast<int>(Level::Doubtful));
     tickInSilence(10);
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
+}
+
+TEST_F(Bench, aSceneIsTheFirstLineOfThePressHoweverLateTheWindowLooks)
+{
+    exploration->request();
+    tick();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressing;
+    tick(3);
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.pitch = 0.011;
+    line();
+    telemetry.pitch = 0.012;
+    line();
+    tick();
+    ASSERT_EQ(phase(), AtemPhase::Estimating);
+    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.011);
+}
+
+TEST_F(Bench, aPressFromBeforeTheCommandIsNoScene)
+{
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.pitch = 0.011;
+    tick(3);
+    exploration->request();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.pitch = 0.012;
+    ASSERT_TRUE(reaches(AtemPhase::Estimating)) << "it was pressed again between two lines";
+    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.012);
+}
+
+/// The bus that a console only listens to.
+struct SilentBus {
+    MemoryBus bus{steadyNow};
+    CanSource link{bus.join("can0"), RobotModel{}, {.mode = CanSource::Mode::Listen}};
+};
+
+/// An exploration that follows what the telemetry says.
+struct FollowingBench : SilentBus, Bench {
+    FollowingBench() : Bench(&link) {}
+
+    void robotPresses()
+    {
+        telemetry.activity = RobotActivity::Pressing;
+        tick(3);
+        telemetry.activity = RobotActivity::Pressed;
+        ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    }
+    bool probes(const ArmReading& reading)
+    {
+        telemetry.activity = RobotActivity::Probing;
+        if (!reaches(AtemPhase::Probing)) return false;
+        telemetry.activity = RobotActivity::Pressed;
+        telemetry.arm = reading;
+        return reaches(AtemPhase::EstimatingAgain) && reaches(AtemPhase::Presenting);
+    }
+};
+
+TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
+{
+    EXPECT_TRUE(exploration->whyNoEstimate().contains("when the robot presses"));
+    telemetry.activity = RobotActivity::Pressing;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->live().has_value();
+    })) << "a preview while the flippers move";
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.pitch = 0.011;
+    line();
+    telemetry.pitch = 0.012;
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.011) << "its first line";
+    EXPECT_TRUE(exploration->estimate());
+    EXPECT_FALSE(exploration->live());
+    EXPECT_FALSE(exploration->proposal()) << "nobody here may approve it";
+    const int once = estimates;
+    tick(50);
+    QTest::qWait(20);
+    EXPECT_EQ(estimates, once);
+    exploration->request();
+    exploration->stop();
+    exploration->drive(+1);
+    exploration->releaseStop();
+    tick(3);
+    exploration->leave();
+    EXPECT_TRUE(source.takeCommands().empty());
+    EXPECT_EQ(phase(), AtemPhase::Presenting);
+    EXPECT_TRUE(events.join('\n').contains("STOP not sent"));
+}
+
+TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
+{
+    robotPresses();
+    const ArmReading reading{.bin = kBin06, .height = -0.04, .sd = 0.03};
+    ASSERT_TRUE(probes(reading));
+    EXPECT_EQ(exploration->estimate()->origin[kBin06], Origin::Arm);
+    EXPECT_EQ(lastAsked().arm, std::vector{reading});
+    tick(20);
+    EXPECT_EQ(phase(), AtemPhase::Presenting) << "the same reading is no news";
+    ASSERT_EQ(exploration->ledger().entries().size(), 1U);
+    const ArmReading second{.bin = kBin06 + 1, .height = -0.05, .sd = 0.03};
+    ASSERT_TRUE(probes(second));
+    EXPECT_EQ(lastAsked().arm, (std::vector{reading, second}));
+    EXPECT_EQ(exploration->ledger().entries().size(), 2U);
+}
+
+TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
+{
+    blocked = true;
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    telemetry.activity = RobotActivity::Probing;
+    tick(3);
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
+    tick(3);
+    EXPECT_EQ(phase(), AtemPhase::Estimating);
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::EstimatingAgain));
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_EQ(exploration->ledger().entries().size(), 1U) << "scored against the first";
+}
+
+TEST_F(FollowingBench, forgetsWhenTheRobotDrivesOnAndCapturesTheNextPress)
+{
+    robotPresses();
+    telemetry.activity = RobotActivity::Driving;
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    EXPECT_FALSE(exploration->estimate());
+    EXPECT_TRUE(exploration->whyNoEstimate().contains("has moved"))
+        << exploration->whyNoEstimate().toStdString();
+    telemetry.pitch = 0.05;
+    robotPresses();
+    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.05);
+}
+
+TEST_F(FollowingBench, clearsWhatItShowsUntilTheNextPress)
+{
+    robotPresses();
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    EXPECT_FALSE(exploration->estimate());
+    const int before = estimates;
+    tick(20);
+    EXPECT_EQ(phase(), AtemPhase::Idle);
+    EXPECT_EQ(estimates, before);
+    robotPresses();
+    EXPECT_TRUE(exploration->estimate());
+}
+
+TEST_F(FollowingBench, trustsNothingFromBeforeALostLink)
+{
+    robotPresses();
+    tickInSilence(10);
+    EXPECT_EQ(exploration->state().failure, AtemFailure::LinkLost);
+    EXPECT_FALSE(exploration->estimate());
+    telemetry.pitch = 0.05;
+    ASSERT_TRUE(reaches(AtemPhase::Presenting)) << "it is pressed, and that is news";
+    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.05) << "not a line from before";
+}
+
+TEST_F(FollowingBench, showsAStopOfSomebodyElse)
+{
+    robotPresses();
+    telemetry.activity = RobotActivity::Stopped;
+    ASSERT_TRUE(reaches(AtemPhase::Stopped));
+    tick(20);
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    tick(20);
+    EXPECT_TRUE(source.takeCommands().empty());
 }
 
 }  // namespace

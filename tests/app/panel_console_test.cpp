@@ -9,13 +9,13 @@
 #include <thread>
 
 #include "app/main_window.h"
+#include "app/robot_in_process.h"
 #include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "drivers/sim_source.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_on_memory_bus.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
@@ -243,15 +243,14 @@ TEST_F(PanelConsole, panelThatThrowsIsALostPanelAndEndsNothingElse)
 
 TEST_F(PanelConsole, robotOnABusIsDisarmedWithThePanel)
 {
-    MemoryBus bus;
+    MemoryBus bus{steadyNow};
     SimulatedRobot::Options simulation;
     simulation.startX = 2.1;
-    const RobotOnMemoryBus robot(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-                                 RobotOnBus::Options{});
+    const RobotInProcess robot(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                               RobotOnBus::Options{});
     MainWindow::Options o = options();
-    auto source =
-        std::make_unique<CanSource>(std::make_unique<TimedEnd>(bus, "can0", 2), model,
-                                    CanSource::Options{.mode = CanSource::Mode::Transmit});
+    auto source = std::make_unique<CanSource>(
+        bus.join("can0"), model, CanSource::Options{.mode = CanSource::Mode::Transmit});
     o.link = source.get();
     o.source = std::move(source);
     board.close(PanelContact::Stop, false);

@@ -42,6 +42,22 @@ TEST_F(Atem, saysTheStateAndItsTime)
     EXPECT_FALSE(shows("left"));
 }
 
+TEST_F(Atem, saysThatItFollowsAndOffersNothingThatMovesTheRobot)
+{
+    panel.setPreconditions({{Level::Missing, "can0 is only listened to"}});
+    panel.setState({.phase = AtemPhase::Probing, .followed = true}, std::nullopt);
+    EXPECT_TRUE(shows("Following: flippers pressed, arm is probing"));
+    EXPECT_FALSE(panel.requestButton()->isEnabled());
+    EXPECT_TRUE(panel.requestButton()->toolTip().contains("only listened to"));
+    EXPECT_TRUE(panel.abortButton()->isEnabled());
+    EXPECT_TRUE(panel.abortButton()->text().contains("Clear")) << "it cannot end the robot's probe";
+    panel.setState({.phase = AtemPhase::Stopped, .followed = true}, std::nullopt);
+    EXPECT_FALSE(panel.releaseButton()->isVisible()) << "nothing is released from here";
+    panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::LinkLost, .followed = true},
+                   std::nullopt);
+    EXPECT_TRUE(shows("Following: no estimate: the link to the robot was lost"));
+}
+
 TEST_F(Atem, requestsWhenNothingIsMissing)
 {
     panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Doubtful, "roll 7°"}});

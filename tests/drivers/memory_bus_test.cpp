@@ -1,4 +1,4 @@
-#include "tests/support/memory_bus.h"
+#include "drivers/memory_bus.h"
 
 #include <gtest/gtest.h>
 
@@ -29,13 +29,14 @@ std::vector<BusFrame> all(CanBus& end)
 }
 
 struct TwoEnds : testing::Test {
-    MemoryBus bus;
+    double now = 0.0;
+    MemoryBus bus{[this] { return now; }};
     std::unique_ptr<CanBus> console = bus.join("console"), robot = bus.join("robot", 0);
 };
 
 TEST_F(TwoEnds, whatOneSendsTheOtherReceivesAndTheSenderHearsBack)
 {
-    bus.setTime(2.5);
+    now = 2.5;
     ASSERT_TRUE(console->send(frameOfId(0x100)));
     const auto heard = all(*robot), echoed = all(*console);
     ASSERT_EQ(heard.size(), 1u);

@@ -1,0 +1,49 @@
+#include "app/robot_setup.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <random>
+#include <string_view>
+
+#include "core/learn/profile_file.h"
+#include "core/sim/random_terrain.h"
+#include "core/sim/terrain_shapes.h"
+
+namespace terratact {
+
+Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed)
+{
+    constexpr double kRoomBehind = 0.7;  // [m] for the rear flippers
+    if (terrain.empty()) return RobotGround{demoTerrain(), kDemoStep - 1.1};
+    if (terrain == "varied") {
+        std::mt19937_64 rng(seed);
+        const TerrainProfile varied = randomVariedTerrain(rng);
+        return RobotGround{varied, varied.begin() + kRoomBehind};
+    }
+    auto file = readProfiles(terrain, 0.1, false);
+    if (!file) return file.error();
+    return RobotGround{file->profiles.front(), file->profiles.front().begin() + kRoomBehind};
+}
+
+Result<RobotOnBus::Options> withFault(RobotOnBus::Options robot, const std::string& text)
+{
+    const std::size_t sign = text.find('@');
+    const auto kind = robotFaultFromName(std::string_view(text).substr(0, sign));
+    bool good = kind.has_value();
+    if (good) robot.fault = *kind;
+    if (sign != std::string::npos) {
+        const char* const begin = text.data() + sign + 1;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(begin, end, robot.faultAt);
+        good = good && error == std::errc() && stop == end && robot.faultAt >= 0.0
+            && robot.faultAt < 1e9;
+    }
+    if (good) return robot;
+    std::string names;
+    for (const RobotFault known : kRobotFaults) names += fmt::format(" {}", name(known));
+    return Error{
+        fmt::format("--fault {}: expected NAME or NAME@SECONDS, NAME one of{}", text, names), 0};
+}
+
+}  // namespace terratact
