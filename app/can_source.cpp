@@ -1,6 +1,7 @@
 #include "app/can_source.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "app/steady_now.h"
@@ -41,7 +42,9 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
             end - std::chrono::steady_clock::now());
         const auto count = bus_->receive(frames_, std::clamp(left, 0ms, kTurn));
         work();
+        tap_.tick(steadyNow());
         if (!count) return count.error();
+        tap_.take(std::span(frames_).first(*count));
         pending_.insert(pending_.end(), frames_.begin(),
                         frames_.begin() + static_cast<std::ptrdiff_t>(*count));
         if (*count > 0 || left > 0ms) continue;

@@ -4,7 +4,9 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 
+#include "app/bus_tap.h"
 #include "core/atem/console_link.h"
 #include "drivers/can_bus.h"
 #include "drivers/measurement_source.h"
@@ -31,6 +33,7 @@ public:
         Mode mode = Mode::Listen;
         std::string name{};  ///< what the operator reads; the bus's own where it is empty
         ConsoleLink::Options link{};
+        std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: not known
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 
@@ -49,6 +52,10 @@ public:
     void approve(int bin);
 
     CanView view() const;
+    /// Everything that was received, for the pages that show the bus itself.
+    BusTap& tap() { return tap_; }
+    std::optional<double> bitrate() const { return options_.bitrate; }
+    std::string busName() const { return bus_->name(); }
 
 private:
     std::string whyNotTransmitting() const;
@@ -61,6 +68,7 @@ private:
     Options options_;
     std::array<BusFrame, 64> frames_;
     std::deque<BusFrame> pending_;  // only next() touches these two
+    BusTap tap_;
 
     mutable std::mutex mutex_;  // guards what follows
     ConsoleLink link_;
