@@ -15,8 +15,8 @@ TappedFrame emptyFrame(const FrameLayout& layout, FrameKind kind)
 {
     TappedFrame frame;
     frame.kind = kind;
-    frame.signals.resize(layout.payload.size());
-    for (TappedSignal& signal : frame.signals) signal.history.fill(kGap);
+    frame.payload.resize(layout.payload.size());
+    for (TappedSignal& signal : frame.payload) signal.history.fill(kGap);
     return frame;
 }
 
@@ -90,7 +90,7 @@ void BusTap::keep(Kept& kept, const JudgedFrame& judged, double time)
     for (std::size_t i = 0; i < layout.size(); ++i) {
         if (!frame.isMeasured && layout[i].name != "Measured") continue;
         const double value = judged.content.values[i];
-        TappedSignal& signal = frame.signals[i];
+        TappedSignal& signal = frame.payload[i];
         signal.last = value;
         signal.least = std::min(signal.least.value_or(value), value);
         signal.most = std::max(signal.most.value_or(value), value);
@@ -112,7 +112,7 @@ void BusTap::step(double now)
     for (Kept& kept : known_) {
         kept.counts[place] = kept.frame.frames;
         const bool fresh = kept.usedAt && now - *kept.usedAt <= kFresh && kept.frame.isMeasured;
-        for (TappedSignal& signal : kept.frame.signals)
+        for (TappedSignal& signal : kept.frame.payload)
             signal.history[point_] = fresh && signal.last ? static_cast<float>(*signal.last) : kGap;
     }
     for (auto& [key, kept] : unknown_) kept.counts[place] = kept.frame.frames;
@@ -153,7 +153,7 @@ std::vector<TappedFrame> BusTap::frames(double now) const
         TappedFrame& frame = frames.emplace_back(kept.frame);
         frame.rate = rate(kept.counts);
         if (kept.usedAt) frame.age = std::max(0.0, now - *kept.usedAt);
-        for (TappedSignal& signal : frame.signals)
+        for (TappedSignal& signal : frame.payload)
             std::rotate(signal.history.begin(),
                         signal.history.begin() + static_cast<std::ptrdiff_t>(point_),
                         signal.history.end());
@@ -177,7 +177,7 @@ void BusTap::forgetExtremes()
 {
     const std::scoped_lock lock(mutex_);
     for (Kept& kept : known_)
-        for (TappedSignal& signal : kept.frame.signals) signal.least = signal.most = std::nullopt;
+        for (TappedSignal& signal : kept.frame.payload) signal.least = signal.most = std::nullopt;
 }
 
 }  // namespace terratact

@@ -41,7 +41,7 @@ struct TappedFrame {
     std::optional<double> age;  ///< [s] since the last that may be used
     std::array<std::uint64_t, kFrameTroubles> troubles{};
     bool isMeasured = true;               ///< false: the robot says its values were not measured
-    std::vector<TappedSignal> signals{};  ///< as in the layout
+    std::vector<TappedSignal> payload{};  ///< as in the layout
 };
 
 /// Looks at every frame in the thread that receives them and keeps what pages show: the newest value, extremes

@@ -47,6 +47,8 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
         tap_.take(std::span(frames_).first(*count));
         pending_.insert(pending_.end(), frames_.begin(),
                         frames_.begin() + static_cast<std::ptrdiff_t>(*count));
+        waiting_ = pending_.size();
+        mostWaiting_ = std::max<std::size_t>(mostWaiting_, waiting_);
         if (*count > 0 || left > 0ms) continue;
         if (std::string what = trouble(); !what.empty()) return Error{std::move(what), 0};
         return std::optional<Sample>{};

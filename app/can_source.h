@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -56,6 +57,11 @@ public:
     BusTap& tap() { return tap_; }
     std::optional<double> bitrate() const { return options_.bitrate; }
     std::string busName() const { return bus_->name(); }
+    /// Frames that were received and not yet looked at, when new ones came.
+    struct Waiting {
+        std::size_t now = 0, most = 0;
+    };
+    Waiting waiting() const { return {waiting_, mostWaiting_}; }
 
 private:
     std::string whyNotTransmitting() const;
@@ -69,6 +75,7 @@ private:
     std::array<BusFrame, 64> frames_;
     std::deque<BusFrame> pending_;  // only next() touches these two
     BusTap tap_;
+    std::atomic<std::size_t> waiting_ = 0, mostWaiting_ = 0;
 
     mutable std::mutex mutex_;  // guards what follows
     ConsoleLink link_;

@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 
+#include "app/can_check.h"
 #include "app/can_source.h"
 #include "app/demo.h"
 #include "app/main_window.h"
@@ -18,6 +20,7 @@
 #include "core/learn/profile_file.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
+#include "drivers/can_interface.h"
 #include "drivers/candump_replay.h"
 #include "drivers/gpio_lines.h"
 #include "drivers/sim_source.h"
@@ -150,8 +153,12 @@ std::unique_ptr<CanSource> onBus(std::unique_ptr<CanBus> bus, const RobotModel& 
                                                 : Mode::Listen;
     std::random_device device;
     const std::uint64_t seed = (std::uint64_t{device()} << 32U) | device();
-    return std::make_unique<CanSource>(std::move(bus), robot,
-                                       CanSource::Options{.mode = mode, .link = {.seed = seed}});
+    std::optional<double> bitrate;
+    if (const auto told = controllerFrom(linkDetails(arguments.can)).bitrate)
+        bitrate = static_cast<double>(*told);
+    return std::make_unique<CanSource>(
+        std::move(bus), robot,
+        CanSource::Options{.mode = mode, .link = {.seed = seed}, .bitrate = bitrate});
 }
 
 /// Where telemetry comes from and commands go to.

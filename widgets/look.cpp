@@ -54,6 +54,7 @@ QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 QFrame#statusHeader { background: @header; }
 QFrame#statusHeader QPushButton[role="quiet"] { background: #33444f; color: @headertext; border-color: #4d606d; }
 QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: #b4c0c9; border-color: #46565f; }
+QFrame#statusHeader QPushButton[role="alarm"] { background: #8e1414; color: #ffffff; border: 2px solid #ffffff; font-weight: bold; }
 QFrame#statusHeader QPushButton[role="armed"] { background: #9a5b00; color: #ffffff; border-color: #ffd9a0; font-weight: bold; }
 QFrame#statusHeader QLabel { color: @headertext; }
 QFrame#statusHeader QLabel#sourceName { color: @source; font-size: 19px; font-weight: bold; }

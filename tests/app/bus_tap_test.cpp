@@ -51,13 +51,13 @@ TEST_F(Tapping, keepsTheNewestValueAndTheExtremes)
     run(1.0, 2.0, -0.3);
     const TappedFrame frame = of(FrameKind::Attitude, 2.0);
     EXPECT_EQ(frame.frames, 40U);
-    ASSERT_EQ(frame.signals.size(), 3U);
-    EXPECT_NEAR(frame.signals[0].last.value(), -0.3, 1e-4);
-    EXPECT_NEAR(frame.signals[0].least.value(), -0.3, 1e-4);
-    EXPECT_NEAR(frame.signals[0].most.value(), 0.2, 1e-4);
+    ASSERT_EQ(frame.payload.size(), 3U);
+    EXPECT_NEAR(frame.payload[0].last.value(), -0.3, 1e-4);
+    EXPECT_NEAR(frame.payload[0].least.value(), -0.3, 1e-4);
+    EXPECT_NEAR(frame.payload[0].most.value(), 0.2, 1e-4);
     EXPECT_NEAR(frame.age.value(), 0.05, 1e-9);
     tap.forgetExtremes();
-    EXPECT_FALSE(of(FrameKind::Attitude, 2.0).signals[0].least);
+    EXPECT_FALSE(of(FrameKind::Attitude, 2.0).payload[0].least);
 }
 
 TEST_F(Tapping, countsTheRateAndForgetsIt)
@@ -85,7 +85,7 @@ TEST_F(Tapping, historyHasGapsWhereNothingCame)
     run(0.0, 3.0, 0.5);
     for (double t = 3.0; t < 4.0; t += 0.01) tap.tick(t);
     run(4.0, 6.0, -0.5);
-    const auto history = of(FrameKind::Attitude, 6.0).signals[0].history;
+    const auto history = of(FrameKind::Attitude, 6.0).payload[0].history;
     const auto back = [&](double seconds) {
         return history[TappedSignal::kPoints - 1
                        - static_cast<std::size_t>(std::lround(seconds / BusTap::kTick))];
@@ -108,8 +108,8 @@ TEST_F(Tapping, takesNoValueFromAFrameThatMayNotBeUsed)
     old.frame = pack({.kind = FrameKind::Attitude, .counter = 200, .values = {0.8, 0.0, 1.0}});
     take(old);
     const TappedFrame frame = of(FrameKind::Attitude, 0.2);
-    EXPECT_NEAR(frame.signals[0].last.value(), 0.1, 1e-4);
-    EXPECT_NEAR(frame.signals[0].most.value(), 0.1, 1e-4);
+    EXPECT_NEAR(frame.payload[0].last.value(), 0.1, 1e-4);
+    EXPECT_NEAR(frame.payload[0].most.value(), 0.1, 1e-4);
     EXPECT_NEAR(frame.age.value(), 0.2, 1e-9) << "of the last that may be used";
     EXPECT_EQ(frame.frames, 3U);
     EXPECT_EQ(frame.troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)], 1U);
@@ -123,9 +123,9 @@ TEST_F(Tapping, whatWasNotMeasuredHasNoExtremes)
           .time = 0.0});
     const TappedFrame frame = of(FrameKind::Attitude, 0.0);
     EXPECT_FALSE(frame.isMeasured);
-    EXPECT_FALSE(frame.signals[0].last);
-    EXPECT_FALSE(frame.signals[0].least);
-    EXPECT_EQ(frame.signals[2].last.value(), 0.0) << "that it was not measured is a value";
+    EXPECT_FALSE(frame.payload[0].last);
+    EXPECT_FALSE(frame.payload[0].least);
+    EXPECT_EQ(frame.payload[2].last.value(), 0.0) << "that it was not measured is a value";
 }
 
 TEST_F(Tapping, traceIsTheNewestFramesInTheirOrder)
