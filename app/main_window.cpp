@@ -332,6 +332,11 @@ bool MainWindow::event(QEvent* event)
     return done;
 }
 
+void MainWindow::restartMeter()
+{
+    meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
+}
+
 AlarmSight MainWindow::alarmSight(double now) const
 {
     AlarmSight sight;

@@ -71,6 +71,7 @@ public:
     NavigationRail* rail() const { return rail_; }
     ConsoleAlarms& alarms() { return *alarms_; }
     const LoopMeter& meter() const { return meter_; }
+    void restartMeter();
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }

@@ -133,8 +133,9 @@ bool AlarmList::takeSound(double now)
     });
     if (!stands) isNew_ = false;
     if (!stands || silentFor(now) > 0.0) return false;
-    if (!isNew_ && sounded_ && now - *sounded_ < kSoundPeriod) return false;
+    const double pause = isNew_ ? kSoundGap : kSoundPeriod;
     isNew_ = false;
+    if (sounded_ && now - *sounded_ < pause) return false;
     sounded_ = now;
     return true;
 }

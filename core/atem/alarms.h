@@ -47,7 +47,8 @@ class AlarmList {
 public:
     static constexpr std::size_t kMost = 64;  ///< beyond it the least urgent is forgotten
     static constexpr double kSoundPeriod =
-        10.0;  ///< [s] between two sounds for what is known already
+        10.0;                                 ///< [s] between two sounds for what is known already
+    static constexpr double kSoundGap = 2.0;  ///< [s] alarms that come together sound once
 
     /// The cause stands.  While it does, only text and severity change; a severity that rises, or a cause
     /// that comes back, has to be acknowledged anew.
