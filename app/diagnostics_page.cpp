@@ -137,7 +137,7 @@ DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
 {
     const auto halfAndWorst = [](const NewestValues& values) {
         if (values.count() == 0) return words::kNothing;
-        return DiagnosticsPage::tr("half within %1, 99 % within %2, worst %3")
+        return DiagnosticsPage::tr("half ≤ %1 · 99 % ≤ %2 · worst %3")
             .arg(milliseconds(values.quantile(0.5)), milliseconds(values.quantile(0.99)),
                  milliseconds(values.most()));
     };

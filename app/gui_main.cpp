@@ -17,7 +17,9 @@
 #include "app/resources.h"
 #include "app/tradeoff_csv.h"
 #include "core/atem/panel_file.h"
+#include "core/file_read.h"
 #include "core/learn/profile_file.h"
+#include "core/learn/sha256.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
 #include "drivers/can_interface.h"
@@ -182,13 +184,25 @@ Status connect(MainWindow::Options& options, const Arguments& arguments)
     return Done{};
 }
 
+/// "robots/absolem.toml\ncontent 0123456789abcdef"
+QString fileDetails(const std::string& path)
+{
+    constexpr std::size_t kMost = 1U << 20U;  // bytes
+    const auto content = readFile(path, kMost);
+    const std::string hash = content ? sha256Hex(*content).substr(0, 16) : content.error().text;
+    return QStringLiteral("%1\ncontent %2")
+        .arg(QString::fromStdString(path), QString::fromStdString(hash));
+}
+
 int run(int argc, char** argv, const Arguments& arguments)
 {
-    auto robot = readRobotModel(arguments.robot.empty() ? resourcePath("robots/absolem.toml")
-                                                        : arguments.robot);
+    const std::string robotPath =
+        arguments.robot.empty() ? resourcePath("robots/absolem.toml") : arguments.robot;
+    auto robot = readRobotModel(robotPath);
     if (!robot) return failed(robot.error().text);
     MainWindow::Options options;
     options.robot = *robot;
+    options.robotDetails = fileDetails(robotPath);
     if (const Status connected = connect(options, arguments); !connected)
         return failed(connected.error().text);
 

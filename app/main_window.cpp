@@ -87,7 +87,8 @@ MainWindow::MainWindow(Options options)
       exploration_(
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
       alarms_(std::make_unique<ConsoleAlarms>(std::move(options.sounder))),
-      meter_(std::chrono::duration<double>(kLook).count())
+      meter_(std::chrono::duration<double>(kLook).count()),
+      robotDetails_(std::move(options.robotDetails))
 {
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
@@ -382,7 +383,7 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
     const double now = steadyNow();
     const auto latest = acquisition_->latest();
     DiagnosticsSection state{tr("Now"), {}};
-    state.lines << std::pair(tr("telemetry is old"),
+    state.lines << std::pair(tr("age of the telemetry"),
                              latest ? words::age(now - secondsOf(latest->arrived))
                                     : words::kNothing)
                 << std::pair(tr("telemetry"),
@@ -398,8 +399,10 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
     DiagnosticsSection sources{tr("What it works with"), {}};
     sources.lines << std::pair(tr("source"), QString::fromStdString(source_->name()))
                   << std::pair(tr("robot"), QString::fromStdString(robot_.name))
+                  << std::pair(tr("facts of the robot"),
+                               robotDetails_.isEmpty() ? words::kNothing : robotDetails_)
                   << std::pair(tr("model"), modelTrouble_.isEmpty() ? modelName_ : modelTrouble_)
-                  << std::pair(tr("of the model"), modelDetails_);
+                  << std::pair(tr("facts of the model"), modelDetails_);
     return {state, loopDiagnostics(meter_), sources};
 }
 

@@ -41,6 +41,7 @@ class MainWindow final : public QWidget {
 public:
     struct Options {
         RobotModel robot;
+        QString robotDetails{};  ///< where it is from, and its hash
         std::unique_ptr<MeasurementSource> source;
         CanSource* link = nullptr;             ///< the source again, where it is a bus
         std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
@@ -149,7 +150,7 @@ private:
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     double linkShownAt_ = 0.0;
     double worstAge_ = 0.0;
-    QString modelTrouble_, modelName_, modelDetails_;
+    QString modelTrouble_, modelName_, modelDetails_, robotDetails_;
 };
 
 }  // namespace terratact

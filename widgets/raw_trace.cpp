@@ -161,12 +161,12 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     const QString widest[kColumns]{QStringLiteral("123456789"),
                                    QStringLiteral("1234567.890"),
-                                   QStringLiteral("00000000 remote"),
+                                   QStringLiteral("1FFFFFFF FD"),
                                    QStringLiteral("ConsoleHeartbeat (from here)"),
                                    QStringLiteral("[8] DD DD DD DD DD DD DD DD"),
                                    QString()};
     for (int column = 0; column < Content; ++column)
-        view_->setColumnWidth(column, fontMetrics().horizontalAdvance(widest[column]) + 16);
+        view_->setColumnWidth(column, fontMetrics().horizontalAdvance(widest[column]) + 20);
     view_->horizontalHeader()->setSectionResizeMode(Content, QHeaderView::Stretch);
 
     auto* controls = new QHBoxLayout;

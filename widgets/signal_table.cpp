@@ -176,7 +176,7 @@ SignalTable::SignalTable(QWidget* parent) : QTableView(parent), model_(new Signa
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     const QString widest[kColumns]{QStringLiteral("00000000 RightForces4To6"),
                                    QStringLiteral("LastCounter"),
-                                   QStringLiteral("the robot's arm is probing"),
+                                   QStringLiteral("flippers pressed down"),
                                    QStringLiteral("N.m "),
                                    QStringLiteral("9000.0 Hz"),
                                    QStringLiteral("3600.0 s"),
@@ -184,7 +184,7 @@ SignalTable::SignalTable(QWidget* parent) : QTableView(parent), model_(new Signa
                                    QStringLiteral("\u22123.14159"),
                                    QString()};
     for (int column = 0; column < History; ++column)
-        setColumnWidth(column, fontMetrics().horizontalAdvance(widest[column]) + 16);
+        setColumnWidth(column, fontMetrics().horizontalAdvance(widest[column]) + 24);
     horizontalHeader()->setSectionResizeMode(History, QHeaderView::Stretch);
 }
 
