@@ -1,6 +1,7 @@
 #include "app/can_source.h"
 
 #include <algorithm>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -46,9 +47,13 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
             end - std::chrono::steady_clock::now());
         const auto count = bus_->receive(frames_, std::clamp(left, 0ms, kTurn));
         work();
+        tap_.tick(steadyNow());
         if (!count) return count.error();
+        tap_.take(std::span(frames_).first(*count));
         pending_.insert(pending_.end(), frames_.begin(),
                         frames_.begin() + static_cast<std::ptrdiff_t>(*count));
+        waiting_ = pending_.size();
+        mostWaiting_ = std::max<std::size_t>(mostWaiting_, waiting_);
         if (*count > 0 || left > 0ms) continue;
         if (std::string what = trouble(); !what.empty()) return Error{std::move(what), 0};
         return std::optional<Sample>{};

@@ -6,7 +6,9 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 
+#include "app/bus_tap.h"
 #include "core/atem/console_link.h"
 #include "drivers/can_bus.h"
 #include "drivers/measurement_source.h"
@@ -38,6 +40,7 @@ public:
         /// as of every real robot.
         std::function<Heights()> truth{};
         bool waits = false;  ///< next() brings nothing before begin(): a replay for its viewer
+        std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: not known
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 
@@ -58,6 +61,15 @@ public:
     void approve(int bin);
 
     CanView view() const;
+    /// Everything that was received, for the pages that show the bus itself.
+    BusTap& tap() { return tap_; }
+    std::optional<double> bitrate() const { return options_.bitrate; }
+    std::string busName() const { return bus_->name(); }
+    /// Frames that were received and not yet looked at, when new ones came.
+    struct Waiting {
+        std::size_t now = 0, most = 0;
+    };
+    Waiting waiting() const { return {waiting_, mostWaiting_}; }
 
 private:
     std::string whyNotTransmitting() const;
@@ -72,6 +84,8 @@ private:
     std::array<BusFrame, 64> frames_;
     std::deque<BusFrame> pending_;  // only next() touches these two
     std::atomic<bool> waits_;
+    BusTap tap_;
+    std::atomic<std::size_t> waiting_ = 0, mostWaiting_ = 0;
 
     mutable std::mutex mutex_;  // guards what follows
     ConsoleLink link_;

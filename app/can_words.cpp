@@ -8,16 +8,14 @@
 #include <stdexcept>
 #include <variant>
 
+#include "app/frame_judge.h"
 #include "core/wire/absolem.h"
 #include "core/wire/absolem_words.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/can_error.h"
-#include "core/wire/e2e.h"
 
 namespace terratact {
 namespace {
-
-constexpr double kOutage = 0.25;  // [s] after which a cyclic frame's link is lost
 
 // As many digits as the scale resolves.
 std::string number(double value, double scale)
@@ -30,15 +28,6 @@ std::string commandName(double id)
 {
     const std::optional<FrameKind> kind = kindOfId(static_cast<std::uint32_t>(id));
     return kind ? std::string(layoutOf(*kind).name) : id == 0.0 ? "none" : number(id, 1.0);
-}
-
-std::string wordOf(const SignalLayout& signal, double value)
-{
-    if (signal.name == "Activity") return describe(static_cast<RobotActivity>(value));
-    if (signal.name == "Refusal") return describe(static_cast<Refusal>(value));
-    if (signal.name == "LastCommand") return commandName(value);
-    if (signal.length == 1) return value != 0.0 ? "yes" : "no";
-    return number(value, signal.scale);
 }
 
 /// Of a line of sensors in which nothing was measured there is nothing to tell but that.
@@ -68,75 +57,41 @@ FrameWords errorWords(const CanFrame& frame)
 
 class TerratactReader final : public FrameReader {
 public:
-    TerratactReader()
-    {
-        for (const FrameLayout& layout : frameLayouts()) receivers_.emplace_back(layout.dataId);
-    }
-
     FrameWords read(const CanFrame& frame, double now) override
     {
         if (frame.error) return errorWords(frame);
-        const std::variant<Unpacked, FrameFault> got = unpack(frame);
-        if (const auto* fault = std::get_if<FrameFault>(&got)) return faulty(frame, *fault, now);
-        const auto& content = std::get<Unpacked>(got);
-        FrameWords words = judged(frame, content, now);
-        words.counter = content.counter;
-        words.values = valuesOf(content);
+        const JudgedFrame judged = judge_.judge(frame, now);
+        FrameWords words;
+        words.trouble = judged.trouble;
+        if (judged.kind) words.name = layoutOf(*judged.kind).name;
+        if (judged.fault) {
+            words.verdict = describe(*judged.fault);
+            if (meansStop(frame)) words.verdict += "; a robot stops all the same";
+            return words;
+        }
+        words.verdict = verdictOf(judged);
+        words.counter = judged.content.counter;
+        words.values = valuesOf(judged.content);
         return words;
     }
 
 private:
-    FrameWords faulty(const CanFrame& frame, FrameFault fault, double now)
+    static std::string verdictOf(const JudgedFrame& judged)
     {
-        FrameWords words;
-        words.verdict = describe(fault);
-        if (meansStop(frame)) words.verdict += "; a robot stops all the same";
-        words.trouble = FrameTrouble::Unknown;
-        if (fault == FrameFault::UnknownId || fault == FrameFault::NotClassicData) return words;
-        words.trouble = FrameTrouble::Other;
-        const FrameKind kind = kindOfId(frame.id).value();
-        words.name = layoutOf(kind).name;
-        if (fault == FrameFault::WrongCrc) {
-            words.trouble = FrameTrouble::WrongChecksum;
-            receivers_[static_cast<std::size_t>(kind)].receive({}, now);
-        }
-        return words;
-    }
-
-    FrameWords judged(const CanFrame& frame, const Unpacked& content, double now)
-    {
-        const FrameLayout& layout = layoutOf(content.kind);
-        E2eReceiver& receiver = receivers_[static_cast<std::size_t>(content.kind)];
-        const std::optional<double> before = receiver.age(now);
-        FrameWords words;
-        words.name = layout.name;
-        switch (receiver.receive(frame.data, now)) {
+        switch (judged.check) {
         case FrameCheck::Ok:
-            words.verdict = "ok";
-            if (layout.period > 0.0 && before && *before > kOutage) {
-                words.verdict = fmt::format("ok after {:.3f} s of silence", *before);
-                words.trouble = FrameTrouble::Gap;
-            }
-            break;
-        case FrameCheck::SomeLost:
-            words.verdict = "ok, but one or two before it are missing";
-            words.trouble = FrameTrouble::Gap;
-            break;
-        case FrameCheck::Repeated:
-            words.verdict = "repeated";
-            words.trouble = FrameTrouble::WrongSequence;
-            break;
-        case FrameCheck::WrongSequence:
-            words.verdict = "out of sequence";
-            words.trouble = FrameTrouble::WrongSequence;
-            break;
-        case FrameCheck::WrongCrc:  // unpack() has judged it before
-            break;
+            if (judged.trouble == FrameTrouble::Gap)
+                return fmt::format("ok after {:.3f} s of silence", *judged.silence);
+            return "ok";
+        case FrameCheck::SomeLost: return "ok, but one or two before it are missing";
+        case FrameCheck::Repeated: return "repeated";
+        case FrameCheck::WrongSequence: return "out of sequence";
+        case FrameCheck::WrongCrc: break;  // unpack() has judged it before
         }
-        return words;
+        return describe(FrameFault::WrongCrc);
     }
 
-    std::vector<E2eReceiver> receivers_;  // in the order of FrameKind
+    FrameJudge judge_;
 };
 
 std::string joined(const std::vector<std::string>& phrases)
@@ -262,6 +217,15 @@ std::unique_ptr<FrameReader> frameReader(CanProtocol protocol)
     case CanProtocol::Absolem: return std::make_unique<AbsolemReader>();
     }
     throw std::invalid_argument("frameReader: no such CanProtocol");
+}
+
+std::string wordOf(const SignalLayout& signal, double value)
+{
+    if (signal.name == "Activity") return describe(static_cast<RobotActivity>(value));
+    if (signal.name == "Refusal") return describe(static_cast<Refusal>(value));
+    if (signal.name == "LastCommand") return commandName(value);
+    if (signal.length == 1) return value != 0.0 ? "yes" : "no";
+    return number(value, signal.scale);
 }
 
 std::string wordsOf(const std::vector<NamedValue>& values)

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/wire/can_codec.h"
 #include "core/wire/can_frame.h"
+#include "core/wire/frame_trouble.h"
 
 namespace terratact {
 
@@ -20,17 +22,6 @@ struct NamedValue {
     std::string name, value, unit;
     bool operator==(const NamedValue&) const = default;
 };
-
-/// What is wrong with a frame, for counting.
-enum class FrameTrouble : std::uint8_t {
-    None,
-    Gap,            ///< sound, but others are missing before it
-    WrongChecksum,  ///< damaged
-    WrongSequence,  ///< repeated, or an old one
-    Other,          ///< see the verdict
-    Unknown,        ///< not of this protocol
-};
-inline constexpr std::size_t kFrameTroubles = 6;
 
 /// A frame in words for people.
 struct FrameWords {
@@ -49,6 +40,9 @@ public:
     virtual FrameWords read(const CanFrame& frame, double now) = 0;
 };
 std::unique_ptr<FrameReader> frameReader(CanProtocol protocol);
+
+/// The value of one signal for people: "0.2100", "yes", "driving".
+std::string wordOf(const SignalLayout& signal, double value);
 
 /// "Pitch 0.2100 rad, Roll -0.0500 rad"
 std::string wordsOf(const std::vector<NamedValue>& values);

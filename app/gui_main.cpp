@@ -7,9 +7,11 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 
+#include "app/can_check.h"
 #include "app/can_source.h"
 #include "app/demo.h"
 #include "app/main_window.h"
@@ -19,6 +21,9 @@
 #include "app/steady_now.h"
 #include "app/tradeoff_csv.h"
 #include "core/atem/panel_file.h"
+#include "core/file_read.h"
+#include "core/learn/sha256.h"
+#include "drivers/can_interface.h"
 #include "drivers/candump_replay.h"
 #include "drivers/gpio_lines.h"
 #include "drivers/memory_bus.h"
@@ -175,9 +180,14 @@ std::unique_ptr<CanSource> onBus(std::unique_ptr<CanBus> bus, const RobotModel& 
     const Mode mode = !arguments.replay.empty() ? Mode::Replay
                     : arguments.transmit        ? Mode::Transmit
                                                 : Mode::Listen;
-    return std::make_unique<CanSource>(
-        std::move(bus), robot,
-        CanSource::Options{.mode = mode, .link = {.seed = drawn()}, .waits = mode == Mode::Replay});
+    std::optional<double> bitrate;
+    if (const auto told = controllerFrom(linkDetails(arguments.can)).bitrate)
+        bitrate = static_cast<double>(*told);
+    return std::make_unique<CanSource>(std::move(bus), robot,
+                                       CanSource::Options{.mode = mode,
+                                                          .link = {.seed = drawn()},
+                                                          .waits = mode == Mode::Replay,
+                                                          .bitrate = bitrate});
 }
 
 /// Where telemetry comes from and commands go to: a robot on a bus or in a log, or else one in `builtIn`.
@@ -204,14 +214,26 @@ Status connect(MainWindow::Options& options, const Arguments& arguments,
     return Done{};
 }
 
+/// "robots/absolem.toml\ncontent 0123456789abcdef"
+QString fileDetails(const std::string& path)
+{
+    constexpr std::size_t kMost = 1U << 20U;  // bytes
+    const auto content = readFile(path, kMost);
+    const std::string hash = content ? sha256Hex(*content).substr(0, 16) : content.error().text;
+    return QStringLiteral("%1\ncontent %2")
+        .arg(QString::fromStdString(path), QString::fromStdString(hash));
+}
+
 int run(int argc, char** argv, const Arguments& arguments)
 {
-    auto robot = readRobotModel(arguments.robot.empty() ? resourcePath("robots/absolem.toml")
-                                                        : arguments.robot);
+    const std::string robotPath =
+        arguments.robot.empty() ? resourcePath("robots/absolem.toml") : arguments.robot;
+    auto robot = readRobotModel(robotPath);
     if (!robot) return failed(robot.error().text);
     std::unique_ptr<BuiltInRobot> builtIn;  // outlives the window, which talks to it
     MainWindow::Options options;
     options.robot = *robot;
+    options.robotDetails = fileDetails(robotPath);
     if (const Status connected = connect(options, arguments, builtIn); !connected)
         return failed(connected.error().text);
 

@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include <QAbstractItemView>
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
@@ -8,6 +9,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+
 #include <QStackedWidget>
 #include <QTime>
 #include <QVBoxLayout>
@@ -15,8 +17,10 @@
 #include <chrono>
 #include <utility>
 
+#include "app/alarms_page.h"
 #include "app/numbers_page.h"
 #include "app/page.h"
+#include "app/signals_page.h"
 #include "core/terrain/body_ceiling.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -70,17 +74,15 @@ QString glance(RobotActivity activity)
     return {};
 }
 
-/// Letters and digits typed there are not commands.
-bool takesText(const QWidget* widget)
+/// Keys that mean something in the widget itself: what is typed into a field must move no robot.
+bool belongsTo(const QWidget& widget, int key)
 {
-    return widget->inherits("QLineEdit") || widget->inherits("QAbstractSpinBox")
-        || widget->inherits("QTextEdit") || widget->inherits("QPlainTextEdit")
-        || widget->inherits("QComboBox");
-}
-
-bool isFunctionKey(int key)
-{
-    return key >= Qt::Key_F1 && key <= Qt::Key_F12;
+    const bool isFunctionKey = key >= Qt::Key_F1 && key <= Qt::Key_F12;
+    const bool takesText = widget.inherits("QLineEdit") || widget.inherits("QAbstractSpinBox")
+                        || widget.inherits("QComboBox");
+    if (takesText) return !isFunctionKey;
+    const bool moves = key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Space;
+    return moves && qobject_cast<const QAbstractItemView*>(&widget);
 }
 
 // What the probe's card says where nobody asks this operator.
@@ -99,7 +101,10 @@ MainWindow::MainWindow(Options options)
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
-          std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_))
+          std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
+      alarms_(std::make_unique<ConsoleAlarms>(std::move(options.sounder))),
+      meter_(std::chrono::duration<double>(kLook).count()),
+      robotDetails_(std::move(options.robotDetails))
 {
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
@@ -109,7 +114,10 @@ MainWindow::MainWindow(Options options)
     offerQualities(options.presets);
     offerViews();
     look_.setInterval(kLook);
-    connect(&look_, &QTimer::timeout, this, &MainWindow::look);
+    connect(&look_, &QTimer::timeout, this, [this] {
+        meter_.beat(steadyNow());
+        look();
+    });
     setFocus();
     look_.start();
     worker_->start();
@@ -141,6 +149,7 @@ void MainWindow::build()
     numbers_ = new NumbersPage(*exploration_, this);
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
     connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
+    addPages();
 
     auto* below = new QHBoxLayout;
     below->setSpacing(0);
@@ -158,6 +167,19 @@ void MainWindow::addPage(Page* page, const QString& name, Qt::Key key, const QSt
 {
     pages_->addWidget(page);
     rail_->addPage(name, key, tip);
+}
+
+void MainWindow::addPages()
+{
+    alarmsPage_ = new AlarmsPage(*alarms_, this);
+    addPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
+            tr("What is wrong, and what was and has not been seen"));
+    signalsPage_ = new SignalsPage(*acquisition_, link_, this);
+    addPage(signalsPage_, tr("Signals"), Qt::Key_F5,
+            tr("Every signal on the bus, and its newest frames"));
+    diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
+    addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
+            tr("Versions, permissions and how fast the console is"));
 }
 
 QWidget* MainWindow::terrainPage()
@@ -273,6 +295,8 @@ void MainWindow::connectAll()
 {
     Exploration* exploration = exploration_.get();
     connect(header_, &StatusHeader::helpRequested, this, &MainWindow::showHelp);
+    connect(header_, &StatusHeader::alarmsRequested, rail_,
+            [this] { rail_->choose(rail_->pageOf(Qt::Key_F4)); });
     connect(header_, &StatusHeader::qualityChosen, exploration, [exploration](int index) {
         exploration->setQuality(kQualities.at(static_cast<std::size_t>(index)));
     });
@@ -302,6 +326,8 @@ void MainWindow::connectAll()
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
             [this](const QString& name, const QString& details) {
+                modelName_ = name;
+                modelDetails_ = details;
                 header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
                 if (link_) link_->begin();  // a replay, so that no press comes too early
             });
@@ -328,6 +354,7 @@ void MainWindow::redraw(double now)
 {
     redrawn_ = now;
     showLink(now, latest_);
+    showAlarms(now);
     showArming(now);
     showTerrain(latest_);
     showVerdict();
@@ -342,6 +369,97 @@ void MainWindow::redraw(double now)
     const QString whyNot = exploration_->whyNotDriving();
     drive_->setBlocked(whyNot.isEmpty() ? panelForbids(now) : whyNot);
     if (auto* page = qobject_cast<Page*>(pages_->currentWidget())) page->refresh(now);
+
+    prepared_ = steadyNow() - now;
+    if (latest_ && latest_->count != paintedCount_) {
+        newestIn_ = secondsOf(latest_->arrived);
+        paintedCount_ = latest_->count;
+    }
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    if (event->type() != QEvent::UpdateRequest) return QWidget::event(event);
+    const double began = steadyNow();
+    const bool done = QWidget::event(event);  // paints all that has changed
+    const double ended = steadyNow();
+    meter_.frame(prepared_ + ended - began, newestIn_ < 0.0 ? -1.0 : ended - newestIn_);
+    prepared_ = 0.0;
+    newestIn_ = -1.0;
+    return done;
+}
+
+void MainWindow::restartMeter()
+{
+    meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
+}
+
+AlarmSight MainWindow::alarmSight(double now) const
+{
+    AlarmSight sight;
+    if (latest_) sight.telemetryAge = now - secondsOf(latest_->arrived);
+    sight.linkAlive = exploration_->linkAlive();
+    sight.sourceTrouble = QString::fromStdString(acquisition_->trouble());
+    if (link_) {
+        sight.bus = link_->view();
+        sight.busName = link_->busName();
+        sight.wrongChecksums =
+            link_->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
+    }
+    sight.noModel = modelTrouble_;
+    if (panel_ && !panel_->answers(now))
+        sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
+    const AtemState& state = exploration_->state();
+    if (state.phase == AtemPhase::Failed)
+        sight.failedExploration = QString::fromStdString(describe(state.failure));
+    sight.isStopped = latest_ && latest_->sample.measurement.activity == RobotActivity::Stopped;
+    return sight;
+}
+
+void MainWindow::showAlarms(double now)
+{
+    alarms_->look(now, alarmSight(now));
+    const AlarmList& list = alarms_->list();
+    const auto all = list.alarms().size();
+    header_->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
+                       static_cast<int>(all));
+}
+
+QString MainWindow::linkDetails(const CanView& view) const
+{
+    const BusLoad load = link_->tap().load();
+    return tr("%1\n%2 frames/s, %3\n%4 frames dropped by this computer, %5 error frames")
+        .arg(QString::fromStdString(describe(view.bus, link_->busName())),
+             words::number(load.framesPerSecond, 0), loadWords(load, link_->bitrate()),
+             QString::number(view.frames.dropped), QString::number(view.frames.errorFrames));
+}
+
+QList<DiagnosticsSection> MainWindow::diagnostics() const
+{
+    const double now = steadyNow();
+    const auto latest = acquisition_->latest();
+    DiagnosticsSection state{tr("Now"), {}};
+    state.lines << std::pair(tr("age of the telemetry"),
+                             latest ? words::age(now - secondsOf(latest->arrived))
+                                    : words::kNothing)
+                << std::pair(tr("telemetry"),
+                             words::number(acquisition_->rate(), 0) + QStringLiteral(" Hz"));
+    if (link_)
+        state.lines << std::pair(
+            tr("CAN frames waiting"),
+            tr("%1 now, %2 at most").arg(link_->waiting().now).arg(link_->waiting().most));
+    state.lines << std::pair(tr("estimator"),
+                             worker_->progress() ? tr("one estimate under way") : tr("idle"))
+                << std::pair(tr("memory"),
+                             words::number(residentMemory() / 1e6, 0) + QStringLiteral(" MB"));
+    DiagnosticsSection sources{tr("What it works with"), {}};
+    sources.lines << std::pair(tr("source"), QString::fromStdString(source_->name()))
+                  << std::pair(tr("robot"), QString::fromStdString(robot_.name))
+                  << std::pair(tr("facts of the robot"),
+                               robotDetails_.isEmpty() ? words::kNothing : robotDetails_)
+                  << std::pair(tr("model"), modelTrouble_.isEmpty() ? modelName_ : modelTrouble_)
+                  << std::pair(tr("facts of the model"), modelDetails_);
+    return {state, loopDiagnostics(meter_), sources};
 }
 
 void MainWindow::tickPanel(double now)
@@ -372,16 +490,24 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
     const bool ended = exploration_->ended();
     const bool alive = exploration_->linkAlive() && !ended;
     worstAge_ = std::max(worstAge_, age);
+    const QString details = link_ && !alive ? linkDetails(link_->view()) : QString();
     if (ended) {
-        header_->setLink(tr("END OF THE LOG"), Tone::Doubt);
+        header_->setLink(tr("END OF THE LOG"), Tone::Doubt, details);
     } else if (!alive) {
-        header_->setLink(
-            latest ? tr("LINK LOST · %1").arg(words::age(age)) : tr("no telemetry yet"), Tone::Bad);
+        header_->setLink(latest ? tr("LINK LOST · %1").arg(words::age(age))
+                                : tr("no telemetry yet"),
+                         Tone::Bad, details);
         linkShownAt_ = 0.0;
     } else if (now - linkShownAt_ >= 0.5) {
-        header_->setLink(tr("link %1 Hz · ≤ %2")
-                             .arg(words::number(acquisition_->rate(), 0), words::age(worstAge_)),
-                         worstAge_ <= kStaleAfter ? Tone::Good : Tone::Doubt);
+        const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
+        const std::uint64_t dropped = view ? view->frames.dropped : 0;
+        QString text = tr("link %1 Hz · ≤ %2")
+                           .arg(words::number(acquisition_->rate(), 0), words::age(worstAge_));
+        if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
+        const bool isGood =
+            worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && dropped == 0;
+        header_->setLink(text, isGood ? Tone::Good : Tone::Doubt,
+                         view ? linkDetails(*view) : QString());
         linkShownAt_ = now;
         worstAge_ = 0.0;
     }
@@ -631,7 +757,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
         || QApplication::activePopupWidget())
         return false;
     if (keys->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) return false;
-    if (takesText(widget) && !isFunctionKey(keys->key())) return false;
+    if (belongsTo(*widget, keys->key())) return false;
     // Space means the button that has the focus; only without one it answers the proposal.
     if (keys->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(widget)) return false;
     if (keys->isAutoRepeat()) return keys->key() != Qt::Key_Tab && keys->key() != Qt::Key_Backtab;

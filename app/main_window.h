@@ -6,8 +6,11 @@
 #include <memory>
 
 #include "app/acquisition.h"
+#include "app/console_alarms.h"
+#include "app/diagnostics_page.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
+#include "app/loop_meter.h"
 #include "app/panel_control.h"
 #include "core/eval/tradeoff.h"
 
@@ -18,6 +21,7 @@ class QStackedWidget;
 
 namespace terratact {
 
+class AlarmsPage;
 class ArmingControl;
 class AtemPanel;
 class DrivePad;
@@ -28,6 +32,7 @@ class NavigationRail;
 class Page;
 class ProbeCard;
 class RobotReadout;
+class SignalsPage;
 class StatusHeader;
 class NumbersPage;
 class TerrainProfileView;
@@ -40,11 +45,13 @@ class MainWindow final : public QWidget {
 public:
     struct Options {
         RobotModel robot;
+        QString robotDetails{};  ///< where it is from, and its hash
         std::unique_ptr<MeasurementSource> source;
         CanSource* link = nullptr;             ///< the source again, where it is a bus
         std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
         ModelLoader model;
         Exploration::Options exploration;
+        std::unique_ptr<Sounder> sounder = desktopBeep();
         std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
     };
     explicit MainWindow(Options options);
@@ -70,13 +77,25 @@ public:
     NumbersPage* numbers() const { return numbers_; }
     VerdictStrip* verdict() const { return verdict_; }
     QPushButton* viewButton() const { return view_; }
+    ConsoleAlarms& alarms() { return *alarms_; }
+    const LoopMeter& meter() const { return meter_; }
+    void restartMeter();
+    AlarmsPage* alarmsPage() const { return alarmsPage_; }
+    SignalsPage* signalsPage() const { return signalsPage_; }
+    DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void build();
+    void addPages();
+    AlarmSight alarmSight(double now) const;
+    void showAlarms(double now);
+    QString linkDetails(const CanView& view) const;
+    QList<DiagnosticsSection> diagnostics() const;
     QWidget* terrainPage();
     void addPage(Page* page, const QString& name, Qt::Key key, const QString& tip);
     void connectAll();
@@ -104,6 +123,11 @@ private:
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;
     std::unique_ptr<PanelControl> panel_;  ///< may be null
+    std::unique_ptr<ConsoleAlarms> alarms_;
+    LoopMeter meter_;
+    double prepared_ = 0.0;   ///< [s] the frame that is to be painted took to prepare
+    double newestIn_ = -1.0;  ///< [s] when the telemetry in it came, where that is new
+    std::uint64_t paintedCount_ = 0;
     QTimer look_;
     std::optional<Received> latest_;
     double redrawn_ = 0.0;  ///< [s] steady clock
@@ -127,6 +151,9 @@ private:
     QLabel* robotAge_ = nullptr;
     DrivePad* drive_ = nullptr;
     EventList* events_ = nullptr;
+    AlarmsPage* alarmsPage_ = nullptr;
+    SignalsPage* signalsPage_ = nullptr;
+    DiagnosticsPage* diagnosticsPage_ = nullptr;
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_;
@@ -138,7 +165,7 @@ private:
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     double linkShownAt_ = 0.0;
     double worstAge_ = 0.0;
-    QString modelTrouble_;
+    QString modelTrouble_, modelName_, modelDetails_, robotDetails_;
 };
 
 }  // namespace terratact

@@ -58,12 +58,13 @@ QFrame#navigationRail QPushButton { background: transparent; color: @headertext;
                                     min-width: 78px; min-height: 40px; }
 QFrame#navigationRail QPushButton:hover { background: #33444f; }
 QFrame#navigationRail QPushButton:checked { background: #33444f; color: @source; border-left: 4px solid @source;
-                                            font-weight: bold; padding-left: 2px; }
+                                            padding-left: 2px; }
 QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 
 QFrame#statusHeader { background: @header; }
 QFrame#statusHeader QPushButton[role="quiet"] { background: #33444f; color: @headertext; border-color: #4d606d; }
 QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: #b4c0c9; border-color: #46565f; }
+QFrame#statusHeader QPushButton[role="alarm"] { background: #8e1414; color: #ffffff; border: 2px solid #ffffff; font-weight: bold; }
 QFrame#statusHeader QPushButton[role="armed"] { background: #9a5b00; color: #ffffff; border-color: #ffd9a0; font-weight: bold; }
 QFrame#statusHeader QLabel { color: @headertext; }
 QFrame#statusHeader QLabel#sourceName { color: @source; font-size: 19px; font-weight: bold; }
@@ -77,10 +78,17 @@ QLabel#banner { background: #8e1414; color: white; font-weight: bold; padding: 7
 QProgressBar { border: 1px solid #b9c5d0; border-radius: 4px; background: @card; color: @text;
                text-align: center; min-height: 20px; }
 QProgressBar::chunk { background: #a9c8ea; border-radius: 3px; }
+QTableView { background: @card; alternate-background-color: @window; border: none; color: @text; }
+QTableView::item { padding: 0 6px; }
+QHeaderView { background: @card; }
+QHeaderView::section { background: @button; color: @text; border: none; border-right: 1px solid @border; padding: 4px 6px; }
+QLineEdit { background: @card; color: @text; border: 1px solid @muted; border-radius: 4px; padding: 2px 8px; }
+QLineEdit:focus { border: 2px solid @contact; padding: 1px 7px; }
 QListWidget { background: @card; border: none; color: @text; }
 QListWidget::item { padding: 2px 0; }
 )");
     const std::pair<const char*, QString> words[]{
+        {"@window", theme().window.name()},
         {"@headertext", theme().headerText.name()},
         {"@header", theme().header.name()},
         {"@text", theme().text.name()},

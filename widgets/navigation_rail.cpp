@@ -10,6 +10,7 @@ NavigationRail::NavigationRail(QWidget* parent) : QFrame(parent)
 {
     setObjectName(QStringLiteral("navigationRail"));
     setAccessibleName(tr("Pages"));
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);  // the longest name fits
     column_ = new QVBoxLayout(this);
     column_->setContentsMargins(6, 10, 6, 10);
     column_->setSpacing(6);

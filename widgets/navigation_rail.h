@@ -21,6 +21,7 @@ public:
     int chosen() const { return chosen_; }
     int pages() const { return static_cast<int>(buttons_.size()); }
     int pageOf(int key) const;  ///< −1: the key means no page
+    Qt::Key keyOf(int page) const { return static_cast<Qt::Key>(keys_.at(page)); }
     QPushButton* button(int page) const { return buttons_.at(page); }
 
 signals:

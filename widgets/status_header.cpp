@@ -28,6 +28,12 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     link_ = chip(tr("Link"));
     robot_ = chip(tr("What the robot does"));
     model_ = chip(tr("Model"));
+    alarms_ = new QPushButton(this);
+    alarms_->setProperty("role", "quiet");
+    alarms_->setFocusPolicy(Qt::TabFocus);
+    alarms_->setToolTip(tr("What is wrong, and what was and has not been seen (F4)"));
+    connect(alarms_, &QPushButton::clicked, this, &StatusHeader::alarmsRequested);
+    setAlarms(0, 0);
     quality_ = new QPushButton(this);
     quality_->setProperty("role", "quiet");
     quality_->setFocusPolicy(Qt::TabFocus);
@@ -56,6 +62,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     for (QLabel* label : {link_, robot_, model_}) row->addWidget(label, 0, Qt::AlignVCenter);
     row->addWidget(arming_, 0, Qt::AlignVCenter);
     row->addStretch(1);
+    row->addWidget(alarms_, 0, Qt::AlignVCenter);
     row->addWidget(quality_, 0, Qt::AlignVCenter);
     row->addWidget(help_, 0, Qt::AlignVCenter);
     row->addSpacing(20);  // nothing harmless close to STOP
@@ -69,10 +76,23 @@ void StatusHeader::setSource(const QString& name)
     source_->setText(name);
 }
 
-void StatusHeader::setLink(const QString& text, Tone tone)
+void StatusHeader::setLink(const QString& text, Tone tone, const QString& details)
 {
     link_->setText(text);
+    if (link_->toolTip() != details) link_->setToolTip(details);
     setTone(*link_, tone);
+}
+
+void StatusHeader::setAlarms(int unseen, int all)
+{
+    const QString count = all == 0 ? tr("no alarms") : tr("alarms: %1").arg(all);
+    const QString text = unseen > 0 ? QStringLiteral("▲ ") + count : count;
+    if (alarms_->text() == text) return;
+    alarms_->setText(text);
+    alarms_->setAccessibleName(tr("%1, %2 not acknowledged").arg(count).arg(unseen));
+    alarms_->setProperty("role", unseen > 0 ? "alarm" : "quiet");
+    alarms_->style()->unpolish(alarms_);
+    alarms_->style()->polish(alarms_);
 }
 
 void StatusHeader::setRobot(const QString& text, Tone tone)

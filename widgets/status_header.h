@@ -18,7 +18,9 @@ public:
     explicit StatusHeader(QWidget* parent = nullptr);
 
     void setSource(const QString& name);
-    void setLink(const QString& text, Tone tone);
+    void setLink(const QString& text, Tone tone, const QString& details = {});
+    /// unseen: how many of all nobody has acknowledged.
+    void setAlarms(int unseen, int all);
     void setRobot(const QString& text, Tone tone);
     void setModel(const QString& text, Tone tone, const QString& details = {});
     /// The menu of what an estimate may cost.  names: one word each; lines: the same with cost and error.
@@ -34,10 +36,12 @@ public:
     QPushButton* stopButton() const { return stop_; }
     QPushButton* helpButton() const { return help_; }
     QPushButton* qualityButton() const { return quality_; }
+    QPushButton* alarmsButton() const { return alarms_; }
 
 signals:
     void stopPressed();
     void helpRequested();
+    void alarmsRequested();
     void qualityChosen(int index);
 
 private:
@@ -45,6 +49,7 @@ private:
     QLabel* link_ = nullptr;
     QLabel* robot_ = nullptr;
     QLabel* model_ = nullptr;
+    QPushButton* alarms_ = nullptr;
     QPushButton* quality_ = nullptr;
     ArmingControl* arming_ = nullptr;
     QPushButton* help_ = nullptr;

@@ -1,0 +1,130 @@
+#include "app/console_alarms.h"
+
+#include <QApplication>
+#include <QStringList>
+#include <utility>
+
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kFlutter = 1.0;  // [s] such a state lasts now and then on a bus that works
+
+class DesktopBeep final : public Sounder {
+public:
+    void sound() override { QApplication::beep(); }
+};
+
+bool comesAndGoes(BusState state)
+{
+    return state == BusState::Stalled || state == BusState::ErrorPassive;
+}
+
+/// "left 3 open, right 1 saturated"
+QString unsoundElements(const ElementForces& forces)
+{
+    QStringList unsound;
+    const auto look = [&](const auto& side, const QString& name) {
+        for (std::size_t i = 0; i < side.size(); ++i)
+            if (side[i] && side[i]->state != ElementState::Sound)
+                unsound << QStringLiteral("%1 %2 %3")
+                               .arg(name)
+                               .arg(i + 1)
+                               .arg(words::text(describe(side[i]->state)));
+    };
+    look(forces.left, ConsoleAlarms::tr("left"));
+    look(forces.right, ConsoleAlarms::tr("right"));
+    return unsound.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+std::unique_ptr<Sounder> desktopBeep()
+{
+    return std::make_unique<DesktopBeep>();
+}
+
+ConsoleAlarms::ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent)
+    : QObject(parent), sounder_(std::move(sounder))
+{
+}
+
+void ConsoleAlarms::look(double now, const AlarmSight& sight)
+{
+    now_ = now;
+    if (!began_) began_ = now;
+    lookAtLink(sight);
+    if (sight.bus) lookAtBus(*sight.bus, sight);
+    judge("model", !sight.noModel.isEmpty(),
+          tr("No model, so nothing can be estimated: %1").arg(sight.noModel), Severity::Critical);
+    judge("panel", !sight.panelTrouble.isEmpty(), sight.panelTrouble, Severity::Critical);
+    judge("exploration", !sight.failedExploration.isEmpty(),
+          tr("Exploration failed: %1").arg(sight.failedExploration), Severity::Caution);
+    judge("stop", sight.isStopped, tr("The robot is stopped and moves only after a release"),
+          Severity::Caution);
+    if (list_.takeSound(now) && soundOn_) sounder_->sound();
+}
+
+void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
+{
+    const QString why =
+        sight.sourceTrouble.isEmpty() ? QString() : QStringLiteral(": ") + sight.sourceTrouble;
+    const bool came = sight.telemetryAge.has_value();
+    judge("silence", !came && now_ - *began_ >= kFirstTelemetry,
+          tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
+    judge("link", came && !sight.linkAlive, tr("Link lost%1").arg(why), Severity::Critical);
+}
+
+void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
+{
+    const bool isUp = bus.bus == BusState::Up;
+    judge("bus", !isUp, words::text(describe(bus.bus, sight.busName)),
+          comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
+          comesAndGoes(bus.bus) ? kFlutter : 0.0);
+    judge("foreign", bus.link.foreignSender,
+          tr("Another console sends commands on this bus: find it and switch it off"),
+          Severity::Critical);
+    judge("dropped", grewLately("dropped", bus.frames.dropped),
+          tr("This computer was too slow for the bus: %1 frames lost since the start")
+              .arg(bus.frames.dropped),
+          Severity::Caution);
+    judge("checksum", grewLately("checksum", sight.wrongChecksums),
+          tr("Damaged frames: %1 with a wrong checksum since the start").arg(sight.wrongChecksums),
+          Severity::Caution);
+    lookAtSensors(bus.forces);
+}
+
+void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
+{
+    const QString unsound = unsoundElements(forces);
+    judge("sensors", !unsound.isEmpty(), tr("Force sensors not usable: %1").arg(unsound),
+          Severity::Caution, kFlutter);
+}
+
+void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& text,
+                          Severity severity, double after)
+{
+    Cause& cause = causes_[id];
+    if (stands) {
+        cause.gone.reset();
+        if (!cause.stands) cause.stands = now_;
+        if (now_ - *cause.stands >= after) list_.raise(id, text.toStdString(), severity, now_);
+        return;
+    }
+    if (!cause.stands) return;
+    if (!cause.gone) cause.gone = now_;
+    if (now_ - *cause.gone < kGoneFor) return;
+    list_.clear(id, now_);
+    cause = {};
+}
+
+bool ConsoleAlarms::grewLately(const std::string& id, std::uint64_t count)
+{
+    Counted& counted = counted_[id];
+    if (count > counted.count) counted.grew = now_;
+    counted.count = count;
+    return counted.grew && now_ - *counted.grew < kCountedFor;
+}
+
+}  // namespace terratact

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/can_source.h"
+#include "core/atem/alarms.h"
+
+namespace terratact {
+
+/// Makes one short sound.
+class Sounder {
+public:
+    virtual ~Sounder() = default;
+    virtual void sound() = 0;
+};
+std::unique_ptr<Sounder> desktopBeep();
+
+/// What can be wrong, as it stands now.  An empty text: it is not.
+struct AlarmSight {
+    std::optional<double> telemetryAge{};  ///< [s]; empty: none came yet
+    bool linkAlive = false;
+    QString sourceTrouble{};       ///< why there is no telemetry
+    std::optional<CanView> bus{};  ///< empty: the source is none
+    std::string busName{};
+    std::uint64_t wrongChecksums = 0;  ///< since the bus was opened
+    QString noModel{}, panelTrouble{}, failedExploration{};
+    bool isStopped = false;  ///< the robot says so
+};
+
+/// Finds the alarms in what is seen and lets them sound.  A cause must be away for a while before its alarm
+/// returns, and what comes now and then on a sound bus must stay for a while before it is one.  GUI thread only.
+class ConsoleAlarms final : public QObject {
+    Q_OBJECT
+public:
+    static constexpr double kFirstTelemetry = 3.0;  ///< [s] may pass before there is any
+    static constexpr double kGoneFor = 1.0;     ///< [s] a cause is away before its alarm returns
+    static constexpr double kCountedFor = 5.0;  ///< [s] something that was counted stands
+
+    explicit ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent = nullptr);
+
+    /// now: [s] on the steady clock.  To be called several times a second.
+    void look(double now, const AlarmSight& sight);
+
+    const AlarmList& list() const { return list_; }
+    void acknowledge(const std::string& id) { list_.acknowledge(id); }
+    void acknowledgeAll() { list_.acknowledgeAll(); }
+    void silence(double until) { list_.silence(until); }
+    void setSoundOn(bool on) { soundOn_ = on; }
+    bool soundOn() const { return soundOn_; }
+
+private:
+    struct Cause {
+        std::optional<double> stands{}, gone{};  ///< [s] since
+    };
+    struct Counted {
+        std::uint64_t count = 0;
+        std::optional<double> grew{};  ///< [s] when
+    };
+    /// after: [s] it has to stand before it is an alarm.
+    void judge(const std::string& id, bool stands, const QString& text, Severity severity,
+               double after = 0.0);
+    bool grewLately(const std::string& id, std::uint64_t count);
+    void lookAtLink(const AlarmSight& sight);
+    void lookAtBus(const CanView& bus, const AlarmSight& sight);
+    void lookAtSensors(const ElementForces& forces);
+
+    std::unique_ptr<Sounder> sounder_;
+    AlarmList list_;
+    std::map<std::string, Cause> causes_;
+    std::map<std::string, Counted> counted_;
+    std::optional<double> began_;
+    double now_ = 0.0;
+    bool soundOn_ = true;
+};
+
+}  // namespace terratact

@@ -1,0 +1,238 @@
+#include "app/diagnostics_page.h"
+
+#include <cblas.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <Eigen/Core>
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStringList>
+#include <QVBoxLayout>
+#include <cstring>
+#include <thread>
+
+#include <grp.h>
+#include <qwt_global.h>
+
+#include "app/loop_meter.h"
+#include "core/learn/covariance_kernels.h"
+#include "core/learn/likelihood_kernels.h"
+#include "drivers/can_interface.h"
+#include "widgets/card.h"
+#include "widgets/look.h"
+#include "widgets/palette.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kRefresh = 1.0;  // [s]
+
+QString milliseconds(double seconds)
+{
+    return words::number(seconds * 1000.0, 1) + QStringLiteral(" ms");
+}
+
+DiagnosticsSection versions()
+{
+    utsname system{};
+    ::uname(&system);
+    return {DiagnosticsPage::tr("Versions"),
+            {{QStringLiteral("Terratact"), QApplication::applicationVersion()},
+             {QStringLiteral("Qt"), QString::fromLatin1(qVersion())},
+             {QStringLiteral("Qwt"), QStringLiteral(QWT_VERSION_STR)},
+             {QStringLiteral("Eigen"), QStringLiteral("%1.%2.%3")
+                                           .arg(EIGEN_WORLD_VERSION)
+                                           .arg(EIGEN_MAJOR_VERSION)
+                                           .arg(EIGEN_MINOR_VERSION)},
+             {QStringLiteral("OpenBLAS"), QString::fromLatin1(openblas_get_config()).trimmed()},
+             {DiagnosticsPage::tr("kernel"), QStringLiteral("%1 %2 %3")
+                                                 .arg(QString::fromLocal8Bit(system.sysname),
+                                                      QString::fromLocal8Bit(system.release),
+                                                      QString::fromLocal8Bit(system.machine))}}};
+}
+
+DiagnosticsSection processor()
+{
+    return {
+        DiagnosticsPage::tr("Processor"),
+        {{DiagnosticsPage::tr("cores"), QString::number(std::thread::hardware_concurrency())},
+         {DiagnosticsPage::tr("estimator uses"), QString::fromLatin1(covarianceKernels().name)},
+         {DiagnosticsPage::tr("training uses"), QString::fromLatin1(likelihoodKernels().name)}}};
+}
+
+QString canSocketWords()
+{
+    const int error = canSocketError();
+    if (error == 0) return DiagnosticsPage::tr("✔ possible");
+    return DiagnosticsPage::tr("✘ not possible: %1")
+        .arg(QString::fromLocal8Bit(std::strerror(error)));
+}
+
+QString gpioWords()
+{
+    const QStringList chips =
+        QDir(QStringLiteral("/dev")).entryList({QStringLiteral("gpiochip*")}, QDir::System);
+    if (chips.isEmpty()) return DiagnosticsPage::tr("none here");
+    QStringList said;
+    for (const QString& chip : chips) {
+        const bool may = ::access(qPrintable(QStringLiteral("/dev/") + chip), R_OK | W_OK) == 0;
+        said << (may ? DiagnosticsPage::tr("✔ %1").arg(chip)
+                     : DiagnosticsPage::tr("✘ %1: no permission (join the group gpio)").arg(chip));
+    }
+    return said.join(QStringLiteral(", "));
+}
+
+QString groupWords()
+{
+    std::vector<gid_t> ids(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
+    if (!ids.empty()) (void)::getgroups(static_cast<int>(ids.size()), ids.data());
+    QStringList names;
+    for (const gid_t id : ids) {
+        const group* found = ::getgrgid(id);
+        names << (found ? QString::fromLocal8Bit(found->gr_name) : QString::number(id));
+    }
+    return names.isEmpty() ? DiagnosticsPage::tr("none") : names.join(QStringLiteral(", "));
+}
+
+DiagnosticsSection permissions()
+{
+    const CanInterfaceFacts facts = lookAtInterface("");
+    QStringList interfaces;
+    for (const std::string& name : facts.others) interfaces << words::text(name);
+    return {DiagnosticsPage::tr("Permissions"),
+            {{DiagnosticsPage::tr("CAN socket"), canSocketWords()},
+             {DiagnosticsPage::tr("CAN interfaces"), interfaces.isEmpty()
+                                                         ? DiagnosticsPage::tr("none here")
+                                                         : interfaces.join(QStringLiteral(", "))},
+             {DiagnosticsPage::tr("GPIO chips"), gpioWords()},
+             {DiagnosticsPage::tr("groups"), groupWords()}}};
+}
+
+}  // namespace
+
+double residentMemory()
+{
+    QFile file(QStringLiteral("/proc/self/statm"));
+    if (!file.open(QIODevice::ReadOnly)) return 0.0;
+    const QByteArrayList pages = file.readAll().split(' ');
+    return pages.size() < 2 ? 0.0
+                            : pages[1].toDouble() * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+QList<DiagnosticsSection> standingDiagnostics()
+{
+    return {versions(), processor(), permissions()};
+}
+
+DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
+{
+    const auto halfAndWorst = [](const NewestValues& values) {
+        if (values.count() == 0) return words::kNothing;
+        return DiagnosticsPage::tr("half ≤ %1 · 99 % ≤ %2 · worst %3")
+            .arg(milliseconds(values.quantile(0.5)), milliseconds(values.quantile(0.99)),
+                 milliseconds(values.most()));
+    };
+    return {DiagnosticsPage::tr("Last minute"),
+            {{DiagnosticsPage::tr("a frame takes"), halfAndWorst(meter.frames())},
+             {DiagnosticsPage::tr("an event waits"), halfAndWorst(meter.lateness())},
+             {DiagnosticsPage::tr("telemetry to screen"), halfAndWorst(meter.latencies())}}};
+}
+
+QString plainText(const QList<DiagnosticsSection>& sections)
+{
+    QString text;
+    for (const DiagnosticsSection& section : sections) {
+        text += section.title + QLatin1Char('\n');
+        for (const auto& [name, value] : section.lines)
+            text += QStringLiteral("  %1: %2\n").arg(name, value);
+    }
+    return text;
+}
+
+DiagnosticsPage::DiagnosticsPage(Look look, QWidget* parent)
+    : Page(parent), look_(std::move(look)), standing_(standingDiagnostics())
+{
+    auto* title = new QLabel(tr("Diagnostics"), this);
+    title->setProperty("heading", true);
+    copy_ = new QPushButton(tr("Copy as text"), this);
+    copy_->setFocusPolicy(Qt::TabFocus);
+    copy_->setMinimumHeight(kTarget);
+    connect(copy_, &QPushButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(text()); });
+    auto* head = new QHBoxLayout;
+    head->addWidget(title);
+    head->addStretch(1);
+    head->addWidget(copy_);
+
+    auto* content = new QWidget(this);
+    auto* left = new QVBoxLayout;
+    auto* right = new QVBoxLayout;
+    for (const DiagnosticsSection& section : look_()) left->addWidget(cardOf(section, &values_));
+    for (const DiagnosticsSection& section : standing_) right->addWidget(cardOf(section, nullptr));
+    auto* halves = new QHBoxLayout(content);
+    halves->setContentsMargins(0, 0, 0, 0);
+    halves->setSpacing(10);
+    for (QVBoxLayout* half : {left, right}) {
+        half->setSpacing(10);
+        half->addStretch(1);
+        halves->addLayout(half, 1);
+    }
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 10, 12, 10);
+    column->setSpacing(8);
+    column->addLayout(head);
+    column->addWidget(scroll, 1);
+}
+
+QWidget* DiagnosticsPage::cardOf(const DiagnosticsSection& section, QList<QLabel*>* values)
+{
+    auto* card = new Card(section.title, this);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(16);
+    grid->setColumnStretch(1, 1);
+    for (const auto& [name, value] : section.lines) {
+        const int row = grid->rowCount();
+        auto* label = new QLabel(name, card);
+        setTone(*label, Tone::Muted);
+        auto* shown = new QLabel(value, card);
+        shown->setTextFormat(Qt::PlainText);
+        shown->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        shown->setWordWrap(true);
+        shown->setAccessibleName(name);
+        grid->addWidget(label, row, 0, Qt::AlignTop);
+        grid->addWidget(shown, row, 1);
+        if (values) *values << shown;
+    }
+    card->body()->addLayout(grid);
+    return card;
+}
+
+void DiagnosticsPage::refresh(double now)
+{
+    if (now - shownAt_ < kRefresh - 1e-3) return;
+    shownAt_ = now;
+    int i = 0;
+    for (const DiagnosticsSection& section : look_())
+        for (const auto& [name, value] : section.lines) values_.at(i++)->setText(value);
+}
+
+QString DiagnosticsPage::text() const
+{
+    return plainText(look_() + standing_);
+}
+
+}  // namespace terratact

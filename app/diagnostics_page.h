@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "app/page.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace terratact {
+
+class LoopMeter;
+
+/// A heading with names and values below it.
+struct DiagnosticsSection {
+    QString title;
+    QList<std::pair<QString, QString>> lines{};
+};
+
+/// What stays as it is while the program runs: versions, processor, permissions.  Looks at /dev, /proc and the
+/// network stack once.
+QList<DiagnosticsSection> standingDiagnostics();
+
+/// Frame times, latency and the lateness of the event loop.
+DiagnosticsSection loopDiagnostics(const LoopMeter& meter);
+
+/// Resident memory of this process [B]; 0 where it cannot be read.
+double residentMemory();
+
+/// "Title\n  name: value\n…", for a report.
+QString plainText(const QList<DiagnosticsSection>& sections);
+
+/// What somebody who helps from afar asks for first; as text by one button.
+class DiagnosticsPage final : public Page {
+    Q_OBJECT
+public:
+    using Look = std::function<QList<DiagnosticsSection>()>;
+
+    /// look: what changes, asked for once a second while the page is visible; the same sections and lines each
+    /// time.
+    explicit DiagnosticsPage(Look look, QWidget* parent = nullptr);
+    void refresh(double now) override;
+
+    QString text() const;  ///< what the button copies
+    QPushButton* copyButton() const { return copy_; }
+
+private:
+    QWidget* cardOf(const DiagnosticsSection& section, QList<QLabel*>* values);
+
+    Look look_;
+    QList<DiagnosticsSection> standing_;
+    QList<QLabel*> values_;  ///< of what changes
+    QPushButton* copy_ = nullptr;
+    double shownAt_ = 0.0;  ///< [s]
+};
+
+}  // namespace terratact

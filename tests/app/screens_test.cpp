@@ -1,0 +1,192 @@
+// Every state of the console as a picture.  The pictures go where TERRATACT_PICTURES says, else nowhere:
+//   TERRATACT_PICTURES=DIR build/release/tests/app.screens_test && tests/app/contact_sheet.sh DIR
+// In each state no text may be cut and STOP must be there.
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include "app/main_window.h"
+#include "app/resources.h"
+#include "app/robot_in_process.h"
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/absolem.h"
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "widgets/arming_control.h"
+#include "widgets/atem_panel.h"
+#include "widgets/drive_pad.h"
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/navigation_rail.h"
+#include "widgets/probe_card.h"
+#include "widgets/status_header.h"
+#include "widgets/terrain_profile_view.h"
+#include "widgets/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using gui::eventually;
+
+struct Screens : testing::Test {
+    static void SetUpTestSuite()
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+    }
+    ~Screens() override
+    {
+        window.reset();  // its source lives on the bus
+        robot.reset();
+    }
+
+    void open(ModelLoader loader, RobotFault fault = RobotFault::None)
+    {
+        SimulatedRobot::Options simulation;
+        simulation.startX = kDemoStep - 0.62;
+        robot = std::make_unique<RobotInProcess>(
+            bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+            RobotOnBus::Options{.firstEpoch = 9, .speed = 4.0, .fault = fault, .faultAt = 12.0});
+        auto source = std::make_unique<CanSource>(
+            bus.join("can0"), model,
+            CanSource::Options{.mode = CanSource::Mode::Transmit,
+                               .name = "SIMULATED ROBOT",
+                               .link = {.gate = {.operatorAge = 3.0}},
+                               .truth = [this] { return robot->truth(); },
+                               .bitrate = 500e3});
+        MainWindow::Options options;
+        options.robot = model;
+        options.link = source.get();
+        options.source = std::move(source);
+        options.model = std::move(loader);
+        options.exploration.linkLostAfter = 3.0;
+        options.presets = {{Method::Local, Quality::Balanced, 1.1, 2.0, 25.0}};
+        window = std::make_unique<MainWindow>(std::move(options));
+        window->header()->arming()->confirmButton()->setHoldTime(150);
+        window->probeCard()->approveButton()->setHoldTime(150);
+        window->resize(1440, 900);
+        gui::showActive(*window);
+    }
+    ModelLoader shipped() const
+    {
+        return modelFileLoader(resourcePath("models/default.ttm"), model);
+    }
+    /// Takes the picture and looks at it.
+    void picture(const QString& name)
+    {
+        QTest::qWait(120);
+        EXPECT_TRUE(window->header()->stopButton()->isVisible()) << name.toStdString();
+        for (const std::string& text : gui::cutText(*window))
+            ADD_FAILURE() << "cut in " << name.toStdString() << ": " << text;
+        const QImage image = gui::painted(*window);
+        EXPECT_GT(gui::colours(image), 20) << name.toStdString();
+        const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
+        if (!folder.isEmpty()) EXPECT_TRUE(image.save(folder + "/" + name + ".png"));
+    }
+    void arm()
+    {
+        auto* arming = window->header()->arming();
+        ASSERT_TRUE(eventually([&] { return arming->armButton()->isEnabled(); }));
+        QTest::keyClick(window.get(), Qt::Key_M);
+        ASSERT_TRUE(eventually([&] { return arming->confirmButton()->isVisible(); }));
+        picture("03_arming");
+        QTest::keyPress(window.get(), Qt::Key_M);
+        ASSERT_TRUE(eventually([&] { return window->exploration().armed(); }));
+        QTest::keyRelease(window.get(), Qt::Key_M);
+        QTest::qWait(100);
+    }
+    bool reaches(AtemPhase phase)
+    {
+        return eventually([&] { return window->exploration().state().phase == phase; }, 60000);
+    }
+    void page(Qt::Key key, const QString& name)
+    {
+        QTest::keyClick(window.get(), key);
+        picture(name);
+    }
+
+    MemoryBus bus;
+    RobotModel model = absolem();
+    std::unique_ptr<RobotInProcess> robot;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(Screens, ofAWholeExploration)
+{
+    std::atomic<bool> go = false;
+    open([&, load = shipped()] {
+        while (!go) std::this_thread::sleep_for(5ms);
+        return load();
+    });
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    picture("01_model_loading");
+    go = true;
+    ASSERT_TRUE(eventually([&] { return window->header()->arming()->armButton()->isEnabled(); }));
+    picture("02_not_armed");
+    arm();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    picture("04_ready");
+    QTest::keyPress(window.get(), Qt::Key_W);
+    QTest::qWait(200);
+    picture("05_driving");
+    QTest::keyRelease(window.get(), Qt::Key_W);
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    QTest::keyClick(window.get(), Qt::Key_A);
+    ASSERT_TRUE(eventually([&] { return window->exploration().live().has_value(); }));
+    picture("06_live_preview");
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    picture("07_probe_proposed");
+    QTest::keyClick(window.get(), Qt::Key_D);
+    window->exploration().setSecondMethod(Method::Pafc);
+    ASSERT_TRUE(eventually([&] { return window->exploration().second().has_value(); }, 60000));
+    window->terrain()->inspect(8);
+    picture("08_draws_second_method_and_a_bin_up_close");
+    window->terrain()->inspect(std::nullopt);
+    QTest::keyClick(window.get(), Qt::Key_D);
+    window->exploration().setSecondMethod(std::nullopt);
+    for (int page = 1; page < window->rail()->pages(); ++page) {
+        QTest::keyClick(window.get(), window->rail()->keyOf(page));
+        picture(QStringLiteral("2%1_page_%2")
+                    .arg(page)
+                    .arg(window->rail()->button(page)->accessibleName()));
+    }
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    window->resize(1200, 680);
+    picture("09_smallest");
+    window->resize(1440, 900);
+    if (window->exploration().state().phase != AtemPhase::ProposingProbe)
+        return;  // too slow a machine
+    QTest::keyPress(window.get(), Qt::Key_Space);
+    ASSERT_TRUE(reaches(AtemPhase::Probing));
+    QTest::keyRelease(window.get(), Qt::Key_Space);
+    picture("10_probing");
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    ASSERT_TRUE(eventually([&] { return window->showsEstimate(); }));
+    picture("11_probed");
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    ASSERT_TRUE(reaches(AtemPhase::Stopped));
+    picture("12_stopped");
+}
+
+TEST_F(Screens, ofALostRobot)
+{
+    open(shipped(), RobotFault::Silence);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    ASSERT_TRUE(eventually([&] { return !window->exploration().linkAlive(); }, 60000));
+    picture("13_link_lost");
+    QTest::keyClick(window.get(), Qt::Key_F4);
+    picture("14_alarms_of_a_lost_link");
+}
+
+TEST_F(Screens, withoutAModel)
+{
+    open([]() -> Result<LoadedModel> {
+        return Error{"models/mine.ttm: no such file; choose another one in the settings (F7)", 2};
+    });
+    ASSERT_TRUE(eventually([&] { return !window->modelTrouble().isEmpty(); }));
+    picture("15_no_model");
+}
+
+}  // namespace
+}  // namespace terratact

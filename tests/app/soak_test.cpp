@@ -1,0 +1,209 @@
+// The whole console on a full bus while it estimates: does its window keep up?  TERRATACT_SOAK_SECONDS sets how
+// long; only then are the limits those that are promised, for a machine with two cores and nothing else to do.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <atomic>
+#include <cstdio>
+#include <ctime>
+#include <thread>
+
+#include "app/diagnostics_page.h"
+#include "app/main_window.h"
+#include "app/resources.h"
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/absolem.h"
+#include "tests/support/gui.h"
+#include "tests/support/robot_on_memory_bus.h"
+#include "widgets/look.h"
+#include "widgets/navigation_rail.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kFramesPerSecond = 9000;
+constexpr double kOneEstimate = 2.0;  // [s] of work on both cores per request, unless overtaken
+
+/// Frames of other nodes, as many as a full bus of 1 Mbit/s has, from a thread of its own.
+class OtherNodes {
+public:
+    explicit OtherNodes(MemoryBus& bus)
+        : thread_([&bus](const std::stop_token& stop) {
+              const Clock::time_point began = Clock::now();
+              for (long sent = 0; !stop.stop_requested();) {
+                  const double seconds =
+                      std::chrono::duration<double>(Clock::now() - began).count();
+                  bus.setTime(steadyNow());
+                  for (; static_cast<double>(sent) < seconds * kFramesPerSecond; ++sent)
+                      bus.put({.id = 0x100 + static_cast<std::uint32_t>(sent % 200),
+                               .length = 8,
+                               .data = {static_cast<std::uint8_t>(sent)}});
+                  std::this_thread::sleep_for(1ms);
+              }
+          })
+    {
+    }
+
+private:
+    std::jthread thread_;
+};
+
+double cpuSeconds()
+{
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The shipped model, sampling with all cores, again and again for a while.
+struct Busy {
+    std::atomic<double> seconds = 0.0;
+    std::atomic<int> estimates = 0;
+
+    ModelLoader loader(const RobotModel& robot)
+    {
+        return [this, load = modelFileLoader(resourcePath("models/default.ttm"), robot)] {
+            Result<LoadedModel> model = load();
+            if (!model) return model;
+            const Estimator estimate = model->estimate;
+            model->estimate = [this, estimate](EstimateRequest request, const Watch& watch) {
+                request.settings.method = Method::Pafac;
+                request.settings = withQuality(request.settings, Quality::Accurate);
+                const double began = steadyNow();
+                struct Count {
+                    Busy& busy;
+                    double began;
+                    ~Count() { busy.seconds = busy.seconds + steadyNow() - began; }
+                } const count{*this, began};
+                TerrainEstimate last = estimate(request, watch);
+                for (++estimates; steadyNow() - began < kOneEstimate; ++estimates) {
+                    if (watch.cancelled()) throw Cancelled{};
+                    last = estimate(request, watch);
+                }
+                return last;
+            };
+            return model;
+        };
+    }
+};
+
+struct Soak : testing::Test {
+    void open()
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+        SimulatedRobot::Options simulation;
+        simulation.startX = 2.0;
+        robot = std::make_unique<RobotOnMemoryBus>(
+            bus, model, SimulatedRobot(model, demoTerrain(), simulation), RobotOnBus::Options{});
+        auto source = std::make_unique<CanSource>(
+            std::make_unique<TimedEnd>(bus, "can0", 2), model,
+            CanSource::Options{.mode = CanSource::Mode::Transmit, .bitrate = 1e6});
+        MainWindow::Options options;
+        options.robot = model;
+        options.link = source.get();
+        options.source = std::move(source);
+        options.model = busy.loader(model);
+        options.exploration.linkLostAfter = 3.0;  // of a machine that is busy with other things
+        window = std::make_unique<MainWindow>(std::move(options));
+        window->resize(1440, 900);
+        gui::showActive(*window);
+    }
+    ~Soak() override
+    {
+        window.reset();  // its source lives on the bus
+        robot.reset();
+    }
+    bool arms()
+    {
+        const auto armed = [&] {
+            return window->link()->view().link.arming.phase == ArmingPhase::Armed;
+        };
+        for (int attempt = 0; attempt < 20 && !armed(); ++attempt) {
+            QTest::qWait(600);
+            window->link()->wantArming();
+            QTest::qWait(400);
+            window->link()->confirmArming();
+            QTest::qWait(200);
+        }
+        return armed();
+    }
+    /// Explores again as soon as the last exploration is through.
+    void keepExploring()
+    {
+        Exploration& exploration = window->exploration();
+        const AtemPhase phase = exploration.state().phase;
+        if (phase == AtemPhase::Idle)
+            exploration.request();
+        else if (!exploring(phase) || phase == AtemPhase::ProposingProbe)
+            exploration.abort();
+    }
+
+    RobotModel model = absolem();
+    Busy busy;
+    MemoryBus bus;
+    std::unique_ptr<RobotOnMemoryBus> robot;
+    std::unique_ptr<MainWindow> window;
+};
+
+QString line(const char* what, const NewestValues& values)
+{
+    return QStringLiteral("%1: p50 %2 ms, p99 %3 ms, max %4 ms of %5\n")
+        .arg(QLatin1String(what))
+        .arg(values.quantile(0.5) * 1e3, 0, 'f', 2)
+        .arg(values.quantile(0.99) * 1e3, 0, 'f', 2)
+        .arg(values.most() * 1e3, 0, 'f', 2)
+        .arg(values.count());
+}
+
+TEST_F(Soak, keepsUpWithAFullBusWhileItEstimates)
+{
+    const double wanted = qEnvironmentVariable("TERRATACT_SOAK_SECONDS").toDouble();
+    const double seconds = wanted > 0.0 ? wanted : 3.0;
+    open();
+    ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
+    const OtherNodes others(bus);
+    ASSERT_TRUE(arms());
+
+    window->restartMeter();
+    const double began = steadyNow(), cpu = cpuSeconds(), estimating = busy.seconds;
+    const std::uint64_t received = window->link()->view().frames.received;
+    int page = 0;
+    double nextPage = began;
+    while (steadyNow() - began < seconds) {
+        QTest::qWait(50);
+        keepExploring();
+        if (steadyNow() < nextPage) continue;
+        window->rail()->choose(page++ % window->rail()->pages());
+        nextPage += seconds / 8.0;
+    }
+    const double elapsed = steadyNow() - began;
+    const CanView view = window->link()->view();
+    const double rate = static_cast<double>(view.frames.received - received) / elapsed;
+    const LoopMeter& meter = window->meter();
+    const double megabytes = residentMemory() / 1e6;
+    std::printf("%s", qUtf8Printable(line("an event waits", meter.lateness())
+                                     + line("a frame takes", meter.frames())
+                                     + line("telemetry to screen", meter.latencies())));
+    std::printf("%.0f s: %.0f frames/s, %llu dropped, %zu waiting at most; %.0f %% of a core, with "
+                "robot and "
+                "other nodes; estimating %.0f %% of the time, %d estimates; %.0f MB resident\n",
+                elapsed, rate, static_cast<unsigned long long>(view.frames.dropped),
+                window->link()->waiting().most, 100.0 * (cpuSeconds() - cpu) / elapsed,
+                100.0 * (busy.seconds - estimating) / elapsed, busy.estimates.load(), megabytes);
+
+    EXPECT_GT(rate, 0.5 * kFramesPerSecond);
+    EXPECT_GT(busy.seconds, estimating) << "nothing was estimated";
+    EXPECT_LT(static_cast<double>(meter.frames().count()) / elapsed, 30.0) << "25 Hz and estimates";
+    EXPECT_LT(megabytes, 400.0);
+    EXPECT_LT(meter.lateness().most(), 5.0) << "hangs";
+    if (!(wanted > 0.0)) return;
+    EXPECT_LE(meter.lateness().quantile(0.99), 0.016);
+    EXPECT_LE(meter.lateness().most(), 0.100);
+    EXPECT_LT(megabytes, 150.0);
+}
+
+}  // namespace
+}  // namespace terratact

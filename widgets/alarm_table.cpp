@@ -1,0 +1,174 @@
+#include "widgets/alarm_table.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/look.h"
+#include "widgets/palette.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+enum Column { State, Text, Since, Times, kColumns };
+constexpr double kMinute = 60.0;  // [s]
+
+QString stateWords(const Alarm& alarm)
+{
+    switch (alarm.state) {
+    case AlarmState::Unacknowledged:
+        return alarm.severity == Severity::Critical ? AlarmTable::tr("▲ CRITICAL, new")
+                                                    : AlarmTable::tr("◆ caution, new");
+    case AlarmState::Returned: return AlarmTable::tr("▽ over, not seen");
+    case AlarmState::Acknowledged:
+        return alarm.severity == Severity::Critical ? AlarmTable::tr("■ critical, seen")
+                                                    : AlarmTable::tr("■ caution, seen");
+    }
+    return {};
+}
+
+QColor colourOf(const Alarm& alarm)
+{
+    if (alarm.state == AlarmState::Returned) return theme().muted;
+    return alarm.severity == Severity::Critical ? theme().bad : theme().doubt;
+}
+
+QString sinceWords(const Alarm& alarm, double now)
+{
+    const QString ago = words::countdown(std::floor(now - alarm.since));
+    if (alarm.state != AlarmState::Returned) return AlarmTable::tr("for %1").arg(ago);
+    return AlarmTable::tr("over for %1").arg(words::countdown(std::floor(now - alarm.returned)));
+}
+
+QPushButton* button(const QString& text, const QString& tip, QWidget* parent)
+{
+    auto* made = new QPushButton(text, parent);
+    made->setToolTip(tip);
+    made->setFocusPolicy(Qt::TabFocus);
+    made->setMinimumHeight(kTarget);
+    return made;
+}
+
+}  // namespace
+
+AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Alarms"));
+    table_ = new QTableWidget(0, kColumns, this);
+    table_->setAccessibleName(tr("Alarms, most urgent first"));
+    table_->setHorizontalHeaderLabels({tr("State"), tr("What"), tr("Since"), tr("Times")});
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setTabKeyNavigation(false);
+    table_->setWordWrap(true);
+    table_->setShowGrid(false);
+    table_->setFrameShape(QFrame::NoFrame);
+    table_->verticalHeader()->setVisible(false);
+    table_->verticalHeader()->setMinimumSectionSize(kTarget);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setHighlightSections(false);
+    table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table_->horizontalHeader()->setSectionResizeMode(Text, QHeaderView::Stretch);
+    table_->setColumnWidth(State, 170);
+    table_->setColumnWidth(Since, 130);
+    table_->setColumnWidth(Times, 64);
+    nothing_ = new QLabel(tr("✔ No alarms."), this);
+    setTone(*nothing_, Tone::Good);
+
+    acknowledge_ = button(tr("Acknowledge"), tr("The chosen alarm has been seen"), this);
+    all_ = button(tr("Acknowledge all"), tr("All alarms have been seen"), this);
+    one_ = button(tr("Silence 60 s"), tr("No sound for a minute; a new alarm sounds all the same"),
+                  this);
+    two_ = button(tr("Silence 120 s"),
+                  tr("No sound for two minutes; a new alarm sounds all the same"), this);
+    sound_ = new QCheckBox(tr("Sound"), this);
+    sound_->setToolTip(
+        tr("Critical alarms beep until they are acknowledged: at once, then every 10 s"));
+    sound_->setMinimumHeight(kTarget);
+    sound_->setChecked(true);
+    silence_ = new QLabel(this);
+    silence_->setAccessibleName(tr("Silence"));
+    setTone(*silence_, Tone::Doubt);
+    connect(acknowledge_, &QPushButton::clicked, this, [this] { emit acknowledged(chosen()); });
+    connect(table_, &QTableWidget::activated, this, [this] { emit acknowledged(chosen()); });
+    connect(all_, &QPushButton::clicked, this, &AlarmTable::allAcknowledged);
+    connect(one_, &QPushButton::clicked, this, [this] { emit silenced(kMinute); });
+    connect(two_, &QPushButton::clicked, this, [this] { emit silenced(2.0 * kMinute); });
+    connect(sound_, &QCheckBox::toggled, this, &AlarmTable::soundWanted);
+
+    auto* actions = new QHBoxLayout;
+    actions->setSpacing(10);
+    for (QPushButton* b : {acknowledge_, all_}) actions->addWidget(b);
+    actions->addSpacing(24);
+    for (QPushButton* b : {one_, two_}) actions->addWidget(b);
+    actions->addWidget(sound_);
+    actions->addWidget(silence_);
+    actions->addStretch(1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addLayout(actions);
+    column->addWidget(nothing_);
+    column->addWidget(table_, 1);
+    setAlarms({}, 0.0, 0.0);
+}
+
+void AlarmTable::put(int row, const Alarm& alarm, double now)
+{
+    const QString texts[kColumns]{stateWords(alarm), words::text(alarm.text),
+                                  sinceWords(alarm, now), QString::number(alarm.raised)};
+    for (int column = 0; column < kColumns; ++column) {
+        QTableWidgetItem* item = table_->item(row, column);
+        if (!item) table_->setItem(row, column, item = new QTableWidgetItem);
+        if (item->text() != texts[column]) item->setText(texts[column]);
+        if (column == Times) continue;
+        const QColor colour = column == Since ? theme().text : colourOf(alarm);
+        if (item->foreground().color() != colour) item->setForeground(colour);
+    }
+    table_->item(row, State)->setData(Qt::UserRole, words::text(alarm.id));
+}
+
+void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double silentFor)
+{
+    const QString id = chosen();
+    const int rows = static_cast<int>(alarms.size());
+    if (table_->rowCount() != rows) table_->setRowCount(rows);
+    for (int row = 0; row < rows; ++row) {
+        put(row, alarms[static_cast<std::size_t>(row)], now);
+        if (table_->item(row, State)->data(Qt::UserRole).toString() == id
+            && table_->currentRow() != row)
+            table_->selectRow(row);  // the alarm has moved, the choice goes with it
+    }
+    if (rows > 0 && table_->currentRow() < 0) table_->selectRow(0);
+    nothing_->setVisible(rows == 0);
+    table_->setVisible(rows > 0);
+    for (QPushButton* b : {acknowledge_, all_}) b->setEnabled(rows > 0);
+    say(silentFor);
+}
+
+void AlarmTable::say(double silentFor)
+{
+    silence_->setText(silentFor > 0.0 ? tr("silent for %1").arg(words::countdown(silentFor))
+                                      : QString());
+}
+
+void AlarmTable::setSoundOn(bool on)
+{
+    sound_->setChecked(on);
+}
+
+QString AlarmTable::chosen() const
+{
+    const QTableWidgetItem* item = table_->item(table_->currentRow(), State);
+    return item ? item->data(Qt::UserRole).toString() : QString();
+}
+
+}  // namespace terratact

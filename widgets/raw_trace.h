@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/wire/frame_trouble.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableView;
+
+namespace terratact {
+
+/// A frame in words.
+struct TraceWords {
+    QString id, name, bytes, content;
+};
+
+/// Which frames the operator wants to see: an identifier in hexadecimal ("22", "0x022"), or a part of the
+/// frame's name.  Empty: all.
+class TraceFilter {
+public:
+    explicit TraceFilter(const QString& text = {});
+    bool passes(const CanFrame& frame, const QString& name) const;
+
+private:
+    QString text_;
+    std::optional<std::uint32_t> id_;
+};
+
+class TraceModel;
+
+/// The newest frames as they were, newest first.  Pausing holds the picture, never the reception.
+class RawTrace final : public QWidget {
+    Q_OBJECT
+public:
+    using Words =
+        std::function<TraceWords(const CanFrame&)>;        ///< asked for the visible frames only
+    using Name = std::function<QString(const CanFrame&)>;  ///< of every frame: cheap
+
+    RawTrace(Words words, Name name, QWidget* parent = nullptr);
+
+    /// Oldest first.  Ignored while paused.
+    void setFrames(std::vector<TracedFrame> frames);
+
+    bool isPaused() const;
+    QLineEdit* filter() const { return filter_; }
+    QPushButton* pauseButton() const { return pause_; }
+    QTableView* view() const { return view_; }
+    QString summary() const;
+
+private:
+    void applyFilter();
+
+    std::vector<TracedFrame> frames_;
+    Name name_;
+    TraceModel* model_ = nullptr;
+    QLineEdit* filter_ = nullptr;
+    QPushButton* pause_ = nullptr;
+    QLabel* summary_ = nullptr;
+    QTableView* view_ = nullptr;
+};
+
+}  // namespace terratact
