@@ -2,7 +2,6 @@
 
 #include <QAbstractTableModel>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_table.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -148,26 +148,10 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     view_ = new QTableView(this);
     view_->setAccessibleName(tr("Newest frames"));
     view_->setModel(model_);
-    view_->setSelectionMode(QAbstractItemView::NoSelection);
-    view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    view_->setTabKeyNavigation(false);
-    view_->setShowGrid(false);
-    view_->setWordWrap(false);
-    view_->setFrameShape(QFrame::NoFrame);
-    view_->verticalHeader()->setVisible(false);
-    view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    view_->horizontalHeader()->setHighlightSections(false);
-    view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    const QString widest[kColumns]{QStringLiteral("123456789"),
-                                   QStringLiteral("1234567.890"),
-                                   QStringLiteral("1FFFFFFF FD"),
-                                   QStringLiteral("ConsoleHeartbeat (from here)"),
-                                   QStringLiteral("[8] DD DD DD DD DD DD DD DD"),
-                                   QString()};
-    for (int column = 0; column < Content; ++column)
-        view_->setColumnWidth(column, fontMetrics().horizontalAdvance(widest[column]) + 20);
-    view_->horizontalHeader()->setSectionResizeMode(Content, QHeaderView::Stretch);
+    makePlain(*view_,
+              {QStringLiteral("123456789"), QStringLiteral("1234567.890"),
+               QStringLiteral("1FFFFFFF FD"), QStringLiteral("ConsoleHeartbeat (from here)"),
+               QStringLiteral("[8] DD DD DD DD DD DD DD DD"), QString()});
 
     auto* controls = new QHBoxLayout;
     controls->setSpacing(10);

@@ -1,7 +1,6 @@
 #include "widgets/signal_table.h"
 
 #include <QAbstractTableModel>
-#include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "widgets/palette.h"
+#include "widgets/plain_table.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -161,31 +161,12 @@ SignalTable::SignalTable(QWidget* parent) : QTableView(parent), model_(new Signa
     setAccessibleName(tr("Signals"));
     setModel(model_);
     setItemDelegateForColumn(History, new HistoryDelegate(this));
-    setSelectionMode(QAbstractItemView::NoSelection);
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setTabKeyNavigation(false);
-    setShowGrid(false);
     setAlternatingRowColors(true);
-    setWordWrap(false);
-    setFrameShape(QFrame::NoFrame);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    verticalHeader()->setVisible(false);
-    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    const QString widest[kColumns]{QStringLiteral("00000000 RightForces4To6"),
-                                   QStringLiteral("LastCounter"),
-                                   QStringLiteral("flippers pressed down"),
-                                   QStringLiteral("N.m "),
-                                   QStringLiteral("9000.0 Hz"),
-                                   QStringLiteral("3600.0 s"),
-                                   QStringLiteral("\u22123.14159"),
-                                   QStringLiteral("\u22123.14159"),
-                                   QString()};
-    for (int column = 0; column < History; ++column)
-        setColumnWidth(column, fontMetrics().horizontalAdvance(widest[column]) + 24);
-    horizontalHeader()->setSectionResizeMode(History, QHeaderView::Stretch);
+    makePlain(*this, {QStringLiteral("00000000 RightForces4To6"), QStringLiteral("LastCounter"),
+                      QStringLiteral("flippers pressed down"), QStringLiteral("N.m "),
+                      QStringLiteral("9000.0 Hz"), QStringLiteral("3600.0 s"),
+                      QStringLiteral("\u22123.14159"), QStringLiteral("\u22123.14159"), QString()});
 }
 
 void SignalTable::setRows(std::vector<SignalRow> rows)

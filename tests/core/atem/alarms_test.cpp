@@ -94,6 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
         Minute{"aCautionThatGrowsWorse", {{5, "?bus"}, {8, "!bus"}, {9, "a"}}, {8}},
         Minute{"noneOnReturn", {{5, "!link"}, {8, "-link"}}, {5}},
         Minute{"aSecondOneAtOnce", {{5, "!link"}, {7, "!panel"}, {20, "a"}}, {5, 7, 17}},
+        Minute{"oneEventSoundsOnce", {{5, "!bus"}, {6, "!link"}, {20, "a"}}, {5, 15}},
         Minute{"manyAtOnceSoundOnce", {{5, "!link"}, {5, "!panel"}, {6, "a"}}, {5}},
         Minute{
             "oneThatFlutters",
