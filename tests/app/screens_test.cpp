@@ -9,6 +9,7 @@
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
+#include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
@@ -44,7 +45,7 @@ struct Screens : testing::Test {
     void open(ModelLoader loader, RobotFault fault = RobotFault::None)
     {
         SimulatedRobot::Options simulation;
-        simulation.startX = kDemoStep - 0.62;
+        simulation.startX = kDemoStep - 0.55;
         robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation),
             RobotOnBus::Options{.firstEpoch = 9, .speed = 4.0, .fault = fault, .faultAt = 12.0});
@@ -61,6 +62,9 @@ struct Screens : testing::Test {
         options.source = std::move(source);
         options.model = std::move(loader);
         options.exploration.linkLostAfter = 3.0;
+        options.exploration.driveSpeed = 0.03;
+        options.exploration.settings.probeAbove = 0.03;
+        options.exploration.limits.approval = 600.0;  // a busy machine may draw slowly
         options.presets = {{Method::Local, Quality::Balanced, 1.1, 2.0, 25.0}};
         window = std::make_unique<MainWindow>(std::move(options));
         window->header()->arming()->confirmButton()->setHoldTime(150);
@@ -82,7 +86,9 @@ struct Screens : testing::Test {
         const QImage image = gui::painted(*window);
         EXPECT_GT(gui::colours(image), 20) << name.toStdString();
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
-        if (!folder.isEmpty()) EXPECT_TRUE(image.save(folder + "/" + name + ".png"));
+        if (!folder.isEmpty()) {
+            EXPECT_TRUE(image.save(folder + "/" + name + ".png"));
+        }
     }
     void arm()
     {
@@ -106,7 +112,7 @@ struct Screens : testing::Test {
         picture(name);
     }
 
-    MemoryBus bus;
+    MemoryBus bus{steadyNow};
     RobotModel model = absolem();
     std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
