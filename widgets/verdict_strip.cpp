@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,6 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     reason_->setAccessibleName(tr("Why"));
     reason_->setWordWrap(true);
     setTone(*reason_, Tone::Muted);
-    reason_->setFixedHeight(2 * reason_->fontMetrics().lineSpacing() + 2);  // a jumping layout misleads
     reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     const auto button = [this](const QString& text, const QString& name, const QString& tip) {
         auto* b = new QPushButton(text, this);
@@ -82,6 +82,20 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     row->addWidget(raise_);
     setLimit(kStepLimit);
     setNothing(QString());
+    resizeToFont();
+}
+
+void VerdictStrip::resizeToFont()
+{
+    // Always two lines: a jumping layout misleads.
+    reason_->setFixedHeight(2 * reason_->fontMetrics().lineSpacing() + 2);
+}
+
+void VerdictStrip::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::StyleChange)
+        QTimer::singleShot(0, this, [this] { resizeToFont(); });
 }
 
 void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
