@@ -1,0 +1,1321 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>KeyTable</name>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>%1, held</source>
+        <translation>%1, halten</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Preferences: %1; the shipped robot is used</source>
+        <translation>Einstellungen: %1; der mitgelieferte Roboter wird verwendet</translation>
+    </message>
+    <message>
+        <source>Preferences: “%1” is no valid %2, its default is used</source>
+        <translation>Einstellungen: „%1“ ist kein gültiger Wert für %2, der Standard gilt</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; the file is set aside as %2, defaults are used</source>
+        <translation>Einstellungen: %1; die Datei liegt nun als %2, es gelten die Standardwerte</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 is no file; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1 ist keine Datei; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be read; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1 ist nicht lesbar; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 is too large</source>
+        <translation>%1 ist zu groß</translation>
+    </message>
+    <message>
+        <source>%1 is not understood</source>
+        <translation>%1 ist nicht verständlich</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 was written by a newer version; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1 stammt von einer neueren Version; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be written</source>
+        <translation>Einstellungen: %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be read; the shipped model is used</source>
+        <translation>Einstellungen: %1 ist nicht lesbar; das mitgelieferte Modell wird verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>ausgewogen</translation>
+    </message>
+    <message>
+        <source>accurate</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>die Ketten sind nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>roll %1°: the ground is not the same left and right</source>
+        <translation>Rollen %1°: der Boden ist links und rechts nicht gleich</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1°: the ground is not the same left and right</source>
+        <translation>linker und rechter Flipper weichen um %1° ab: der Boden ist links und rechts nicht gleich</translation>
+    </message>
+    <message>
+        <source>contact and arm disagree about bin %1 m by %2 mm</source>
+        <translation>Kontakt und Arm weichen bei Feld %1 m um %2 mm ab</translation>
+    </message>
+    <message>
+        <source>the arm found bin %1 m %2 mm above the robot&apos;s own lower edge</source>
+        <translation>der Arm fand Feld %1 m um %2 mm über der Unterkante des Roboters</translation>
+    </message>
+    <message>
+        <source>unlike the training scenes: %1 times the distance that %2 % of them exceed</source>
+        <translation>anders als die Trainingsszenen: das %1-Fache des Abstands, den %2 % davon überschreiten</translation>
+    </message>
+    <message>
+        <source>a step of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
+        <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten zwischen %4 und %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)</source>
+        <translation>bei %1 m sind zwei Höhen wahrscheinlich: %2 m (%3 %) oder %4 m (%5 %)</translation>
+    </message>
+    <message>
+        <source>no live telemetry: the robot may have moved</source>
+        <translation>keine aktuelle Telemetrie: der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>the scene is unlike all training</source>
+        <translation>die Szene gleicht nichts aus dem Training</translation>
+    </message>
+    <message>
+        <source>the robot rolls: left and right ground differ</source>
+        <translation>der Roboter rollt: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>the flippers differ: left and right ground differ</source>
+        <translation>die Flipper weichen ab: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP ist eingerastet: erst lösen</translation>
+    </message>
+    <message>
+        <source>The link must be good for a second</source>
+        <translation>Die Verbindung muss eine Sekunde lang gut sein</translation>
+    </message>
+    <message>
+        <source>CLEAR</source>
+        <translation>FREI</translation>
+    </message>
+    <message>
+        <source>BLOCKED</source>
+        <translation>VERSPERRT</translation>
+    </message>
+    <message>
+        <source>CANNOT TELL</source>
+        <translation>UNKLAR</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>halting the robot</source>
+        <translation>hält den Roboter an</translation>
+    </message>
+    <message>
+        <source>pressing the front flippers down</source>
+        <translation>drückt die vorderen Flipper an</translation>
+    </message>
+    <message>
+        <source>estimating the terrain</source>
+        <translation>schätzt das Gelände</translation>
+    </message>
+    <message>
+        <source>arm probe proposed</source>
+        <translation>Sondierung vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>Arm sondiert</translation>
+    </message>
+    <message>
+        <source>estimating again with the arm&apos;s height</source>
+        <translation>schätzt neu mit der Höhe des Arms</translation>
+    </message>
+    <message>
+        <source>estimate stands</source>
+        <translation>Schätzung steht</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <translation>STOP AKTIV</translation>
+    </message>
+    <message>
+        <source>exploration failed</source>
+        <translation>Erkundung fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>no failure</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>the robot did not halt in time</source>
+        <translation>der Roboter hielt nicht rechtzeitig an</translation>
+    </message>
+    <message>
+        <source>the flippers found nothing to press against in time</source>
+        <translation>die Flipper fanden nicht rechtzeitig Widerstand</translation>
+    </message>
+    <message>
+        <source>the estimate took too long</source>
+        <translation>die Schätzung dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>the estimate could not be computed</source>
+        <translation>die Schätzung war nicht zu berechnen</translation>
+    </message>
+    <message>
+        <source>the arm did not finish in time</source>
+        <translation>der Arm wurde nicht rechtzeitig fertig</translation>
+    </message>
+    <message>
+        <source>the robot refused the probe</source>
+        <translation>der Roboter lehnte die Sondierung ab</translation>
+    </message>
+    <message>
+        <source>the robot refused to press</source>
+        <translation>der Roboter lehnte das Andrücken ab</translation>
+    </message>
+    <message>
+        <source>the link to the robot was lost</source>
+        <translation>die Verbindung zum Roboter ging verloren</translation>
+    </message>
+    <message>
+        <source>the robot moved, so what it felt no longer holds</source>
+        <translation>der Roboter bewegte sich, das Ertastete gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>the approval was of another scene, settings or model</source>
+        <translation>die Genehmigung galt einer anderen Szene, Einstellung oder einem anderen Modell</translation>
+    </message>
+    <message>
+        <source>the robot is not armed</source>
+        <translation>der Roboter ist nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>not armed yet</source>
+        <translation>noch nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>disarmed by the operator</source>
+        <translation>vom Bediener gesperrt</translation>
+    </message>
+    <message>
+        <source>the stop is latched</source>
+        <translation>der Halt ist eingerastet</translation>
+    </message>
+    <message>
+        <source>window or panel does not answer</source>
+        <translation>Fenster oder Pult antwortet nicht</translation>
+    </message>
+    <message>
+        <source>somebody else sends this console&apos;s frames</source>
+        <translation>jemand anders sendet die Rahmen dieser Konsole</translation>
+    </message>
+    <message>
+        <source>the link is not good</source>
+        <translation>die Verbindung ist nicht gut</translation>
+    </message>
+    <message>
+        <source>the robot is armed, but not by this console</source>
+        <translation>der Roboter ist freigegeben, aber nicht von dieser Konsole</translation>
+    </message>
+    <message>
+        <source>not confirmed in time</source>
+        <translation>nicht rechtzeitig bestätigt</translation>
+    </message>
+    <message>
+        <source>the robot did not arm in time</source>
+        <translation>der Roboter gab nicht rechtzeitig frei</translation>
+    </message>
+    <message>
+        <source>the robot has disarmed</source>
+        <translation>der Roboter hat sich gesperrt</translation>
+    </message>
+    <message>
+        <source>the robot has begun anew</source>
+        <translation>der Roboter hat neu begonnen</translation>
+    </message>
+    <message>
+        <source>may be sent</source>
+        <translation>darf gesendet werden</translation>
+    </message>
+    <message>
+        <source>not a frame that a console sends</source>
+        <translation>kein Rahmen, den eine Konsole sendet</translation>
+    </message>
+    <message>
+        <source>the frame is damaged</source>
+        <translation>der Rahmen ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the link to the robot is not good</source>
+        <translation>die Verbindung zum Roboter ist nicht gut</translation>
+    </message>
+    <message>
+        <source>the robot does not answer: what arrives may be a recording</source>
+        <translation>der Roboter antwortet nicht: was ankommt, kann eine Aufzeichnung sein</translation>
+    </message>
+    <message>
+        <source>the robot has begun a new arming</source>
+        <translation>der Roboter hat eine neue Freigabe begonnen</translation>
+    </message>
+    <message>
+        <source>the robot is not stopped</source>
+        <translation>der Roboter ist nicht gestoppt</translation>
+    </message>
+    <message>
+        <source>not armed</source>
+        <translation>nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>arming is not confirmed</source>
+        <translation>die Freigabe ist nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>an exploration is running</source>
+        <translation>eine Erkundung läuft</translation>
+    </message>
+    <message>
+        <source>no exploration is running</source>
+        <translation>es läuft keine Erkundung</translation>
+    </message>
+    <message>
+        <source>the robot is busy</source>
+        <translation>der Roboter ist beschäftigt</translation>
+    </message>
+    <message>
+        <source>the front flippers are not pressed to the ground</source>
+        <translation>die vorderen Flipper sind nicht an den Boden gedrückt</translation>
+    </message>
+    <message>
+        <source>the value is over its limit</source>
+        <translation>der Wert liegt über seiner Grenze</translation>
+    </message>
+    <message>
+        <source>nobody has approved the probe</source>
+        <translation>niemand hat die Sondierung genehmigt</translation>
+    </message>
+    <message>
+        <source>the approval is too old</source>
+        <translation>die Genehmigung ist zu alt</translation>
+    </message>
+    <message>
+        <source>another bin was approved</source>
+        <translation>ein anderes Feld wurde genehmigt</translation>
+    </message>
+    <message>
+        <source>chains not converged: R-hat %1 (limit %2), effective draws %3 (limit %4)</source>
+        <translation>Ketten nicht konvergiert: R-hat %1 (Grenze %2), wirksame Ziehungen %3 (Grenze %4)</translation>
+    </message>
+    <message>
+        <source>chains not converged when time was out: R-hat %1 (limit %2), effective draws %3 (limit %4)</source>
+        <translation>Ketten bei Ablauf der Zeit nicht konvergiert: R-hat %1 (Grenze %2), wirksame Ziehungen %3 (Grenze %4)</translation>
+    </message>
+    <message>
+        <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
+        <translation>das Modell von Feld %1 m ist singulär: %2 seiner Varianz wurde als Rauschen zugegeben</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ArmingControl</name>
+    <message>
+        <source>Arming</source>
+        <translation>Freigabe</translation>
+    </message>
+    <message>
+        <source>hold to arm (M)</source>
+        <translation>halten: freigeben (M)</translation>
+    </message>
+    <message>
+        <source>Hold to arm the robot</source>
+        <translation>Halten, um den Roboter freizugeben</translation>
+    </message>
+    <message>
+        <source>Within 5 s; then commands from here move the robot</source>
+        <translation>Innerhalb von 5 s; danach bewegen Befehle von hier den Roboter</translation>
+    </message>
+    <message>
+        <source>Commands from here move the robot. A click halts and disarms it</source>
+        <translation>Befehle von hier bewegen den Roboter. Ein Klick hält ihn an und sperrt ihn</translation>
+    </message>
+    <message>
+        <source>Asks for a second action within 5 s</source>
+        <translation>Verlangt innerhalb von 5 s eine zweite Handlung</translation>
+    </message>
+    <message>
+        <source>
+Last disarmed: %1</source>
+        <translation>
+Zuletzt gesperrt: %1</translation>
+    </message>
+    <message>
+        <source>DISARMED · arm (M)</source>
+        <translation>GESPERRT · freigeben (M)</translation>
+    </message>
+    <message>
+        <source>ARMED · disarm (M)</source>
+        <translation>FREI · sperren (M)</translation>
+    </message>
+    <message>
+        <source>arming … cancel (M)</source>
+        <translation>Freigabe … abbrechen (M)</translation>
+    </message>
+    <message>
+        <source>NO COMMANDS</source>
+        <translation>KEINE BEFEHLE</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AtemPanel</name>
+    <message>
+        <source>Exploration (ATEM)</source>
+        <translation>Erkundung (ATEM)</translation>
+    </message>
+    <message>
+        <source>State of the exploration</source>
+        <translation>Stand der Erkundung</translation>
+    </message>
+    <message>
+        <source>Explore the terrain (A)</source>
+        <translation>Gelände erkunden (A)</translation>
+    </message>
+    <message>
+        <source>Abort (Esc)</source>
+        <translation>Abbruch (Esc)</translation>
+    </message>
+    <message>
+        <source>hold to release STOP (R)</source>
+        <translation>halten: STOP lösen (R)</translation>
+    </message>
+    <message>
+        <source>Hold to release STOP</source>
+        <translation>Halten, um STOP zu lösen</translation>
+    </message>
+    <message>
+        <source>Lets commands through again; the robot does not move by itself</source>
+        <translation>Lässt Befehle wieder durch; der Roboter bewegt sich nicht von selbst</translation>
+    </message>
+    <message>
+        <source>; no answer in time, so no probe</source>
+        <translation>; keine Antwort in der Zeit, also keine Sondierung</translation>
+    </message>
+    <message>
+        <source>, arm included</source>
+        <translation>, Arm eingerechnet</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
+    </message>
+    <message>
+        <source>Not possible now: %1</source>
+        <translation>Jetzt nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>Halts the robot, presses the front flippers down and estimates the terrain</source>
+        <translation>Hält den Roboter an, drückt die vorderen Flipper an und schätzt das Gelände</translation>
+    </message>
+    <message>
+        <source>Clear (Esc)</source>
+        <translation>Löschen (Esc)</translation>
+    </message>
+    <message>
+        <source>Halts the robot and ends the exploration</source>
+        <translation>Hält den Roboter an und beendet die Erkundung</translation>
+    </message>
+    <message>
+        <source>Takes the result off the screen</source>
+        <translation>Nimmt das Ergebnis vom Schirm</translation>
+    </message>
+    <message>
+        <source>No exploration is running</source>
+        <translation>Es läuft keine Erkundung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DrivePad</name>
+    <message>
+        <source>Drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>◀ hold: back (S)</source>
+        <translation>◀ halten: zurück (S)</translation>
+    </message>
+    <message>
+        <source>Hold to drive back</source>
+        <translation>Halten, um zurückzufahren</translation>
+    </message>
+    <message>
+        <source>hold: forward (W) ▶</source>
+        <translation>halten: vor (W) ▶</translation>
+    </message>
+    <message>
+        <source>Hold to drive forward</source>
+        <translation>Halten, um vorwärtszufahren</translation>
+    </message>
+    <message>
+        <source>Drives while held; also the arrow keys Up and Down</source>
+        <translation>Fährt, solange gehalten; auch mit den Pfeiltasten auf und ab</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::EstimateStrip</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>What makes the result doubtful</source>
+        <translation>Was das Ergebnis zweifelhaft macht</translation>
+    </message>
+    <message>
+        <source>Progress of the estimate</source>
+        <translation>Fortschritt der Schätzung</translation>
+    </message>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>Abbruch (Esc)</translation>
+    </message>
+    <message>
+        <source>Ends the estimate and the exploration</source>
+        <translation>Beendet Schätzung und Erkundung</translation>
+    </message>
+    <message>
+        <source>Uncertain at %1: %2 m ± %3 m</source>
+        <translation>Unsicher %1: %2 m ± %3 m</translation>
+    </message>
+    <message>
+        <source>Known to ± %1 m, widest at %2</source>
+        <translation>Bekannt auf ± %1 m, am weitesten bei %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 draws · %3 s</source>
+        <translation>%1 · %2 Ziehungen · %3 s</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>die Ketten sind nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>estimating %p %</source>
+        <translation>schätzt %p %</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::EventList</name>
+    <message>
+        <source>Last minutes</source>
+        <translation>Letzte Minuten</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Exploration</name>
+    <message>
+        <source>No estimate yet: explore the terrain (A)</source>
+        <translation>Noch keine Schätzung: Gelände erkunden (A)</translation>
+    </message>
+    <message>
+        <source>model %1 loaded</source>
+        <translation>Modell %1 geladen</translation>
+    </message>
+    <message>
+        <source>estimate in %1 s</source>
+        <translation>Schätzung in %1 s</translation>
+    </message>
+    <message>
+        <source>No live estimate: %1</source>
+        <translation>Keine laufende Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>estimate failed: %1</source>
+        <translation>Schätzung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>STOP not sent: %1</source>
+        <translation>STOP nicht gesendet: %1</translation>
+    </message>
+    <message>
+        <source>STOP released by the operator</source>
+        <translation>STOP vom Bediener gelöst</translation>
+    </message>
+    <message>
+        <source>quality of the next estimate: %1</source>
+        <translation>Güte der nächsten Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>command not sent: %1</source>
+        <translation>Befehl nicht gesendet: %1</translation>
+    </message>
+    <message>
+        <source>the robot did not release STOP: hold R again</source>
+        <translation>der Roboter hat STOP nicht gelöst: R noch einmal halten</translation>
+    </message>
+    <message>
+        <source>No estimate: explore the terrain (A)</source>
+        <translation>Keine Schätzung: Gelände erkunden (A)</translation>
+    </message>
+    <message>
+        <source>The robot has moved: explore again (A)</source>
+        <translation>Der Roboter hat sich bewegt: neu erkunden (A)</translation>
+    </message>
+    <message>
+        <source>Exploring: the robot halts</source>
+        <translation>Erkundung: der Roboter hält an</translation>
+    </message>
+    <message>
+        <source>exploration requested</source>
+        <translation>Erkundung angefordert</translation>
+    </message>
+    <message>
+        <source>Exploring: the front flippers press down</source>
+        <translation>Erkundung: die vorderen Flipper drücken an</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzt …</translation>
+    </message>
+    <message>
+        <source>probe proposed at %1</source>
+        <translation>Sondierung vorgeschlagen bei %1</translation>
+    </message>
+    <message>
+        <source>probe at %1 approved</source>
+        <translation>Sondierung bei %1 genehmigt</translation>
+    </message>
+    <message>
+        <source>no answer in time: no probe</source>
+        <translation>keine Antwort in der Zeit: keine Sondierung</translation>
+    </message>
+    <message>
+        <source>probe refused</source>
+        <translation>Sondierung abgelehnt</translation>
+    </message>
+    <message>
+        <source>exploration ended by the operator</source>
+        <translation>Erkundung vom Bediener beendet</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>No estimate: STOP was pressed</source>
+        <translation>Keine Schätzung: STOP wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>exploration failed: %1</source>
+        <translation>Erkundung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>No estimate: %1</source>
+        <translation>Keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>arm at %1: %2 m, %3 the band shown before</source>
+        <translation>Arm bei %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innerhalb</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP ist eingerastet: erst lösen</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
+    </message>
+    <message>
+        <source>No telemetry from the robot</source>
+        <translation>Keine Telemetrie vom Roboter</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>the robot is not armed</source>
+        <translation>der Roboter ist nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>telemetry is live</source>
+        <translation>Telemetrie läuft</translation>
+    </message>
+    <message>
+        <source>no telemetry from the robot</source>
+        <translation>keine Telemetrie vom Roboter</translation>
+    </message>
+    <message>
+        <source>STOP: release sent, not yet confirmed by the robot</source>
+        <translation>STOP: Lösen gesendet, vom Roboter noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP ist eingerastet</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP ist nicht eingerastet</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>kein Modell: %1</translation>
+    </message>
+    <message>
+        <source>the model is being loaded</source>
+        <translation>das Modell wird geladen</translation>
+    </message>
+    <message>
+        <source>model %1 is ready</source>
+        <translation>Modell %1 ist bereit</translation>
+    </message>
+    <message>
+        <source>roll %1: left and right ground differ</source>
+        <translation>Rollen %1: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1</source>
+        <translation>linker und rechter Flipper weichen um %1 ab</translation>
+    </message>
+    <message>
+        <source>left and right agree, roll is small</source>
+        <translation>links und rechts gleich, Rollen klein</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ForceBars</name>
+    <message>
+        <source>1 pivot</source>
+        <translation>1 Achse</translation>
+    </message>
+    <message>
+        <source>%1 tip</source>
+        <translation>%1 Spitze</translation>
+    </message>
+    <message>
+        <source>Forces on the front flippers</source>
+        <translation>Kräfte an den vorderen Flippern</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>element %1: %2 N%3</source>
+        <translation>Element %1: %2 N%3</translation>
+    </message>
+    <message>
+        <source>, contact</source>
+        <translation>, Kontakt</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::MainWindow</name>
+    <message>
+        <source>halted</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>fährt</translation>
+    </message>
+    <message>
+        <source>pressing down</source>
+        <translation>drückt an</translation>
+    </message>
+    <message>
+        <source>flippers pressed</source>
+        <translation>Flipper angedrückt</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>Arm sondiert</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>Terratact — %1</source>
+        <translation>Terratact — %1</translation>
+    </message>
+    <message>
+        <source>model loading …</source>
+        <translation>Modell lädt …</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>The terrain under the robot, exploring it, and the arm</source>
+        <translation>Das Gelände unter dem Roboter, die Erkundung und der Arm</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Anordnung, Farben und Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Terrain under the robot</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>- - threshold %1 N</source>
+        <translation>- - Schwelle %1 N</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Age of the telemetry</source>
+        <translation>Alter der Telemetrie</translation>
+    </message>
+    <message>
+        <source>Last minutes</source>
+        <translation>Letzte Minuten</translation>
+    </message>
+    <message>
+        <source>%1: not measured (terratact tradeoff)</source>
+        <translation>%1: nicht gemessen (terratact tradeoff)</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm</source>
+        <translation>%1: %2 ms, Quantile ± %3 mm von einem langen Lauf, mittlerer Fehler %4 mm</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>Modell %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel: release it there first</source>
+        <translation>STOP ist am Pult gedrückt: erst dort lösen</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>VERBINDUNG WEG · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>noch keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>Link %1 Hz · ≤ %2</translation>
+    </message>
+    <message>
+        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
+        <translation>VERBINDUNG WEG seit %1 — nichts auf diesem Schirm ist aktuell%2</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>Verbindung steht</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>%1 alt</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>nicht freigegeben: %1</translation>
+    </message>
+    <message>
+        <source>The flippers still move: nothing ahead is felt yet</source>
+        <translation>Die Flipper bewegen sich noch: vorn ist noch nichts ertastet</translation>
+    </message>
+    <message>
+        <source>LIVE preview</source>
+        <translation>LIVE-Vorschau</translation>
+    </message>
+    <message>
+        <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
+        <translation>Keine Sondierung vorgeschlagen. Nach einer Erkundung wird der Arm angeboten, wo das Gelände unsicher bleibt.</translation>
+    </message>
+    <message>
+        <source>The arm has measured; its height is part of the estimate.</source>
+        <translation>Der Arm hat gemessen; seine Höhe ist Teil der Schätzung.</translation>
+    </message>
+    <message>
+        <source>The proposal was not answered in time, which means no.</source>
+        <translation>Der Vorschlag blieb ohne Antwort, das heißt nein.</translation>
+    </message>
+    <message>
+        <source>No probe: the estimate stands without the arm.</source>
+        <translation>Keine Sondierung: die Schätzung gilt ohne den Arm.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
+        <translation>Terratact %1. Beruht teilweise auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
+    </message>
+    <message>
+        <source>STOP, in every window</source>
+        <translation>STOP, in jedem Fenster</translation>
+    </message>
+    <message>
+        <source>release STOP</source>
+        <translation>STOP lösen</translation>
+    </message>
+    <message>
+        <source>drive forward</source>
+        <translation>vorwärtsfahren</translation>
+    </message>
+    <message>
+        <source>drive back</source>
+        <translation>zurückfahren</translation>
+    </message>
+    <message>
+        <source>arm the robot: press, then hold; again disarms it</source>
+        <translation>Roboter freigeben: drücken, dann halten; noch einmal sperrt ihn</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>diese Übersicht</translation>
+    </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>explore the terrain</source>
+        <translation>Gelände erkunden</translation>
+    </message>
+    <message>
+        <source>approve the proposed probe, or press the button that has the focus</source>
+        <translation>vorgeschlagene Sondierung genehmigen, oder den gewählten Knopf drücken</translation>
+    </message>
+    <message>
+        <source>refuse it</source>
+        <translation>sie ablehnen</translation>
+    </message>
+    <message>
+        <source>abort the exploration, or clear its result</source>
+        <translation>Erkundung abbrechen, oder ihr Ergebnis löschen</translation>
+    </message>
+    <message>
+        <source>to the next control, to the one before</source>
+        <translation>zum nächsten Element, zum vorigen</translation>
+    </message>
+    <message>
+        <source>Front forces [N]</source>
+        <translation>Kräfte vorn [N]</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NavigationRail</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PanelControl</name>
+    <message>
+        <source>STOP pressed on the panel</source>
+        <translation>STOP am Pult gedrückt</translation>
+    </message>
+    <message>
+        <source>the panel is lost, which means STOP</source>
+        <translation>das Pult ist weg, das heißt STOP</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s panel does not answer</source>
+        <translation>das Bedienpult antwortet nicht</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel</source>
+        <translation>STOP ist am Pult gedrückt</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s panel answers</source>
+        <translation>das Bedienpult antwortet</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ProbeCard</name>
+    <message>
+        <source>Arm probe</source>
+        <translation>Armsonde</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>wo</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>erwartet</translation>
+    </message>
+    <message>
+        <source>80 % band</source>
+        <translation>80-%-Band</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>warum</translation>
+    </message>
+    <message>
+        <source>gives</source>
+        <translation>bringt</translation>
+    </message>
+    <message>
+        <source>costs</source>
+        <translation>kostet</translation>
+    </message>
+    <message>
+        <source>Hold the mouse button or Space for 1.5 s; letting go early means nothing</source>
+        <translation>Maustaste oder Leertaste 1.5 s halten; früheres Loslassen bewirkt nichts</translation>
+    </message>
+    <message>
+        <source>Refuse (N)</source>
+        <translation>Ablehnen (N)</translation>
+    </message>
+    <message>
+        <source>Keeps the estimate as it is</source>
+        <translation>Lässt die Schätzung, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Progress of the probe</source>
+        <translation>Fortschritt der Sondierung</translation>
+    </message>
+    <message>
+        <source>bin %1</source>
+        <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>%1 m ± %2 m (sd)</source>
+        <translation>%1 m ± %2 m (sd)</translation>
+    </message>
+    <message>
+        <source>%1 … %2 m</source>
+        <translation>%1 … %2 m</translation>
+    </message>
+    <message>
+        <source>less certain than ± %1 m</source>
+        <translation>unsicherer als ± %1 m</translation>
+    </message>
+    <message>
+        <source>this bin to ± %1 m</source>
+        <translation>dieses Feld auf ± %1 m</translation>
+    </message>
+    <message>
+        <source>≈ %1 s, arm out in smoke</source>
+        <translation>≈ %1 s, Arm draußen im Rauch</translation>
+    </message>
+    <message>
+        <source>hold to approve probe at %1 (Space)</source>
+        <translation>halten: Sondierung bei %1 (Space)</translation>
+    </message>
+    <message>
+        <source>Hold to approve the probe of bin %1</source>
+        <translation>Halten, um die Sondierung von Feld %1 zu genehmigen</translation>
+    </message>
+    <message>
+        <source>%1 left, then no</source>
+        <translation>noch %1, dann nein</translation>
+    </message>
+    <message>
+        <source>The arm is probing bin %1</source>
+        <translation>Der Arm sondiert Feld %1</translation>
+    </message>
+    <message>
+        <source>%1 of about %2</source>
+        <translation>%1 von etwa %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::RobotReadout</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>front flippers</source>
+        <translation>Flipper vorn</translation>
+    </message>
+    <message>
+        <source>rear flippers</source>
+        <translation>Flipper hinten</translation>
+    </message>
+    <message>
+        <source>front currents</source>
+        <translation>Ströme vorn</translation>
+    </message>
+    <message>
+        <source>rear currents</source>
+        <translation>Ströme hinten</translation>
+    </message>
+    <message>
+        <source>L %1   R %2</source>
+        <translation>L %1   R %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ScreenshotDemo</name>
+    <message>
+        <source>the demonstration took too long</source>
+        <translation>die Vorführung dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: kann nicht geschrieben werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::StatusHeader</name>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Where the data come from</source>
+        <translation>Woher die Daten kommen</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>What the robot does</source>
+        <translation>Was der Roboter tut</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Quality of the estimate</source>
+        <translation>Güte der Schätzung</translation>
+    </message>
+    <message>
+        <source>How much time an estimate may take for its accuracy</source>
+        <translation>Wie viel Zeit eine Schätzung für ihre Genauigkeit brauchen darf</translation>
+    </message>
+    <message>
+        <source>Keys
+F1</source>
+        <translation>Tasten
+F1</translation>
+    </message>
+    <message>
+        <source>Every key, and what this program is</source>
+        <translation>Alle Tasten, und was dieses Programm ist</translation>
+    </message>
+    <message>
+        <source>STOP (F12)</source>
+        <translation>STOP (F12)</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Halts the robot at once and latches; F12 does the same everywhere</source>
+        <translation>Hält den Roboter sofort an und rastet ein; F12 tut überall dasselbe</translation>
+    </message>
+    <message>
+        <source>STOPPED (F12)</source>
+        <translation>STOP AKTIV (F12)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TerrainProfileView</name>
+    <message>
+        <source>estimate, 80 % band</source>
+        <translation>Schätzung, 80-%-Band</translation>
+    </message>
+    <message>
+        <source>prior only</source>
+        <translation>nur Vorwissen</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>Sondierung</translation>
+    </message>
+    <message>
+        <source>Terrain profile</source>
+        <translation>Geländeprofil</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>Obergrenze</translation>
+    </message>
+    <message>
+        <source>truth (simulation)</source>
+        <translation>Wahrheit (Simulation)</translation>
+    </message>
+    <message>
+        <source>sampled</source>
+        <translation>geschätzt</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>No estimate yet</source>
+        <translation>Noch keine Schätzung</translation>
+    </message>
+    <message>
+        <source>forward from the IMU [m]</source>
+        <translation>vorwärts ab IMU [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>Höhe [m]</translation>
+    </message>
+    <message>
+        <source>IMU</source>
+        <translation>IMU</translation>
+    </message>
+    <message>
+        <source>bin %1: %2 m, 80 % in %3 … %4, %5</source>
+        <translation>Feld %1: %2 m, 80 % in %3 … %4, %5</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ViewMenu</name>
+    <message>
+        <source>layout: drive</source>
+        <translation>Anordnung: Fahren</translation>
+    </message>
+    <message>
+        <source>layout: probe</source>
+        <translation>Anordnung: Sondieren</translation>
+    </message>
+    <message>
+        <source>layout: review</source>
+        <translation>Anordnung: Auswerten</translation>
+    </message>
+    <message>
+        <source>layout and letters as at first</source>
+        <translation>Anordnung und Schrift wie am Anfang</translation>
+    </message>
+    <message>
+        <source>colours: day</source>
+        <translation>Farben: Tag</translation>
+    </message>
+    <message>
+        <source>colours: night, red</source>
+        <translation>Farben: Nacht, rot</translation>
+    </message>
+    <message>
+        <source>colours: high contrast</source>
+        <translation>Farben: hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>larger letters</source>
+        <translation>größere Schrift</translation>
+    </message>
+    <message>
+        <source>smaller letters</source>
+        <translation>kleinere Schrift</translation>
+    </message>
+    <message>
+        <source>letters of normal size</source>
+        <translation>Schrift in normaler Größe</translation>
+    </message>
+    <message>
+        <source>language: %1 (at the next start)</source>
+        <translation>Sprache: %1 (ab dem nächsten Start)</translation>
+    </message>
+</context>
+</TS>
