@@ -487,6 +487,13 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::BinInspector</name>
+    <message>
+        <source>The bin up close</source>
+        <translation>Bod zblízka</translation>
+    </message>
+</context>
+<context>
     <name>terratact::DrivePad</name>
     <message>
         <source>Drive</source>
@@ -536,10 +543,6 @@ Poslední deaktivace: %1</translation>
         <translation>Ukončí odhad i průzkum</translation>
     </message>
     <message>
-        <source>Uncertain at %1: %2 m ± %3 m</source>
-        <translation>Nejisté v %1: %2 m ± %3 m</translation>
-    </message>
-    <message>
         <source>Known to ± %1 m, widest at %2</source>
         <translation>Známo na ± %1 m, nejhůř v %2</translation>
     </message>
@@ -554,6 +557,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>estimating %p %</source>
         <translation>odhad %p %</translation>
+    </message>
+    <message>
+        <source>Uncertain at %1: ± %2 m</source>
+        <translation>Nejisté v %1: ± %2 m</translation>
     </message>
 </context>
 <context>
@@ -694,10 +701,6 @@ Poslední deaktivace: %1</translation>
         <translation>robot je aktivní</translation>
     </message>
     <message>
-        <source>the robot is not armed</source>
-        <translation>robot není aktivní</translation>
-    </message>
-    <message>
         <source>telemetry is live</source>
         <translation>telemetrie běží</translation>
     </message>
@@ -740,6 +743,58 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>left and right agree, roll is small</source>
         <translation>vlevo i vpravo stejně, náklon malý</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>bez druhého odhadu: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: it comes when the robot presses its flippers</source>
+        <translation>Zatím bez odhadu: přijde, až robot přitlačí flippery</translation>
+    </message>
+    <message>
+        <source>No estimate yet: press M, then hold M to arm; then explore (A)</source>
+        <translation>Zatím bez odhadu: aktivujte (stisk M, pak držet M); pak průzkum (A)</translation>
+    </message>
+    <message>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
+    </message>
+    <message>
+        <source>probe asked for at %1 instead</source>
+        <translation>místo toho žádána sonda v %1</translation>
+    </message>
+    <message>
+        <source>Following: the front flippers press down</source>
+        <translation>Sledování: přední flippery tlačí dolů</translation>
+    </message>
+    <message>
+        <source>following: the robot has pressed its flippers down</source>
+        <translation>sledování: robot přitlačil flippery</translation>
+    </message>
+    <message>
+        <source>following: the arm is probing</source>
+        <translation>sledování: rameno sonduje</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>sledování: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot is stopped</source>
+        <translation>Bez odhadu: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>following: no estimate: %1</source>
+        <translation>sledování: bez odhadu: %1</translation>
+    </message>
+    <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>není aktivní: stisknout M, pak držet M</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>záznam skončil</translation>
     </message>
 </context>
 <context>
@@ -818,10 +873,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Layout, colours and size of the letters</source>
         <translation>Rozvržení, barvy a velikost písma</translation>
-    </message>
-    <message>
-        <source>Terrain under the robot</source>
-        <translation>Terén pod robotem</translation>
     </message>
     <message>
         <source>- - threshold %1 N</source>
@@ -987,12 +1038,166 @@ Poslední deaktivace: %1</translation>
         <source>Front forces [N]</source>
         <translation>Síly vpředu [N]</translation>
     </message>
+    <message>
+        <source>Following: the arm is probing.</source>
+        <translation>Sledování: rameno sonduje.</translation>
+    </message>
+    <message>
+        <source>Following: probes are approved where the robot is commanded.</source>
+        <translation>Sledování: sondy schvaluje ten, kdo robota řídí.</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Čísla</translation>
+    </message>
+    <message>
+        <source>The same scene as a table</source>
+        <translation>Táž scéna jako tabulka</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>pohled</translation>
+    </message>
+    <message>
+        <source>What else is drawn: draws, a second method</source>
+        <translation>Co ještě kreslit: vzorky, druhou metodu</translation>
+    </message>
+    <message>
+        <source>View of the terrain</source>
+        <translation>Zobrazení terénu</translation>
+    </message>
+    <message>
+        <source>Some of the draws as thin lines (D)</source>
+        <translation>Některé vzorky jako tenké čáry (D)</translation>
+    </message>
+    <message>
+        <source>A second method beside it</source>
+        <translation>Druhá metoda vedle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>KONEC ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>konec záznamu</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>záznam skončil</translation>
+    </message>
+    <message>
+        <source>The flippers still move</source>
+        <translation>Flippery se ještě hýbou</translation>
+    </message>
+    <message>
+        <source>probe at %1: %2 → %3 bit</source>
+        <translation>sonda v %1: %2 → %3 bit</translation>
+    </message>
+    <message>
+        <source>ask for another bin instead: the %1. offered</source>
+        <translation>žádat jiný bod: %1. nabízený</translation>
+    </message>
+    <message>
+        <source>raise what counts as an obstacle</source>
+        <translation>zvýšit mez překážky</translation>
+    </message>
+    <message>
+        <source>lower it</source>
+        <translation>snížit ji</translation>
+    </message>
+    <message>
+        <source>show some of the draws as thin lines</source>
+        <translation>některé vzorky jako tenké čáry</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
     <message>
         <source>Pages</source>
         <translation>Stránky</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersPage</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Scéna v číslech</translation>
+    </message>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Kopírovat (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>The whole table, columns apart by tabs</source>
+        <translation>Celá tabulka, sloupce oddělené tabulátory</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Odhad</translation>
+    </message>
+    <message>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m</source>
+        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4 m</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersTable</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Scéna v číslech</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>bod [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>výška [m]</translation>
+    </message>
+    <message>
+        <source>sd [m]</source>
+        <translation>sd [m]</translation>
+    </message>
+    <message>
+        <source>10 % [m]</source>
+        <translation>10 % [m]</translation>
+    </message>
+    <message>
+        <source>90 % [m]</source>
+        <translation>90 % [m]</translation>
+    </message>
+    <message>
+        <source>ceiling [m]</source>
+        <translation>strop [m]</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>z čeho</translation>
+    </message>
+    <message>
+        <source>step to next</source>
+        <translation>schod k další</translation>
+    </message>
+    <message>
+        <source>R-hat</source>
+        <translation>R-hat</translation>
+    </message>
+    <message>
+        <source>ESS</source>
+        <translation>ESS</translation>
+    </message>
+    <message>
+        <source>two heights</source>
+        <translation>dvě výšky</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %) or %3 (%4 %)</source>
+        <translation>%1 (%2 %) nebo %3 (%4 %)</translation>
     </message>
 </context>
 <context>
@@ -1037,28 +1242,12 @@ Poslední deaktivace: %1</translation>
         <translation>pásmo 80 %</translation>
     </message>
     <message>
-        <source>why</source>
-        <translation>proč</translation>
-    </message>
-    <message>
-        <source>gives</source>
-        <translation>přinese</translation>
-    </message>
-    <message>
         <source>costs</source>
         <translation>stojí</translation>
     </message>
     <message>
         <source>Hold the mouse button or Space for 1.5 s; letting go early means nothing</source>
         <translation>Držte tlačítko myši nebo mezerník 1.5 s; dřívější puštění neznamená nic</translation>
-    </message>
-    <message>
-        <source>Refuse (N)</source>
-        <translation>Odmítnout (N)</translation>
-    </message>
-    <message>
-        <source>Keeps the estimate as it is</source>
-        <translation>Ponechá odhad, jak je</translation>
     </message>
     <message>
         <source>Progress of the probe</source>
@@ -1075,10 +1264,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>%1 … %2 m</source>
         <translation>%1 … %2 m</translation>
-    </message>
-    <message>
-        <source>less certain than ± %1 m</source>
-        <translation>méně jisté než ± %1 m</translation>
     </message>
     <message>
         <source>this bin to ± %1 m</source>
@@ -1107,6 +1292,69 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>%1 of about %2</source>
         <translation>%1 z asi %2</translation>
+    </message>
+    <message>
+        <source>all bins</source>
+        <translation>všechny body</translation>
+    </message>
+    <message>
+        <source>step ahead</source>
+        <translation>schod vpředu</translation>
+    </message>
+    <message>
+        <source>Do not probe: 0 s, the estimate stays (N)</source>
+        <translation>Bez sondy: 0 s, odhad zůstane (N)</translation>
+    </message>
+    <message>
+        <source>Refuses the arm; as good an answer as any other</source>
+        <translation>Odmítne rameno; odpověď stejně dobrá jako jiná</translation>
+    </message>
+    <message>
+        <source>step &gt; %1 m</source>
+        <translation>schod &gt; %1 m</translation>
+    </message>
+    <message>
+        <source>total variance %1 %</source>
+        <translation>celkový rozptyl %1 %</translation>
+    </message>
+    <message>
+        <source>%1 → %2 bit: %3 a minute</source>
+        <translation>%1 → %2 bit: %3 za minutu</translation>
+    </message>
+    <message>
+        <source>not known for this method</source>
+        <translation>u této metody neznámo</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 %</source>
+        <translation>%1: %2, %3 %</translation>
+    </message>
+    <message>
+        <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
+        <translation>Místo toho bod %1: celkový rozptyl %2 %, schod vpředu na %3 bit</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Provenance</name>
+    <message>
+        <source>arm</source>
+        <translation>rameno</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>kontakt</translation>
+    </message>
+    <message>
+        <source>constrained</source>
+        <translation>omezeno</translation>
+    </message>
+    <message>
+        <source>sampled</source>
+        <translation>vzorkováno</translation>
+    </message>
+    <message>
+        <source>prior only</source>
+        <translation>jen apriori</translation>
     </message>
 </context>
 <context>
@@ -1215,10 +1463,6 @@ F1</translation>
 <context>
     <name>terratact::TerrainProfileView</name>
     <message>
-        <source>estimate, 80 % band</source>
-        <translation>odhad, pásmo 80 %</translation>
-    </message>
-    <message>
         <source>prior only</source>
         <translation>jen apriori</translation>
     </message>
@@ -1233,22 +1477,6 @@ F1</translation>
     <message>
         <source>ceiling</source>
         <translation>strop</translation>
-    </message>
-    <message>
-        <source>truth (simulation)</source>
-        <translation>skutečnost (simulace)</translation>
-    </message>
-    <message>
-        <source>sampled</source>
-        <translation>vzorkováno</translation>
-    </message>
-    <message>
-        <source>contact</source>
-        <translation>kontakt</translation>
-    </message>
-    <message>
-        <source>arm</source>
-        <translation>rameno</translation>
     </message>
     <message>
         <source>No estimate yet</source>
@@ -1269,6 +1497,137 @@ F1</translation>
     <message>
         <source>bin %1: %2 m, 80 % in %3 … %4, %5</source>
         <translation>bod %1: %2 m, 80 % v %3 … %4, %5</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>vzorky</translation>
+    </message>
+    <message>
+        <source>either … or</source>
+        <translation>buď … nebo</translation>
+    </message>
+    <message>
+        <source>80 % band</source>
+        <translation>pásmo 80 %</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>skutečnost</translation>
+    </message>
+    <message>
+        <source>bin %1</source>
+        <translation>bod %1</translation>
+    </message>
+    <message>
+        <source>height %1 m ± %2 m</source>
+        <translation>výška %1 m ± %2 m</translation>
+    </message>
+    <message>
+        <source>80 % in %1 … %2 m</source>
+        <translation>80 % v %1 … %2 m</translation>
+    </message>
+    <message>
+        <source>ceiling %1 m</source>
+        <translation>strop %1 m</translation>
+    </message>
+    <message>
+        <source>from: %1</source>
+        <translation>z: %1</translation>
+    </message>
+    <message>
+        <source>either %1 m (%2 %)</source>
+        <translation>buď %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>or %1 m (%2 %)</source>
+        <translation>nebo %1 m (%2 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::VerdictStrip</name>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>bez živé telemetrie, robot se mohl pohnout</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>řetězce nekonvergovaly</translation>
+    </message>
+    <message>
+        <source>the scene is unlike all training</source>
+        <translation>scéna se nepodobá ničemu z tréninku</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>robot je nakloněn, terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>flippery se liší, terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>likeliest at %1 … %2 m (%3)</source>
+        <translation>nejspíš v %1 … %2 m (%3)</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdikt</translation>
+    </message>
+    <message>
+        <source>Probability of a step ahead</source>
+        <translation>Pravděpodobnost schodu vpředu</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Proč</translation>
+    </message>
+    <message>
+        <source>Lower the limit</source>
+        <translation>Snížit mez</translation>
+    </message>
+    <message>
+        <source>A lower step counts as an obstacle, too (PgDown)</source>
+        <translation>Překážkou je i nižší schod (PgDown)</translation>
+    </message>
+    <message>
+        <source>Raise the limit</source>
+        <translation>Zvýšit mez</translation>
+    </message>
+    <message>
+        <source>Only a higher step counts as an obstacle (PgUp)</source>
+        <translation>Překážkou je až vyšší schod (PgUp)</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead) = %2 ± %3</source>
+        <translation>P(schod &gt; %1 m vpředu) = %2 ± %3</translation>
+    </message>
+    <message>
+        <source>✔ CLEAR</source>
+        <translation>✔ VOLNO</translation>
+    </message>
+    <message>
+        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %</source>
+        <translation>do 0.75 m před IMU, riziko pod %1 %</translation>
+    </message>
+    <message>
+        <source>✘ BLOCKED</source>
+        <translation>✘ PŘEKÁŽKA</translation>
+    </message>
+    <message>
+        <source>? CANNOT TELL</source>
+        <translation>? NELZE ŘÍCI</translation>
+    </message>
+    <message>
+        <source>withheld: %1</source>
+        <translation>zadrženo: %1</translation>
+    </message>
+    <message>
+        <source>NO VERDICT</source>
+        <translation>BEZ VERDIKTU</translation>
+    </message>
+    <message>
+        <source>Is there a step of more than %1 m ahead?</source>
+        <translation>Je vpředu schod vyšší než %1 m?</translation>
     </message>
 </context>
 <context>

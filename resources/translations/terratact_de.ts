@@ -487,6 +487,13 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::BinInspector</name>
+    <message>
+        <source>The bin up close</source>
+        <translation>Das Feld aus der Nähe</translation>
+    </message>
+</context>
+<context>
     <name>terratact::DrivePad</name>
     <message>
         <source>Drive</source>
@@ -536,10 +543,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Beendet Schätzung und Erkundung</translation>
     </message>
     <message>
-        <source>Uncertain at %1: %2 m ± %3 m</source>
-        <translation>Unsicher %1: %2 m ± %3 m</translation>
-    </message>
-    <message>
         <source>Known to ± %1 m, widest at %2</source>
         <translation>Bekannt auf ± %1 m, am weitesten bei %2</translation>
     </message>
@@ -554,6 +557,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>estimating %p %</source>
         <translation>schätzt %p %</translation>
+    </message>
+    <message>
+        <source>Uncertain at %1: ± %2 m</source>
+        <translation>Unsicher bei %1: ± %2 m</translation>
     </message>
 </context>
 <context>
@@ -694,10 +701,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>der Roboter ist freigegeben</translation>
     </message>
     <message>
-        <source>the robot is not armed</source>
-        <translation>der Roboter ist nicht freigegeben</translation>
-    </message>
-    <message>
         <source>telemetry is live</source>
         <translation>Telemetrie läuft</translation>
     </message>
@@ -740,6 +743,58 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>left and right agree, roll is small</source>
         <translation>links und rechts gleich, Rollen klein</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>keine zweite Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: it comes when the robot presses its flippers</source>
+        <translation>Noch keine Schätzung: sie kommt, wenn der Roboter die Flipper andrückt</translation>
+    </message>
+    <message>
+        <source>No estimate yet: press M, then hold M to arm; then explore (A)</source>
+        <translation>Noch keine Schätzung: M drücken, dann M halten zum Freigeben; dann erkunden (A)</translation>
+    </message>
+    <message>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
+    </message>
+    <message>
+        <source>probe asked for at %1 instead</source>
+        <translation>stattdessen Sondierung bei %1 verlangt</translation>
+    </message>
+    <message>
+        <source>Following: the front flippers press down</source>
+        <translation>Mitverfolgt: die vorderen Flipper drücken an</translation>
+    </message>
+    <message>
+        <source>following: the robot has pressed its flippers down</source>
+        <translation>mitverfolgt: der Roboter hat die Flipper angedrückt</translation>
+    </message>
+    <message>
+        <source>following: the arm is probing</source>
+        <translation>mitverfolgt: der Arm sondiert</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>mitverfolgt: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot is stopped</source>
+        <translation>Keine Schätzung: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>following: no estimate: %1</source>
+        <translation>mitverfolgt: keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>nicht freigegeben: M drücken, dann M halten</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>das Log ist zu Ende</translation>
     </message>
 </context>
 <context>
@@ -818,10 +873,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Layout, colours and size of the letters</source>
         <translation>Anordnung, Farben und Schriftgröße</translation>
-    </message>
-    <message>
-        <source>Terrain under the robot</source>
-        <translation>Gelände</translation>
     </message>
     <message>
         <source>- - threshold %1 N</source>
@@ -987,12 +1038,166 @@ Zuletzt gesperrt: %1</translation>
         <source>Front forces [N]</source>
         <translation>Kräfte vorn [N]</translation>
     </message>
+    <message>
+        <source>Following: the arm is probing.</source>
+        <translation>Mitverfolgt: der Arm sondiert.</translation>
+    </message>
+    <message>
+        <source>Following: probes are approved where the robot is commanded.</source>
+        <translation>Mitverfolgt: Sondierungen genehmigt, wer den Roboter führt.</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>The same scene as a table</source>
+        <translation>Dieselbe Szene als Tabelle</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>What else is drawn: draws, a second method</source>
+        <translation>Was noch gezeichnet wird: Ziehungen, eine zweite Methode</translation>
+    </message>
+    <message>
+        <source>View of the terrain</source>
+        <translation>Ansicht des Geländes</translation>
+    </message>
+    <message>
+        <source>Some of the draws as thin lines (D)</source>
+        <translation>Einige Ziehungen als dünne Linien (D)</translation>
+    </message>
+    <message>
+        <source>A second method beside it</source>
+        <translation>Eine zweite Methode daneben</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>ENDE DES LOGS</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>Ende des Logs</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>das Log ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The flippers still move</source>
+        <translation>Die Flipper bewegen sich noch</translation>
+    </message>
+    <message>
+        <source>probe at %1: %2 → %3 bit</source>
+        <translation>Sondierung bei %1: %2 → %3 bit</translation>
+    </message>
+    <message>
+        <source>ask for another bin instead: the %1. offered</source>
+        <translation>ein anderes Feld verlangen: das %1. angebotene</translation>
+    </message>
+    <message>
+        <source>raise what counts as an obstacle</source>
+        <translation>Hindernisgrenze anheben</translation>
+    </message>
+    <message>
+        <source>lower it</source>
+        <translation>sie senken</translation>
+    </message>
+    <message>
+        <source>show some of the draws as thin lines</source>
+        <translation>einige Ziehungen als dünne Linien</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
     <message>
         <source>Pages</source>
         <translation>Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersPage</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Die Szene in Zahlen</translation>
+    </message>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Kopieren (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>The whole table, columns apart by tabs</source>
+        <translation>Die ganze Tabelle, Spalten durch Tabulatoren getrennt</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m</source>
+        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4 m</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersTable</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Die Szene in Zahlen</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>Feld [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>Höhe [m]</translation>
+    </message>
+    <message>
+        <source>sd [m]</source>
+        <translation>sd [m]</translation>
+    </message>
+    <message>
+        <source>10 % [m]</source>
+        <translation>10 % [m]</translation>
+    </message>
+    <message>
+        <source>90 % [m]</source>
+        <translation>90 % [m]</translation>
+    </message>
+    <message>
+        <source>ceiling [m]</source>
+        <translation>Obergrenze [m]</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>woher</translation>
+    </message>
+    <message>
+        <source>step to next</source>
+        <translation>Stufe zum nächsten</translation>
+    </message>
+    <message>
+        <source>R-hat</source>
+        <translation>R-hat</translation>
+    </message>
+    <message>
+        <source>ESS</source>
+        <translation>ESS</translation>
+    </message>
+    <message>
+        <source>two heights</source>
+        <translation>zwei Höhen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %) or %3 (%4 %)</source>
+        <translation>%1 (%2 %) oder %3 (%4 %)</translation>
     </message>
 </context>
 <context>
@@ -1037,28 +1242,12 @@ Zuletzt gesperrt: %1</translation>
         <translation>80-%-Band</translation>
     </message>
     <message>
-        <source>why</source>
-        <translation>warum</translation>
-    </message>
-    <message>
-        <source>gives</source>
-        <translation>bringt</translation>
-    </message>
-    <message>
         <source>costs</source>
         <translation>kostet</translation>
     </message>
     <message>
         <source>Hold the mouse button or Space for 1.5 s; letting go early means nothing</source>
         <translation>Maustaste oder Leertaste 1.5 s halten; früheres Loslassen bewirkt nichts</translation>
-    </message>
-    <message>
-        <source>Refuse (N)</source>
-        <translation>Ablehnen (N)</translation>
-    </message>
-    <message>
-        <source>Keeps the estimate as it is</source>
-        <translation>Lässt die Schätzung, wie sie ist</translation>
     </message>
     <message>
         <source>Progress of the probe</source>
@@ -1075,10 +1264,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>%1 … %2 m</source>
         <translation>%1 … %2 m</translation>
-    </message>
-    <message>
-        <source>less certain than ± %1 m</source>
-        <translation>unsicherer als ± %1 m</translation>
     </message>
     <message>
         <source>this bin to ± %1 m</source>
@@ -1107,6 +1292,69 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>%1 of about %2</source>
         <translation>%1 von etwa %2</translation>
+    </message>
+    <message>
+        <source>all bins</source>
+        <translation>alle Felder</translation>
+    </message>
+    <message>
+        <source>step ahead</source>
+        <translation>Stufe voraus</translation>
+    </message>
+    <message>
+        <source>Do not probe: 0 s, the estimate stays (N)</source>
+        <translation>Nicht sondieren: 0 s, Schätzung bleibt (N)</translation>
+    </message>
+    <message>
+        <source>Refuses the arm; as good an answer as any other</source>
+        <translation>Lehnt den Arm ab; so gut wie jede andere Antwort</translation>
+    </message>
+    <message>
+        <source>step &gt; %1 m</source>
+        <translation>Stufe &gt; %1 m</translation>
+    </message>
+    <message>
+        <source>total variance %1 %</source>
+        <translation>Gesamtvarianz %1 %</translation>
+    </message>
+    <message>
+        <source>%1 → %2 bit: %3 a minute</source>
+        <translation>%1 → %2 bit: %3 pro Minute</translation>
+    </message>
+    <message>
+        <source>not known for this method</source>
+        <translation>bei dieser Methode unbekannt</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 %</source>
+        <translation>%1: %2, %3 %</translation>
+    </message>
+    <message>
+        <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
+        <translation>Stattdessen Feld %1: Gesamtvarianz %2 %, Stufe voraus auf %3 bit</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Provenance</name>
+    <message>
+        <source>arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>constrained</source>
+        <translation>begrenzt</translation>
+    </message>
+    <message>
+        <source>sampled</source>
+        <translation>geschätzt</translation>
+    </message>
+    <message>
+        <source>prior only</source>
+        <translation>nur Vorwissen</translation>
     </message>
 </context>
 <context>
@@ -1215,10 +1463,6 @@ F1</translation>
 <context>
     <name>terratact::TerrainProfileView</name>
     <message>
-        <source>estimate, 80 % band</source>
-        <translation>Schätzung, 80-%-Band</translation>
-    </message>
-    <message>
         <source>prior only</source>
         <translation>nur Vorwissen</translation>
     </message>
@@ -1233,22 +1477,6 @@ F1</translation>
     <message>
         <source>ceiling</source>
         <translation>Obergrenze</translation>
-    </message>
-    <message>
-        <source>truth (simulation)</source>
-        <translation>Wahrheit (Simulation)</translation>
-    </message>
-    <message>
-        <source>sampled</source>
-        <translation>geschätzt</translation>
-    </message>
-    <message>
-        <source>contact</source>
-        <translation>Kontakt</translation>
-    </message>
-    <message>
-        <source>arm</source>
-        <translation>Arm</translation>
     </message>
     <message>
         <source>No estimate yet</source>
@@ -1269,6 +1497,137 @@ F1</translation>
     <message>
         <source>bin %1: %2 m, 80 % in %3 … %4, %5</source>
         <translation>Feld %1: %2 m, 80 % in %3 … %4, %5</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>Ziehungen</translation>
+    </message>
+    <message>
+        <source>either … or</source>
+        <translation>entweder … oder</translation>
+    </message>
+    <message>
+        <source>80 % band</source>
+        <translation>80-%-Band</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>Wahrheit</translation>
+    </message>
+    <message>
+        <source>bin %1</source>
+        <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>height %1 m ± %2 m</source>
+        <translation>Höhe %1 m ± %2 m</translation>
+    </message>
+    <message>
+        <source>80 % in %1 … %2 m</source>
+        <translation>80 % in %1 … %2 m</translation>
+    </message>
+    <message>
+        <source>ceiling %1 m</source>
+        <translation>Obergrenze %1 m</translation>
+    </message>
+    <message>
+        <source>from: %1</source>
+        <translation>aus: %1</translation>
+    </message>
+    <message>
+        <source>either %1 m (%2 %)</source>
+        <translation>entweder %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>or %1 m (%2 %)</source>
+        <translation>oder %1 m (%2 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::VerdictStrip</name>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>keine aktuelle Telemetrie, der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>die Ketten sind nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>the scene is unlike all training</source>
+        <translation>die Szene gleicht nichts aus dem Training</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>der Roboter rollt, Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>die Flipper weichen ab, Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>likeliest at %1 … %2 m (%3)</source>
+        <translation>am ehesten bei %1 … %2 m (%3)</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Probability of a step ahead</source>
+        <translation>Wahrscheinlichkeit einer Stufe voraus</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Lower the limit</source>
+        <translation>Grenze senken</translation>
+    </message>
+    <message>
+        <source>A lower step counts as an obstacle, too (PgDown)</source>
+        <translation>Auch eine niedrigere Stufe gilt als Hindernis (PgDown)</translation>
+    </message>
+    <message>
+        <source>Raise the limit</source>
+        <translation>Grenze anheben</translation>
+    </message>
+    <message>
+        <source>Only a higher step counts as an obstacle (PgUp)</source>
+        <translation>Erst eine höhere Stufe gilt als Hindernis (PgUp)</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead) = %2 ± %3</source>
+        <translation>P(Stufe &gt; %1 m voraus) = %2 ± %3</translation>
+    </message>
+    <message>
+        <source>✔ CLEAR</source>
+        <translation>✔ FREI</translation>
+    </message>
+    <message>
+        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %</source>
+        <translation>bis 0.75 m vor der IMU, Risiko unter %1 %</translation>
+    </message>
+    <message>
+        <source>✘ BLOCKED</source>
+        <translation>✘ VERSPERRT</translation>
+    </message>
+    <message>
+        <source>? CANNOT TELL</source>
+        <translation>? UNKLAR</translation>
+    </message>
+    <message>
+        <source>withheld: %1</source>
+        <translation>zurückgehalten: %1</translation>
+    </message>
+    <message>
+        <source>NO VERDICT</source>
+        <translation>KEIN URTEIL</translation>
+    </message>
+    <message>
+        <source>Is there a step of more than %1 m ahead?</source>
+        <translation>Ist voraus eine Stufe über %1 m?</translation>
     </message>
 </context>
 <context>
