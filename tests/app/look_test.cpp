@@ -175,8 +175,8 @@ TEST(Themes, originsOfABinStayApartForEveryEye)
         ++curves;
         shapes.insert(static_cast<const QwtPlotCurve*>(item)->symbol()->style());
     }
-    EXPECT_EQ(curves, 4);
-    EXPECT_EQ(shapes.size(), 4U);
+    EXPECT_EQ(curves, 5);
+    EXPECT_EQ(shapes.size(), 5U);
 }
 
 ModelLoader madeUp()
