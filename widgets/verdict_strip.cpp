@@ -1,5 +1,6 @@
 #include "widgets/verdict_strip.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
