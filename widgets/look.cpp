@@ -56,13 +56,13 @@ QPushButton[role="primary"]:pressed { background: @primaryDown; }
 QPushButton[role="primary"]:focus { border: 2px solid @text; }
 QPushButton[role="primary"]:disabled { background: @offArea; color: @offText; border-color: @offBorder; font-weight: normal; }
 QPushButton[role="stop"] { background: @stopArea; color: @stopText; border: 2px solid @stopBorder; border-radius: 6px;
-                           font-size: @20px; font-weight: bold; min-width: @184px; min-height: @36px; padding: 0 @16px; }
+                           font-size: @20px; font-weight: bold; min-width: 184px; min-height: @36px; padding: 0 16px; }
 QPushButton[role="stop"]:hover { background: @stopHover; }
 QPushButton[role="stop"]:pressed { background: @stopDown; }
 QPushButton[role="stop"]:focus { border: 3px solid @source; }
 QPushButton[latched="true"] { background: @stoppedArea; color: @stoppedText; border: 2px dashed @stopBorder; }
 
-QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: @172px; font-size: @19px; font-weight: bold; }
+QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: 172px; font-size: @19px; font-weight: bold; }
 QLabel#verdictBadge[outlook="clear"] { background: @clearArea; color: @clearText; }
 QLabel#verdictBadge[outlook="blocked"] { background: @blockedArea; color: @blockedText; }
 QLabel#verdictBadge[outlook="open"] { background: @openArea; color: @openText; }
@@ -113,6 +113,10 @@ QLineEdit { background: @card; color: @text; border: 1px solid @muted; border-ra
 QLineEdit:focus { border: 2px solid @focus; padding: 1px 7px; }
 QListWidget { background: @card; border: none; color: @text; }
 QListWidget::item { padding: 2px 0; }
+QTableView { background: @card; color: @text; border: none; gridline-color: @border; }
+QHeaderView { background: @card; }
+QHeaderView::section { background: @buttonArea; color: @buttonText; border: 1px solid @border; padding: 4px; }
+QTableCornerButton::section { background: @buttonArea; border: 1px solid @border; }
 )");
     const Theme& t = current;
     QHash<QString, QColor> colours{

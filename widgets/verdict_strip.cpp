@@ -48,6 +48,7 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     badge_->setAccessibleName(tr("Verdict"));
     question_ = new QLabel(this);
     question_->setObjectName(QStringLiteral("verdictQuestion"));
+    question_->setWordWrap(true);
     question_->setAccessibleName(tr("Probability of a step ahead"));
     reason_ = new QLabel(this);
     reason_->setAccessibleName(tr("Why"));
