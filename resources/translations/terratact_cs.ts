@@ -355,6 +355,120 @@
     </message>
 </context>
 <context>
+    <name>terratact::AlarmTable</name>
+    <message>
+        <source>▲ CRITICAL, new</source>
+        <translation>▲ KRITICKÉ, nové</translation>
+    </message>
+    <message>
+        <source>◆ caution, new</source>
+        <translation>◆ pozor, nové</translation>
+    </message>
+    <message>
+        <source>▽ over, not seen</source>
+        <translation>▽ pominulo, neviděno</translation>
+    </message>
+    <message>
+        <source>■ critical, seen</source>
+        <translation>■ kritické, viděno</translation>
+    </message>
+    <message>
+        <source>■ caution, seen</source>
+        <translation>■ pozor, viděno</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>už %1</translation>
+    </message>
+    <message>
+        <source>over for %1</source>
+        <translation>pominul před %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
+    </message>
+    <message>
+        <source>Alarms, most urgent first</source>
+        <translation>Alarmy, nejnaléhavější první</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stav</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Co</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Krát</translation>
+    </message>
+    <message>
+        <source>✔ No alarms.</source>
+        <translation>✔ Bez alarmů.</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Potvrdit</translation>
+    </message>
+    <message>
+        <source>The chosen alarm has been seen</source>
+        <translation>Vybraný alarm byl viděn</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Potvrdit vše</translation>
+    </message>
+    <message>
+        <source>All alarms have been seen</source>
+        <translation>Všechny alarmy byly viděny</translation>
+    </message>
+    <message>
+        <source>Silence 60 s</source>
+        <translation>Ticho 60 s</translation>
+    </message>
+    <message>
+        <source>No sound for a minute; a new alarm sounds all the same</source>
+        <translation>Minutu ticho; nový alarm přesto zazní</translation>
+    </message>
+    <message>
+        <source>Silence 120 s</source>
+        <translation>Ticho 120 s</translation>
+    </message>
+    <message>
+        <source>No sound for two minutes; a new alarm sounds all the same</source>
+        <translation>Dvě minuty ticho; nový alarm přesto zazní</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Zvuk</translation>
+    </message>
+    <message>
+        <source>Critical alarms beep until they are acknowledged: at once, then every 10 s</source>
+        <translation>Kritické alarmy pípají do potvrzení: hned a pak každých 10 s</translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation>Ticho</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>ticho %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AlarmsPage</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ArmingControl</name>
     <message>
         <source>Arming</source>
@@ -491,6 +605,152 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>The bin up close</source>
         <translation>Bod zblízka</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ConsoleAlarms</name>
+    <message>
+        <source>left</source>
+        <translation>vlevo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
+    </message>
+    <message>
+        <source>No model, so nothing can be estimated: %1</source>
+        <translation>Bez modelu nelze nic odhadnout: %1</translation>
+    </message>
+    <message>
+        <source>Exploration failed: %1</source>
+        <translation>Průzkum selhal: %1</translation>
+    </message>
+    <message>
+        <source>The robot is stopped and moves only after a release</source>
+        <translation>Robot je zastaven a pohne se až po uvolnění</translation>
+    </message>
+    <message>
+        <source>No telemetry has come since the start%1</source>
+        <translation>Od spuštění nepřišla telemetrie%1</translation>
+    </message>
+    <message>
+        <source>Link lost%1</source>
+        <translation>Spojení ztraceno%1</translation>
+    </message>
+    <message>
+        <source>Another console sends commands on this bus: find it and switch it off</source>
+        <translation>Na sběrnici vysílá povely jiná konzole: najděte ji a vypněte</translation>
+    </message>
+    <message>
+        <source>This computer was too slow for the bus: %1 frames lost since the start</source>
+        <translation>Tento počítač nestíhal sběrnici: od spuštění ztraceno %1 rámců</translation>
+    </message>
+    <message>
+        <source>Damaged frames: %1 with a wrong checksum since the start</source>
+        <translation>Poškozené rámce: od spuštění %1 se špatným součtem</translation>
+    </message>
+    <message>
+        <source>Force sensors not usable: %1</source>
+        <translation>Silové snímače nepoužitelné: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DiagnosticsPage</name>
+    <message>
+        <source>Versions</source>
+        <translation>Verze</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>jádro</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Procesor</translation>
+    </message>
+    <message>
+        <source>cores</source>
+        <translation>jádra</translation>
+    </message>
+    <message>
+        <source>estimator uses</source>
+        <translation>odhad používá</translation>
+    </message>
+    <message>
+        <source>training uses</source>
+        <translation>trénink používá</translation>
+    </message>
+    <message>
+        <source>✔ possible</source>
+        <translation>✔ možné</translation>
+    </message>
+    <message>
+        <source>✘ not possible: %1</source>
+        <translation>✘ není možné: %1</translation>
+    </message>
+    <message>
+        <source>none here</source>
+        <translation>zde žádné</translation>
+    </message>
+    <message>
+        <source>✔ %1</source>
+        <translation>✔ %1</translation>
+    </message>
+    <message>
+        <source>✘ %1: no permission (join the group gpio)</source>
+        <translation>✘ %1: bez oprávnění (vstupte do skupiny gpio)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>Permissions</source>
+        <translation>Oprávnění</translation>
+    </message>
+    <message>
+        <source>CAN socket</source>
+        <translation>soket CAN</translation>
+    </message>
+    <message>
+        <source>CAN interfaces</source>
+        <translation>rozhraní CAN</translation>
+    </message>
+    <message>
+        <source>GPIO chips</source>
+        <translation>čipy GPIO</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>skupiny</translation>
+    </message>
+    <message>
+        <source>half ≤ %1 · 99 % ≤ %2 · worst %3</source>
+        <translation>polovina ≤ %1 · 99 % ≤ %2 · nejhůř %3</translation>
+    </message>
+    <message>
+        <source>Last minute</source>
+        <translation>Poslední minuta</translation>
+    </message>
+    <message>
+        <source>a frame takes</source>
+        <translation>snímek trvá</translation>
+    </message>
+    <message>
+        <source>an event waits</source>
+        <translation>událost čeká</translation>
+    </message>
+    <message>
+        <source>telemetry to screen</source>
+        <translation>z telemetrie na obrazovku</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnostika</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Kopírovat jako text</translation>
     </message>
 </context>
 <context>
@@ -1114,6 +1374,106 @@ Poslední deaktivace: %1</translation>
         <source>show some of the draws as thin lines</source>
         <translation>některé vzorky jako tenké čáry</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen</source>
+        <translation>Co je špatně a co bylo a nikdo neviděl</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signály</translation>
+    </message>
+    <message>
+        <source>Every signal on the bus, and its newest frames</source>
+        <translation>Všechny signály na sběrnici a poslední rámce</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnostika</translation>
+    </message>
+    <message>
+        <source>Versions, permissions and how fast the console is</source>
+        <translation>Verze, oprávnění a rychlost konzole</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 rámců/s, %3
+%4 rámců ztratil tento počítač, %5 chybových rámců</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Teď</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>stáří telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>čekající rámce CAN</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 teď, nejvýš %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>jeden odhad běží</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>nečinný</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>paměť</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>S čím pracuje</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>zdroj</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>údaje o robotu</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>údaje o modelu</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 ztraceno</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -1358,6 +1718,85 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::RawTrace</name>
+    <message>
+        <source>after a gap</source>
+        <translation>po mezeře</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>špatný součet</translation>
+    </message>
+    <message>
+        <source>repeated or out of sequence</source>
+        <translation>opakovaný nebo mimo pořadí</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>nepoužitelné</translation>
+    </message>
+    <message>
+        <source>not in the DBC</source>
+        <translation>mimo DBC</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Číslo</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Čas [s]</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rámec</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bajty</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>Co říká</translation>
+    </message>
+    <message>
+        <source>%1 (from here)</source>
+        <translation>%1 (odsud)</translation>
+    </message>
+    <message>
+        <source>id (hexadecimal) or a part of the name</source>
+        <translation>id (šestnáctkově) nebo část názvu</translation>
+    </message>
+    <message>
+        <source>Filter of the frames</source>
+        <translation>Filtr rámců</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Podržet obraz</translation>
+    </message>
+    <message>
+        <source>The list stands still; everything is received and counted all the same</source>
+        <translation>Seznam stojí; vše se přesto přijímá a počítá</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Poslední rámce</translation>
+    </message>
+    <message>
+        <source>Held: go on</source>
+        <translation>Stojí: pokračovat</translation>
+    </message>
+    <message>
+        <source>%1 of the newest %2 frames</source>
+        <translation>%1 z posledních %2 rámců</translation>
+    </message>
+</context>
+<context>
     <name>terratact::RobotReadout</name>
     <message>
         <source>Robot</source>
@@ -1401,6 +1840,142 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>%1: cannot be written: %2</source>
         <translation>%1: nelze zapsat: %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalTable</name>
+    <message>
+        <source>Frame</source>
+        <translation>Rámec</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signál</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednotka</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frekvence</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Stáří</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Nejméně</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Nejvíce</translation>
+    </message>
+    <message>
+        <source>Last 12 s</source>
+        <translation>Posledních 12 s</translation>
+    </message>
+    <message>
+        <source>history of %1</source>
+        <translation>průběh: %1</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signály</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalsPage</name>
+    <message>
+        <source>error frame</source>
+        <translation>chybový rámec</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>neznámo</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>podélný sklon</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>náklon</translation>
+    </message>
+    <message>
+        <source>front flipper left</source>
+        <translation>přední flipper vlevo</translation>
+    </message>
+    <message>
+        <source>front flipper right</source>
+        <translation>přední flipper vpravo</translation>
+    </message>
+    <message>
+        <source>rear flipper left</source>
+        <translation>zadní flipper vlevo</translation>
+    </message>
+    <message>
+        <source>rear flipper right</source>
+        <translation>zadní flipper vpravo</translation>
+    </message>
+    <message>
+        <source>front current left</source>
+        <translation>proud vpředu vlevo</translation>
+    </message>
+    <message>
+        <source>front current right</source>
+        <translation>proud vpředu vpravo</translation>
+    </message>
+    <message>
+        <source>rear current left</source>
+        <translation>proud vzadu vlevo</translation>
+    </message>
+    <message>
+        <source>rear current right</source>
+        <translation>proud vzadu vpravo</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>síla %1</translation>
+    </message>
+    <message>
+        <source>load --- (bit rate not known): %1 to %2 kbit/s</source>
+        <translation>zátěž --- (rychlost neznámá): %1 až %2 kbit/s</translation>
+    </message>
+    <message>
+        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)</source>
+        <translation>zátěž %1 až %2 % z %3 kbit/s (bez vkládaných bitů, se všemi možnými)</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signály</translation>
+    </message>
+    <message>
+        <source>State of the bus</source>
+        <translation>Stav sběrnice</translation>
+    </message>
+    <message>
+        <source>Forget least and most</source>
+        <translation>Zapomenout minima a maxima</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Poslední rámce</translation>
+    </message>
+    <message>
+        <source>%1 · %2 frames/s · %3
+Since the start: %4 frames, %5 dropped, %6 error frames, %7 with a wrong checksum, %8 out of sequence, %9 not in the DBC</source>
+        <translation>%1 · %2 rámců/s · %3
+Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem, %8 mimo pořadí, %9 mimo DBC</translation>
+    </message>
+    <message>
+        <source>This source is no CAN bus: it has no frames, and these are its values.</source>
+        <translation>Tento zdroj není sběrnice CAN: nemá rámce, zde jsou jeho hodnoty.</translation>
     </message>
 </context>
 <context>
@@ -1458,6 +2033,22 @@ F1</translation>
     <message>
         <source>STOPPED (F12)</source>
         <translation>STOP DRŽÍ (F12)</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen (F4)</source>
+        <translation>Co je špatně a co bylo a nikdo neviděl (F4)</translation>
+    </message>
+    <message>
+        <source>no alarms</source>
+        <translation>bez alarmů</translation>
+    </message>
+    <message>
+        <source>alarms: %1</source>
+        <translation>alarmy: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 not acknowledged</source>
+        <translation>%1, nepotvrzeno %2</translation>
     </message>
 </context>
 <context>

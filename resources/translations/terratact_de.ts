@@ -355,6 +355,120 @@
     </message>
 </context>
 <context>
+    <name>terratact::AlarmTable</name>
+    <message>
+        <source>▲ CRITICAL, new</source>
+        <translation>▲ KRITISCH, neu</translation>
+    </message>
+    <message>
+        <source>◆ caution, new</source>
+        <translation>◆ Vorsicht, neu</translation>
+    </message>
+    <message>
+        <source>▽ over, not seen</source>
+        <translation>▽ vorbei, nicht gesehen</translation>
+    </message>
+    <message>
+        <source>■ critical, seen</source>
+        <translation>■ kritisch, gesehen</translation>
+    </message>
+    <message>
+        <source>■ caution, seen</source>
+        <translation>■ Vorsicht, gesehen</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>over for %1</source>
+        <translation>vorbei seit %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Alarms, most urgent first</source>
+        <translation>Alarme, dringendste zuerst</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>✔ No alarms.</source>
+        <translation>✔ Keine Alarme.</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>The chosen alarm has been seen</source>
+        <translation>Der gewählte Alarm ist gesehen</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Alle quittieren</translation>
+    </message>
+    <message>
+        <source>All alarms have been seen</source>
+        <translation>Alle Alarme sind gesehen</translation>
+    </message>
+    <message>
+        <source>Silence 60 s</source>
+        <translation>Stumm 60 s</translation>
+    </message>
+    <message>
+        <source>No sound for a minute; a new alarm sounds all the same</source>
+        <translation>Eine Minute kein Ton; ein neuer Alarm ertönt dennoch</translation>
+    </message>
+    <message>
+        <source>Silence 120 s</source>
+        <translation>Stumm 120 s</translation>
+    </message>
+    <message>
+        <source>No sound for two minutes; a new alarm sounds all the same</source>
+        <translation>Zwei Minuten kein Ton; ein neuer Alarm ertönt dennoch</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Critical alarms beep until they are acknowledged: at once, then every 10 s</source>
+        <translation>Kritische Alarme piepen bis zur Quittierung: sofort, dann alle 10 s</translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>stumm für %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AlarmsPage</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ArmingControl</name>
     <message>
         <source>Arming</source>
@@ -491,6 +605,152 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>The bin up close</source>
         <translation>Das Feld aus der Nähe</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ConsoleAlarms</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>No model, so nothing can be estimated: %1</source>
+        <translation>Kein Modell, also keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>Exploration failed: %1</source>
+        <translation>Erkundung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>The robot is stopped and moves only after a release</source>
+        <translation>Der Roboter ist gestoppt und bewegt sich erst nach dem Lösen</translation>
+    </message>
+    <message>
+        <source>No telemetry has come since the start%1</source>
+        <translation>Seit dem Start keine Telemetrie%1</translation>
+    </message>
+    <message>
+        <source>Link lost%1</source>
+        <translation>Verbindung verloren%1</translation>
+    </message>
+    <message>
+        <source>Another console sends commands on this bus: find it and switch it off</source>
+        <translation>Eine andere Konsole sendet Befehle auf diesem Bus: suchen und abschalten</translation>
+    </message>
+    <message>
+        <source>This computer was too slow for the bus: %1 frames lost since the start</source>
+        <translation>Dieser Rechner war zu langsam für den Bus: %1 Rahmen seit dem Start verloren</translation>
+    </message>
+    <message>
+        <source>Damaged frames: %1 with a wrong checksum since the start</source>
+        <translation>Beschädigte Rahmen: seit dem Start %1 mit falscher Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Force sensors not usable: %1</source>
+        <translation>Kraftsensoren unbrauchbar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DiagnosticsPage</name>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>Kernel</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>cores</source>
+        <translation>Kerne</translation>
+    </message>
+    <message>
+        <source>estimator uses</source>
+        <translation>Schätzer nutzt</translation>
+    </message>
+    <message>
+        <source>training uses</source>
+        <translation>Training nutzt</translation>
+    </message>
+    <message>
+        <source>✔ possible</source>
+        <translation>✔ möglich</translation>
+    </message>
+    <message>
+        <source>✘ not possible: %1</source>
+        <translation>✘ nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>none here</source>
+        <translation>hier keine</translation>
+    </message>
+    <message>
+        <source>✔ %1</source>
+        <translation>✔ %1</translation>
+    </message>
+    <message>
+        <source>✘ %1: no permission (join the group gpio)</source>
+        <translation>✘ %1: keine Rechte (in die Gruppe gpio eintreten)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Permissions</source>
+        <translation>Rechte</translation>
+    </message>
+    <message>
+        <source>CAN socket</source>
+        <translation>CAN-Socket</translation>
+    </message>
+    <message>
+        <source>CAN interfaces</source>
+        <translation>CAN-Schnittstellen</translation>
+    </message>
+    <message>
+        <source>GPIO chips</source>
+        <translation>GPIO-Chips</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>half ≤ %1 · 99 % ≤ %2 · worst %3</source>
+        <translation>Hälfte ≤ %1 · 99 % ≤ %2 · schlechtester %3</translation>
+    </message>
+    <message>
+        <source>Last minute</source>
+        <translation>Letzte Minute</translation>
+    </message>
+    <message>
+        <source>a frame takes</source>
+        <translation>ein Bild braucht</translation>
+    </message>
+    <message>
+        <source>an event waits</source>
+        <translation>ein Ereignis wartet</translation>
+    </message>
+    <message>
+        <source>telemetry to screen</source>
+        <translation>Telemetrie bis Schirm</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnose</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
     </message>
 </context>
 <context>
@@ -1114,6 +1374,106 @@ Zuletzt gesperrt: %1</translation>
         <source>show some of the draws as thin lines</source>
         <translation>einige Ziehungen als dünne Linien</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen</source>
+        <translation>Was nicht stimmt, und was war und nicht gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Every signal on the bus, and its newest frames</source>
+        <translation>Jedes Signal auf dem Bus und die neuesten Rahmen</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnose</translation>
+    </message>
+    <message>
+        <source>Versions, permissions and how fast the console is</source>
+        <translation>Versionen, Rechte und wie schnell die Konsole ist</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 Rahmen/s, %3
+%4 Rahmen von diesem Rechner verloren, %5 Fehlerrahmen</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>Alter der Telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>Telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>wartende CAN-Rahmen</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 jetzt, höchstens %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>eine Schätzung läuft</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>untätig</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>Womit sie arbeitet</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>Angaben zum Roboter</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>Angaben zum Modell</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 verloren</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -1358,6 +1718,85 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::RawTrace</name>
+    <message>
+        <source>after a gap</source>
+        <translation>nach einer Lücke</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>falsche Prüfsumme</translation>
+    </message>
+    <message>
+        <source>repeated or out of sequence</source>
+        <translation>wiederholt oder außer der Reihe</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>unbrauchbar</translation>
+    </message>
+    <message>
+        <source>not in the DBC</source>
+        <translation>nicht in der DBC</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>Was es sagt</translation>
+    </message>
+    <message>
+        <source>%1 (from here)</source>
+        <translation>%1 (von hier)</translation>
+    </message>
+    <message>
+        <source>id (hexadecimal) or a part of the name</source>
+        <translation>Id (hexadezimal) oder Teil des Namens</translation>
+    </message>
+    <message>
+        <source>Filter of the frames</source>
+        <translation>Filter der Rahmen</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Bild anhalten</translation>
+    </message>
+    <message>
+        <source>The list stands still; everything is received and counted all the same</source>
+        <translation>Die Liste steht; alles wird dennoch empfangen und gezählt</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Neueste Rahmen</translation>
+    </message>
+    <message>
+        <source>Held: go on</source>
+        <translation>Angehalten: weiter</translation>
+    </message>
+    <message>
+        <source>%1 of the newest %2 frames</source>
+        <translation>%1 der neuesten %2 Rahmen</translation>
+    </message>
+</context>
+<context>
     <name>terratact::RobotReadout</name>
     <message>
         <source>Robot</source>
@@ -1401,6 +1840,142 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>%1: cannot be written: %2</source>
         <translation>%1: kann nicht geschrieben werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalTable</name>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Last 12 s</source>
+        <translation>Letzte 12 s</translation>
+    </message>
+    <message>
+        <source>history of %1</source>
+        <translation>Verlauf von %1</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalsPage</name>
+    <message>
+        <source>error frame</source>
+        <translation>Fehlerrahmen</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>front flipper left</source>
+        <translation>Flipper vorn links</translation>
+    </message>
+    <message>
+        <source>front flipper right</source>
+        <translation>Flipper vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear flipper left</source>
+        <translation>Flipper hinten links</translation>
+    </message>
+    <message>
+        <source>rear flipper right</source>
+        <translation>Flipper hinten rechts</translation>
+    </message>
+    <message>
+        <source>front current left</source>
+        <translation>Strom vorn links</translation>
+    </message>
+    <message>
+        <source>front current right</source>
+        <translation>Strom vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear current left</source>
+        <translation>Strom hinten links</translation>
+    </message>
+    <message>
+        <source>rear current right</source>
+        <translation>Strom hinten rechts</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>Kraft %1</translation>
+    </message>
+    <message>
+        <source>load --- (bit rate not known): %1 to %2 kbit/s</source>
+        <translation>Last --- (Bitrate unbekannt): %1 bis %2 kbit/s</translation>
+    </message>
+    <message>
+        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)</source>
+        <translation>Last %1 bis %2 % von %3 kbit/s (ohne Stopfbits, mit allen möglichen)</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>State of the bus</source>
+        <translation>Zustand des Busses</translation>
+    </message>
+    <message>
+        <source>Forget least and most</source>
+        <translation>Kleinste und größte vergessen</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Neueste Rahmen</translation>
+    </message>
+    <message>
+        <source>%1 · %2 frames/s · %3
+Since the start: %4 frames, %5 dropped, %6 error frames, %7 with a wrong checksum, %8 out of sequence, %9 not in the DBC</source>
+        <translation>%1 · %2 Rahmen/s · %3
+Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsumme, %8 außer der Reihe, %9 nicht in der DBC</translation>
+    </message>
+    <message>
+        <source>This source is no CAN bus: it has no frames, and these are its values.</source>
+        <translation>Diese Quelle ist kein CAN-Bus: sie hat keine Rahmen, dies sind ihre Werte.</translation>
     </message>
 </context>
 <context>
@@ -1458,6 +2033,22 @@ F1</translation>
     <message>
         <source>STOPPED (F12)</source>
         <translation>STOP AKTIV (F12)</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen (F4)</source>
+        <translation>Was nicht stimmt, und was war und nicht gesehen wurde (F4)</translation>
+    </message>
+    <message>
+        <source>no alarms</source>
+        <translation>keine Alarme</translation>
+    </message>
+    <message>
+        <source>alarms: %1</source>
+        <translation>Alarme: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 not acknowledged</source>
+        <translation>%1, %2 nicht quittiert</translation>
     </message>
 </context>
 <context>
