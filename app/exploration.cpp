@@ -58,9 +58,9 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 startSecond();
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
                 for (const std::string& warning : estimate.warnings)
-                    emit happened(QString::fromStdString(warning), Weight::Doubt);
+                    emit happened(words::sentence(warning), Weight::Doubt);
                 for (const std::string& sentence : hiddenByBands(estimate))
-                    emit happened(QString::fromStdString(sentence), Weight::Note);
+                    emit happened(words::sentence(sentence), Weight::Note);
             });
     connect(&worker_, &EstimatorWorker::failed, this, [this](int job, const QString& why) {
         if (job == liveJob_) {
@@ -211,7 +211,7 @@ void Exploration::releaseStop()
 void Exploration::setQuality(Quality quality)
 {
     options_.settings = withQuality(options_.settings, quality);
-    emit happened(tr("quality of the next estimate: %1").arg(words::text(name(quality))),
+    emit happened(tr("quality of the next estimate: %1").arg(words::sentence(name(quality))),
                   Weight::Note);
 }
 
@@ -228,7 +228,7 @@ void Exploration::command(const Command& command)
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
     if (!sent)
-        emit happened(tr("command not sent: %1").arg(QString::fromStdString(sent.error().text)),
+        emit happened(tr("command not sent: %1").arg(words::sentence(sent.error().text)),
                       Weight::Bad);
 }
 
@@ -411,7 +411,7 @@ void Exploration::enterFollowed()
         if (!estimate_) forget(tr("No estimate: the robot is stopped"));
         break;
     case AtemPhase::Failed: {
-        const QString why = QString::fromStdString(describe(state_.failure));
+        const QString why = words::sentence(describe(state_.failure));
         emit happened(tr("following: no estimate: %1").arg(why), Weight::Bad);
         cancelEstimate();
         forget(tr("No estimate: %1").arg(why));
@@ -510,10 +510,10 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Failed:
         cancelEstimate();
         if (linkAlive_) command(AbortAtemCommand{});
-        note(tr("exploration failed: %1").arg(QString::fromStdString(describe(state_.failure))),
+        note(tr("exploration failed: %1").arg(words::sentence(describe(state_.failure))),
              Weight::Bad);
         if (!estimate_)
-            forget(tr("No estimate: %1").arg(QString::fromStdString(describe(state_.failure))));
+            forget(tr("No estimate: %1").arg(words::sentence(describe(state_.failure))));
         break;
     }
 }

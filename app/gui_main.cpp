@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QFileInfo>
 #include <QIcon>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 #include "app/can_check.h"
 #include "app/can_source.h"
 #include "app/demo.h"
+#include "app/language.h"
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
@@ -42,8 +44,13 @@ struct Arguments {
     double speed = 1.0;
     bool transmit = false;
     std::uint64_t seed = 1;
-    std::string size = "1440x900";
+    std::string size;  ///< empty: as it was left, or 1440x900
+    std::string theme, layout, language;
+    int fontScale = 0;  ///< [%] 0: as preferred
+    bool safeMode = false;
 };
+
+constexpr QSize kDefaultSize{1440, 900};
 
 QSize sizeFrom(const std::string& text)
 {
@@ -89,8 +96,17 @@ void addArguments(CLI::App& app, Arguments& arguments)
                    "Drive to a step, estimate it, save the window as PNG, and exit")
         ->excludes(can)
         ->excludes(replay);
-    app.add_option("--size", arguments.size, "Size of the window")
-        ->capture_default_str()
+    app.add_option("--theme", arguments.theme, "Colours: day, night-red or high-contrast")
+        ->check(CLI::IsMember({"day", "night-red", "high-contrast"}));
+    app.add_option("--layout", arguments.layout, "Layout: drive, probe or review")
+        ->check(CLI::IsMember({"drive", "probe", "review"}));
+    app.add_option("--font-scale", arguments.fontScale, "Size of the letters [%]")
+        ->check(CLI::Range(kSmallestFont, kLargestFont));
+    app.add_option("--language", arguments.language, "en, cs or de (default: the system's)")
+        ->check(CLI::IsMember({"en", "cs", "de"}));
+    app.add_flag("--safe-mode", arguments.safeMode,
+                 "Start with the defaults: preferences are neither read nor saved");
+    app.add_option("--size", arguments.size, "Size of the window (default: as it was left)")
         ->check([](const std::string& text) {
             const QSize size = sizeFrom(text);
             const bool good = size.width() >= 1200 && size.height() >= 680 && size.width() <= 10000
@@ -109,7 +125,7 @@ int failed(const std::string& why)
 /// What the shipped model's presets cost; nothing for another model, of which nobody knows.
 std::vector<PresetCost> presetsOf(const std::string& model)
 {
-    if (!model.empty()) return {};
+    if (model != resourcePath("models/default.ttm")) return {};
     auto presets = readPresets(resourcePath("models/default.presets.csv"));
     if (!presets) std::fprintf(stderr, "terratact-console: %s\n", presets.error().text.c_str());
     return presets ? *presets : std::vector<PresetCost>{};
@@ -224,12 +240,69 @@ QString fileDetails(const std::string& path)
         .arg(QString::fromStdString(path), QString::fromStdString(hash));
 }
 
+/// The preferences with what the command line says.  A picture's and a safe start have none.
+LoadedPreferences preferencesFor(const Arguments& arguments)
+{
+    const bool none = arguments.safeMode || !arguments.screenshot.empty();
+    return loadPreferences(none ? QString() : preferencesPath());
+}
+
+Preferences inForce(Preferences preferences, const Arguments& arguments)
+{
+    for (const ThemeName theme : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast})
+        if (name(theme) == arguments.theme) preferences.theme = theme;
+    for (const Layout layout : {Layout::Drive, Layout::Probe, Layout::Review})
+        if (name(layout) == arguments.layout) preferences.layout = layout;
+    if (arguments.fontScale > 0) preferences.fontScale = arguments.fontScale;
+    if (!arguments.language.empty())
+        preferences.language = QString::fromStdString(arguments.language);
+    if (!arguments.model.empty()) preferences.model = QString::fromStdString(arguments.model);
+    if (!arguments.robot.empty()) preferences.robot = QString::fromStdString(arguments.robot);
+    return preferences;
+}
+
+/// The robot file of the command line, or the preferred one, or where that cannot be read the shipped one.
+std::string robotFor(const Arguments& arguments, LoadedPreferences& loaded)
+{
+    if (!arguments.robot.empty()) return arguments.robot;
+    if (const std::string preferred = loaded.preferences.robot.toStdString(); !preferred.empty()) {
+        const auto robot = readRobotModel(preferred);
+        if (robot) return preferred;
+        loaded.troubles << robotNotUsed(QString::fromStdString(robot.error().text));
+    }
+    return resourcePath("robots/absolem.toml");
+}
+
+/// Likewise the model.
+std::string modelFor(const Arguments& arguments, LoadedPreferences& loaded)
+{
+    if (!arguments.model.empty()) return arguments.model;
+    const QString preferred = loaded.preferences.model;
+    if (!preferred.isEmpty()) {
+        if (const QFileInfo info(preferred); info.isFile() && info.isReadable())
+            return preferred.toStdString();
+        loaded.troubles << modelNotUsed(preferred);
+    }
+    return resourcePath("models/default.ttm");
+}
+
+void setSize(MainWindow& window, const Arguments& arguments)
+{
+    const QByteArray& left = window.preferences().current().window;
+    if (!arguments.size.empty())
+        window.resize(sizeFrom(arguments.size));
+    else if (left.isEmpty() || !window.restoreGeometry(left))
+        window.resize(kDefaultSize);
+}
+
 int run(int argc, char** argv, const Arguments& arguments)
 {
-    const std::string robotPath =
-        arguments.robot.empty() ? resourcePath("robots/absolem.toml") : arguments.robot;
-    auto robot = readRobotModel(robotPath);
+    LoadedPreferences loaded = preferencesFor(arguments);
+    const std::string robotPath = robotFor(arguments, loaded);
+    const auto robot = readRobotModel(robotPath);
     if (!robot) return failed(robot.error().text);
+    const std::string model = modelFor(arguments, loaded);
+    const Preferences preferences = inForce(loaded.preferences, arguments);
     std::unique_ptr<BuiltInRobot> builtIn;  // outlives the window, which talks to it
     MainWindow::Options options;
     options.robot = *robot;
@@ -249,17 +322,19 @@ int run(int argc, char** argv, const Arguments& arguments)
     QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
     QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
-    applyLook(application);
+    installLanguage(application, preferences.language);
+    applyLook(application, preferences.theme, preferences.fontScale);
 
-    options.model = modelFileLoader(
-        arguments.model.empty() ? resourcePath("models/default.ttm") : arguments.model, *robot);
-    options.exploration.settings = withQuality(options.exploration.settings, Quality::Balanced);
+    options.model = modelFileLoader(model, *robot);
+    options.exploration.settings = withPreferences(options.exploration.settings, preferences);
     options.exploration.settings.seed = arguments.seed;
-    options.presets = presetsOf(arguments.model);
+    options.exploration.stepLimit = preferences.obstacleLimit;
+    options.presets = presetsOf(model);
+    options.preferences = std::make_unique<PreferenceStore>(std::move(loaded), preferences);
     if (demo) options.exploration.linkLostAfter = 5.0;  // a picture must not fail on a busy machine
 
     MainWindow window(std::move(options));
-    window.resize(sizeFrom(arguments.size));
+    setSize(window, arguments);
     window.show();
     if (!demo) return QApplication::exec();
     const ScreenshotDemo screenshot(window, QString::fromStdString(arguments.screenshot));

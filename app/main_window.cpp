@@ -21,6 +21,7 @@
 #include "app/numbers_page.h"
 #include "app/page.h"
 #include "app/signals_page.h"
+#include "app/view_menu.h"
 #include "core/terrain/body_ceiling.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -97,7 +98,9 @@ QString followedProbe(const AtemState& state)
 }  // namespace
 
 MainWindow::MainWindow(Options options)
-    : robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
+    : preferences_(options.preferences ? std::move(options.preferences)
+                                       : std::make_unique<PreferenceStore>()),
+      robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
@@ -113,6 +116,9 @@ MainWindow::MainWindow(Options options)
     connectAll();
     offerQualities(options.presets);
     offerViews();
+    defineKeys();
+    for (const QString& trouble : preferences_->troubles())
+        events_->add(trouble, Weight::Doubt, QTime::currentTime());
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
@@ -129,7 +135,6 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::build()
 {
-    setMinimumSize(1200, 680);
     setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
     resize(1440, 900);
 
@@ -150,6 +155,12 @@ void MainWindow::build()
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
     connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
     addPages();
+    auto* view = new QPushButton(tr("View"), rail_);
+    view->setAccessibleName(view->text());
+    view->setToolTip(tr("Layout, colours and size of the letters"));
+    view->setMenu(new ViewMenu(*preferences_, view));
+    rail_->addTool(view);
+    rail_->addTool(header_->helpButton());
 
     auto* below = new QHBoxLayout;
     below->setSpacing(0);
@@ -161,6 +172,7 @@ void MainWindow::build()
     all->addWidget(header_);
     all->addWidget(banner_);
     all->addLayout(below, 1);
+    arrange();
 }
 
 void MainWindow::addPage(Page* page, const QString& name, Qt::Key key, const QString& tip)
@@ -185,7 +197,7 @@ void MainWindow::addPages()
 QWidget* MainWindow::terrainPage()
 {
     auto* page = new QWidget(this);
-    auto* terrainCard = new Card(tr("Terrain"), page);
+    auto* terrainCard = terrainCard_ = new Card(tr("Terrain"), page);
     verdict_ = new VerdictStrip(page);
     verdict_->setLimit(exploration_->options().stepLimit);
     view_ = new QPushButton(tr("view"), terrainCard);
@@ -204,7 +216,7 @@ QWidget* MainWindow::terrainPage()
     atem_ = new AtemPanel(page);
     probe_ = new ProbeCard(page);
 
-    auto* forceCard = new Card(tr("Front flipper forces [N]"), page);
+    auto* forceCard = new Card(tr("Front forces [N]"), page);
     forces_ = new ForceBars(forceCard);
     const double threshold = exploration_->options().settings.forceThreshold;
     forces_->setThreshold(threshold);
@@ -236,18 +248,16 @@ QWidget* MainWindow::terrainPage()
     ground->addWidget(terrainCard, 1);
     upper->addLayout(ground, 1);
     upper->addLayout(decide);
-    auto* lower = new QHBoxLayout;
-    lower->setSpacing(10);
-    lower->addWidget(forceCard, 10);
-    lower->addWidget(robotCard, 9);
-    lower->addWidget(eventCard, 10);
-    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_}) card->setFixedWidth(404);
+    lower_ = new QHBoxLayout;
+    lower_->setSpacing(10);
+    for (QWidget* card : std::initializer_list<QWidget*>{forceCard, robotCard, eventCard})
+        lower_->addWidget(card);
 
-    auto* content = new QVBoxLayout(page);
-    content->setContentsMargins(12, 10, 12, 10);
-    content->setSpacing(10);
-    content->addLayout(upper, 17);
-    content->addLayout(lower, 6);
+    rows_ = new QVBoxLayout(page);
+    rows_->setContentsMargins(12, 10, 12, 10);
+    rows_->setSpacing(10);
+    rows_->addLayout(upper);
+    rows_->addLayout(lower_);
     return page;
 }
 
@@ -273,12 +283,54 @@ void MainWindow::offerViews()
     view_->setMenu(menu);
 }
 
+void MainWindow::arrange()
+{
+    setMinimumSize(1200, 680);
+    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
+        card->setFixedWidth(scaled(404));
+    // Large letters leave no room for the result beside the card's title.
+    QBoxLayout *beside = terrainCard_->titleRow(), *below = terrainCard_->body();
+    const bool large = preferences_->current().fontScale > 100;
+    for (QBoxLayout* row : {beside, below}) row->removeWidget(strip_);
+    (large ? below : beside)->insertWidget(large ? 1 : 2, strip_, large ? 0 : 1);
+    beside->setStretch(0, large ? 1 : 0);
+
+    struct Shares {
+        int upper, lower, forces, robot, events;
+    };
+    const Layout layout = preferences_->current().layout;
+    const Shares shares = layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
+                        : layout == Layout::Review ? Shares{13, 9, 9, 8, 16}
+                                                   : Shares{17, 6, 10, 9, 10};
+    rows_->setStretch(0, shares.upper);
+    rows_->setStretch(1, shares.lower);
+    lower_->setStretch(0, shares.forces);
+    lower_->setStretch(1, shares.robot);
+    lower_->setStretch(2, shares.events);
+    lower_->itemAt(2)->widget()->setVisible(shares.events > 0);
+    drive_->setProminent(layout == Layout::Drive);
+    drive_->setVisible(layout != Layout::Review);
+}
+
+void MainWindow::applyPreferences(const Preferences& before)
+{
+    const Preferences& now = preferences_->current();
+    if (now.theme != before.theme || now.fontScale != before.fontScale)
+        applyLook(*qApp, now.theme, now.fontScale);
+    if (now.quality != before.quality) exploration_->setQuality(now.quality);
+    if (now.obstacleLimit != before.obstacleLimit) {
+        exploration_->setStepLimit(now.obstacleLimit);
+        verdict_->setLimit(now.obstacleLimit);
+    }
+    arrange();
+}
+
 void MainWindow::offerQualities(const std::vector<PresetCost>& presets)
 {
     const Method method = exploration_->options().settings.method;
     QStringList names, lines;
     for (const Quality quality : kQualities) {
-        names << words::text(name(quality));
+        names << words::sentence(name(quality));
         const auto cost = std::find_if(presets.begin(), presets.end(), [&](const PresetCost& p) {
             return p.method == method && p.quality == quality;
         });
@@ -288,7 +340,7 @@ void MainWindow::offerQualities(const std::vector<PresetCost>& presets)
                             .arg(names.back(), words::number(cost->milliseconds, 1),
                                  words::number(cost->offMm, 1), words::number(cost->errorMm, 0)));
     }
-    header_->setQualities(names, lines, static_cast<int>(Quality::Balanced));
+    header_->setQualities(names, lines, static_cast<int>(preferences_->current().quality));
 }
 
 void MainWindow::connectAll()
@@ -297,9 +349,14 @@ void MainWindow::connectAll()
     connect(header_, &StatusHeader::helpRequested, this, &MainWindow::showHelp);
     connect(header_, &StatusHeader::alarmsRequested, rail_,
             [this] { rail_->choose(rail_->pageOf(Qt::Key_F4)); });
-    connect(header_, &StatusHeader::qualityChosen, exploration, [exploration](int index) {
-        exploration->setQuality(kQualities.at(static_cast<std::size_t>(index)));
+    connect(header_, &StatusHeader::qualityChosen, this, [this](int index) {
+        preferences_->change([index](Preferences& p) {
+            p.quality = kQualities.at(static_cast<std::size_t>(index));
+        });
     });
+    connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
+    connect(preferences_.get(), &PreferenceStore::notSaved, this,
+            [this](const QString& why) { events_->add(why, Weight::Doubt, QTime::currentTime()); });
     connect(header_, &StatusHeader::stopPressed, exploration, &Exploration::stop);
     if (link_) {
         connect(header_->arming(), &ArmingControl::armingWanted, this,
@@ -315,7 +372,9 @@ void MainWindow::connectAll()
     connect(probe_, &ProbeCard::approved, exploration, &Exploration::approve);
     connect(probe_, &ProbeCard::refused, exploration, &Exploration::refuse);
     connect(probe_, &ProbeCard::otherChosen, exploration, &Exploration::choose);
-    connect(verdict_, &VerdictStrip::limitChosen, exploration, &Exploration::setStepLimit);
+    connect(verdict_, &VerdictStrip::limitChosen, this, [this](double metres) {
+        preferences_->change([metres](Preferences& p) { p.obstacleLimit = metres; });
+    });
     connect(drive_, &DrivePad::driveRequested, exploration, &Exploration::drive);
     connect(drive_, &DrivePad::haltRequested, exploration, &Exploration::halt);
     const auto note = [this](const QString& text, Weight weight) {
@@ -552,7 +611,7 @@ void MainWindow::showArming(double now)
 {
     if (!link_) return;
     const CanView view = link_->view();
-    const QString whyNot = QString::fromStdString(whyNotArming(view));
+    const QString whyNot = words::sentence(whyNotArming(view));
     if (!view.transmits) return header_->arming()->setListening(whyNot);
     const ArmingState& state = view.link.arming;
     header_->arming()->setState(state, whyNot.isEmpty() ? panelForbids(now) : whyNot);
@@ -560,7 +619,7 @@ void MainWindow::showArming(double now)
     if (state.phase == ArmingPhase::Armed)
         events_->add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
     if (state.phase == ArmingPhase::Disarmed)
-        events_->add(tr("not armed: %1").arg(QString::fromStdString(describe(state.cause))),
+        events_->add(tr("not armed: %1").arg(words::sentence(describe(state.cause))),
                      state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
                      QTime::currentTime());
     armingWas_ = state.phase;
@@ -630,6 +689,9 @@ void MainWindow::showProbe()
     const auto& proposal = exploration_->proposal();
     const AtemState& state = exploration_->state();
     const bool asking = proposal && state.phase == AtemPhase::ProposingProbe;
+    // What asks or moves is shown in every layout.
+    probe_->setVisible(preferences_->current().layout == Layout::Probe || asking
+                       || exploration_->probingBin());
     terrain_->setProposedProbe(asking ? std::optional(proposal->bin) : exploration_->probingBin());
     if (asking) {
         probe_->setProposal(*proposal);
@@ -661,112 +723,107 @@ void MainWindow::showHelp()
         help_->setWindowTitle(tr("Keys"));
         help_->setTextFormat(Qt::RichText);
         help_->setMargin(18);
-        const std::pair<QString, QString> keys[]{
-            {tr("F12"), tr("STOP, in every window")},
-            {tr("R, held"), tr("release STOP")},
-            {tr("W or Up, held"), tr("drive forward")},
-            {tr("S or Down, held"), tr("drive back")},
-            {tr("M, then M held"), tr("arm the robot; M again disarms it")},
-            {tr("A"), tr("explore the terrain")},
-            {tr("Space, held"), tr("approve the proposed probe")},
-            {tr("N"), tr("refuse it")},
-            {tr("1, 2, 3"), tr("ask for another bin instead")},
-            {tr("PgUp, PgDown"), tr("raise or lower what counts as an obstacle")},
-            {tr("D"), tr("show some of the draws as thin lines")},
-            {tr("F2 … F8"), tr("the pages at the left edge")},
-            {tr("Esc"), tr("abort the exploration, or clear its result")},
-            {tr("Tab, Space"), tr("go to a button, press it")},
-        };
-        QString text = QStringLiteral("<table cellpadding=4>");
-        for (const auto& [key, meaning] : keys)
-            text += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(key, meaning);
-        text += QStringLiteral("</table><p>")
-              + tr("Terratact %1. Based in part on the work of the Qwt project "
-                   "(http://qwt.sf.net).")
-                    .arg(QApplication::applicationVersion())
-              + QStringLiteral("</p>");
-        help_->setText(text);
     }
+    help_->setText(keys_.html() + QStringLiteral("<p>")
+                   + tr("Terratact %1. Based in part on the work of the Qwt project "
+                        "(http://qwt.sf.net).")
+                         .arg(QApplication::applicationVersion())
+                   + QStringLiteral("</p>"));
+    help_->adjustSize();
     help_->show();
     help_->raise();
 }
 
-bool MainWindow::keyPressed(int key)
+void MainWindow::defineKeys()
 {
-    if (const int page = rail_->pageOf(key); page >= 0) {
-        rail_->choose(page);
-        return true;
-    }
-    switch (key) {
-    case Qt::Key_A:
-        if (atem_->requestButton()->isEnabled()) exploration_->request();
-        return true;
-    case Qt::Key_F1: showHelp(); return true;
-    case Qt::Key_D: drawsAction_->toggle(); return true;
-    case Qt::Key_PageUp: verdict_->raiseButton()->click(); return true;
-    case Qt::Key_PageDown: verdict_->lowerButton()->click(); return true;
-    case Qt::Key_1:
-    case Qt::Key_2:
-    case Qt::Key_3:
-        if (probe_->asks()) probe_->otherButton(static_cast<std::size_t>(key - Qt::Key_1))->click();
-        return true;
-    case Qt::Key_Escape:
-        if (atem_->abortButton()->isEnabled()) exploration_->abort();
-        return true;
-    case Qt::Key_Space: probe_->approveButton()->hold(); return true;
-    case Qt::Key_N:
-        if (probe_->asks()) probe_->refuseButton()->click();
-        return true;
-    case Qt::Key_R: atem_->releaseButton()->hold(); return true;
-    case Qt::Key_M: header_->arming()->pressKey(); return true;
-    case Qt::Key_W:
-    case Qt::Key_Up: drive_->forwardButton()->hold(); return true;
-    case Qt::Key_S:
-    case Qt::Key_Down: drive_->backButton()->hold(); return true;
-    default: return false;
-    }
-}
+    const auto held = [this](QList<QKeyCombination> keys, const QString& meaning,
+                             HeldButton* button) {
+        keys_.add({std::move(keys), meaning, [button] { button->hold(); },
+                   [button] { button->letGoSoon(); }});
+    };
+    const auto prefer = [this](const std::function<void(Preferences&)>& edit) {
+        return [this, edit] { preferences_->change(edit); };
+    };
+    keys_.addGroup(tr("Robot"));
+    keys_.add({.keys = {Qt::Key_F12},
+               .meaning = tr("STOP, in every window"),
+               .pressed = [this] { exploration_->stop(); },
+               .everywhere = true});
+    held({Qt::Key_R}, tr("release STOP"), atem_->releaseButton());
+    held({Qt::Key_W, Qt::Key_Up}, tr("drive forward"), drive_->forwardButton());
+    held({Qt::Key_S, Qt::Key_Down}, tr("drive back"), drive_->backButton());
+    if (link_)
+        keys_.add({{Qt::Key_M},
+                   tr("arm the robot: press, then hold; again disarms it"),
+                   [this] { header_->arming()->pressKey(); },
+                   [this] { header_->arming()->releaseKey(); }});
 
-bool MainWindow::keyReleased(int key)
-{
-    switch (key) {
-    case Qt::Key_Space: probe_->approveButton()->letGoSoon(); return true;
-    case Qt::Key_R: atem_->releaseButton()->letGoSoon(); return true;
-    case Qt::Key_M: header_->arming()->releaseKey(); return true;
-    case Qt::Key_W:
-    case Qt::Key_Up: drive_->forwardButton()->letGoSoon(); return true;
-    case Qt::Key_S:
-    case Qt::Key_Down: drive_->backButton()->letGoSoon(); return true;
-    default: return false;
-    }
+    keys_.addGroup(tr("Pages"));
+    for (int page = 0; page < rail_->pages(); ++page)
+        keys_.add({{static_cast<Qt::Key>(rail_->keyOf(page))},
+                   rail_->button(page)->accessibleName(),
+                   [this, page] { rail_->choose(page); }});
+    keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { showHelp(); }});
+
+    keys_.addGroup(tr("Exploration"));
+    keys_.add({{Qt::Key_A}, tr("explore the terrain"), [this] {
+                   if (atem_->requestButton()->isEnabled()) exploration_->request();
+               }});
+    held({Qt::Key_Space}, tr("approve the proposed probe, or press the button that has the focus"),
+         probe_->approveButton());
+    keys_.add({{Qt::Key_N}, tr("refuse it"), [this] {
+                   if (probe_->asks()) probe_->refuseButton()->click();
+               }});
+    for (const std::size_t other : {0U, 1U, 2U})
+        keys_.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
+                   tr("ask for another bin instead: the %1. offered").arg(other + 1),
+                   [this, other] {
+                       if (probe_->asks()) probe_->otherButton(other)->click();
+                   }});
+    keys_.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), [this] {
+                   verdict_->raiseButton()->click();
+               }});
+    keys_.add({{Qt::Key_PageDown}, tr("lower it"), [this] { verdict_->lowerButton()->click(); }});
+    keys_.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
+                   drawsAction_->toggle();
+               }});
+    keys_.add({{Qt::Key_Escape}, tr("abort the exploration, or clear its result"), [this] {
+                   if (atem_->abortButton()->isEnabled()) exploration_->abort();
+               }});
+
+    keys_.addGroup(tr("View"));
+    for (const ViewChoice& choice : viewChoices())
+        if (!choice.keys.isEmpty()) keys_.add({choice.keys, choice.name, prefer(choice.edit)});
+    keys_.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
 }
 
 bool MainWindow::eventFilter(QObject* object, QEvent* event)
 {
     const bool press = event->type() == QEvent::KeyPress;
     if (!(press || event->type() == QEvent::KeyRelease) || !object->isWidgetType()) return false;
-    const auto* keys = static_cast<QKeyEvent*>(event);
-    if (press && keys->key() == Qt::Key_F12) {  // in every window of the program, dialogs included
-        if (!keys->isAutoRepeat()) exploration_->stop();
-        return true;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const KeyTable::Entry* entry = keys_.entryOf(*key);
+    if (entry && entry->everywhere) {
+        if (press && !key->isAutoRepeat()) entry->pressed();
+        return press;
     }
     // A key that is held is let go wherever that happens: over a menu, in a dialog, with Ctrl held.
-    if (!press && !keys->isAutoRepeat()) keyReleased(keys->key());
+    if (!press && !key->isAutoRepeat()) keys_.release(key->key());
     const auto* widget = static_cast<QWidget*>(object);
-    if (widget->window() != this || QApplication::activeModalWidget()
+    if (!entry || !entry->pressed || widget->window() != this || QApplication::activeModalWidget()
         || QApplication::activePopupWidget())
         return false;
-    if (keys->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) return false;
-    if (belongsTo(*widget, keys->key())) return false;
+    if (belongsTo(*widget, key->key())) return false;
     // Space means the button that has the focus; only without one it answers the proposal.
-    if (keys->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(widget)) return false;
-    if (keys->isAutoRepeat()) return keys->key() != Qt::Key_Tab && keys->key() != Qt::Key_Backtab;
-    return press ? keyPressed(keys->key()) : keyReleased(keys->key());
+    if (key->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(widget)) return false;
+    if (press && !key->isAutoRepeat()) entry->pressed();
+    return true;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     exploration_->leave();
+    preferences_->change([this](Preferences& p) { p.window = saveGeometry(); });
     event->accept();
 }
 

@@ -10,11 +10,14 @@
 #include "app/diagnostics_page.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
+#include "app/key_table.h"
 #include "app/loop_meter.h"
 #include "app/panel_control.h"
+#include "app/preference_store.h"
 #include "core/eval/tradeoff.h"
 
 class QAction;
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -24,6 +27,7 @@ namespace terratact {
 class AlarmsPage;
 class ArmingControl;
 class AtemPanel;
+class Card;
 class DrivePad;
 class EstimateStrip;
 class EventList;
@@ -52,6 +56,7 @@ public:
         ModelLoader model;
         Exploration::Options exploration;
         std::unique_ptr<Sounder> sounder = desktopBeep();
+        std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
         std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
     };
     explicit MainWindow(Options options);
@@ -63,6 +68,8 @@ public:
     bool showsEstimate() const { return shownEstimate_; }
     QString modelTrouble() const { return modelTrouble_; }
 
+    PreferenceStore& preferences() { return *preferences_; }
+    const KeyTable& keys() const { return keys_; }
     CanSource* link() const { return link_; }
     AtemPanel* atemPanel() const { return atem_; }
     DrivePad* drivePad() const { return drive_; }
@@ -112,10 +119,13 @@ private:
     void showProbe();
     void offerViews();
     void showHelp();
+    void defineKeys();
+    void applyPreferences(const Preferences& before);
+    void arrange();  ///< the terrain page in the layout in force, at the font scale in force
     void offerQualities(const std::vector<PresetCost>& presets);
-    bool keyPressed(int key);
-    bool keyReleased(int key);
 
+    std::unique_ptr<PreferenceStore> preferences_;
+    KeyTable keys_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
     CanSource* link_;  ///< null where the source is no bus
@@ -142,6 +152,7 @@ private:
     NumbersPage* numbers_ = nullptr;
     QPushButton* view_ = nullptr;
     QAction* drawsAction_ = nullptr;
+    Card* terrainCard_ = nullptr;
     EstimateStrip* strip_ = nullptr;
     TerrainProfileView* terrain_ = nullptr;
     AtemPanel* atem_ = nullptr;
@@ -154,6 +165,8 @@ private:
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;
     DiagnosticsPage* diagnosticsPage_ = nullptr;
+    QBoxLayout* rows_ = nullptr;   ///< of the terrain page: terrain and decisions, the cards below
+    QBoxLayout* lower_ = nullptr;  ///< forces, robot, events
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_;

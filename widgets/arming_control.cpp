@@ -5,6 +5,7 @@
 
 #include "widgets/held_button.h"
 #include "widgets/palette.h"
+#include "widgets/words.h"
 
 namespace terratact {
 
@@ -13,7 +14,7 @@ ArmingControl::ArmingControl(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Arming"));
     arm_ = new QPushButton(this);
     arm_->setProperty("role", "quiet");
-    confirm_ = new HoldToConfirmButton(tr("hold to arm (M)"), theme().doubt, this);
+    confirm_ = new HoldToConfirmButton(tr("hold to arm (M)"), &Theme::caution, this);
     confirm_->setAccessibleName(tr("Hold to arm the robot"));
     confirm_->setToolTip(tr("Within 5 s; then commands from here move the robot"));
     confirm_->setHoldTime(1000);
@@ -38,7 +39,7 @@ void ArmingControl::setState(const ArmingState& state, const QString& whyNot)
     const bool on = state.phase == ArmingPhase::Armed;
     QString tip = whyNot.isEmpty() ? tr("Asks for a second action within 5 s") : whyNot;
     if (off && state.cause != DisarmCause::None)
-        tip += tr("\nLast disarmed: %1").arg(QString::fromStdString(describe(state.cause)));
+        tip += tr("\nLast disarmed: %1").arg(words::sentence(describe(state.cause)));
     arm_->setText(tr("DISARMED · arm (M)"));
     arm_->setVisible(off);
     arm_->setEnabled(whyNot.isEmpty());

@@ -52,7 +52,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     request_->setFocusPolicy(Qt::TabFocus);
     abort_ = new QPushButton(tr("Abort (Esc)"), this);
     abort_->setFocusPolicy(Qt::TabFocus);
-    release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), theme().doubt, this);
+    release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), &Theme::caution, this);
     release_->setAccessibleName(tr("Hold to release STOP"));
     release_->setToolTip(tr("Lets commands through again; the robot does not move by itself"));
 
@@ -76,10 +76,10 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
 void AtemPanel::setState(const AtemState& state, std::optional<double> timeLeft)
 {
     state_ = state;
-    QString text = QString::fromStdString(state.followed ? describeFollowed(state.phase)
-                                                         : terratact::describe(state.phase));
+    QString text = words::sentence(state.followed ? describeFollowed(state.phase)
+                                                  : terratact::describe(state.phase));
     if (state.phase == AtemPhase::Failed)
-        text += QStringLiteral(": ") + QString::fromStdString(terratact::describe(state.failure));
+        text += QStringLiteral(": ") + words::sentence(terratact::describe(state.failure));
     if (state.phase == AtemPhase::Presenting && state.approvalExpired)
         text += tr("; no answer in time, so no probe");
     else if (state.phase == AtemPhase::Presenting && state.probed)

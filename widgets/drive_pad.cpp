@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 
 #include "widgets/held_button.h"
+#include "widgets/palette.h"
 
 namespace terratact {
 
@@ -33,6 +34,12 @@ void DrivePad::setBlocked(const QString& why)
         button->setToolTip(why.isEmpty() ? tr("Drives while held; also the arrow keys Up and Down")
                                          : why);
     }
+}
+
+void DrivePad::setProminent(bool prominent)
+{
+    for (HeldButton* button : {forward_, back_})
+        button->setMinimumHeight(scaled(prominent ? 72 : kTarget));
 }
 
 }  // namespace terratact

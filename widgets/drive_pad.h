@@ -15,6 +15,8 @@ public:
     /// Disabled with a reason in words; empty: driving is allowed.
     void setBlocked(const QString& why);
 
+    void setProminent(bool prominent);  ///< larger, for who drives most of the time
+
     HeldButton* forwardButton() const { return forward_; }
     HeldButton* backButton() const { return back_; }
 

@@ -1,5 +1,6 @@
 #include "widgets/estimate_strip.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -35,10 +36,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
 {
     headline_ = new QLabel(this);
     headline_->setAccessibleName(tr("Result"));
-    QFont large = headline_->font();
-    large.setPixelSize(15);
-    large.setBold(true);
-    headline_->setFont(large);
+    headline_->setProperty("headline", true);
     details_ = new QLabel(this);
     details_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setTone(*details_, Tone::Muted);
@@ -48,13 +46,11 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     setTone(*warnings_, Tone::Doubt);
     progress_ = new QProgressBar(this);
     progress_->setRange(0, 1000);
-    progress_->setFixedWidth(180);
     progress_->setAccessibleName(tr("Progress of the estimate"));
     cancel_ = new QPushButton(tr("Cancel (Esc)"), this);
     cancel_->setFocusPolicy(Qt::TabFocus);
     cancel_->setToolTip(tr("Ends the estimate and the exploration"));
 
-    setFixedHeight(kTarget);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
@@ -66,6 +62,20 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     connect(cancel_, &QPushButton::clicked, this, &EstimateStrip::cancelled);
     setNothing(QString());
     setProgress(std::nullopt);
+    resizeToFont();
+}
+
+void EstimateStrip::resizeToFont()
+{
+    setFixedHeight(scaled(kTarget));
+    progress_->setFixedWidth(scaled(180));
+    arrange();
+}
+
+void EstimateStrip::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && cancel_) resizeToFont();
 }
 
 void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
@@ -89,8 +99,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     QStringList warnings;
     if (!estimate.converged && estimate.warnings.empty())
         warnings << tr("the chains have not converged");
-    for (const std::string& warning : estimate.warnings)
-        warnings << QString::fromStdString(warning);
+    for (const std::string& warning : estimate.warnings) warnings << words::sentence(warning);
     warnings_->setText(warnings.isEmpty()
                            ? QString()
                            : QStringLiteral("! ") + warnings.join(QStringLiteral(" · ")));

@@ -34,8 +34,10 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
+    void resizeToFont();
     void arrange();  ///< leaves the details out where the sentence needs their room
 
     QLabel* headline_ = nullptr;

@@ -3,6 +3,8 @@
 #include <QListWidget>
 #include <QTime>
 
+#include "widgets/palette.h"
+
 namespace terratact {
 
 enum class Weight : std::uint8_t { Note, Doubt, Bad };  ///< how much an event matters
@@ -13,8 +15,11 @@ class EventList final : public QListWidget {
 public:
     explicit EventList(QWidget* parent = nullptr);
     QSize sizeHint() const override { return {300, 110}; }
-    QSize minimumSizeHint() const override { return {200, 80}; }
+    QSize minimumSizeHint() const override { return {scaled(150), 80}; }
     void add(const QString& text, Weight weight, QTime at);
+
+protected:
+    void changeEvent(QEvent* event) override;
 };
 
 }  // namespace terratact

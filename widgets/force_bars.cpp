@@ -11,7 +11,9 @@
 #include <qwt_scale_widget.h>
 #include <qwt_text.h>
 
+#include <QEvent>
 #include <QPainter>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +34,9 @@ public:
         const QRectF bar = column.toRect().normalized();
         painter->save();
         painter->fillRect(bar, touching_ ? theme().contact : theme().force);
-        if (touching_) painter->fillRect(bar, QBrush(QColor(255, 255, 255, 110), Qt::BDiagPattern));
+        QColor hatch = theme().card;
+        hatch.setAlpha(110);
+        if (touching_) painter->fillRect(bar, QBrush(hatch, Qt::BDiagPattern));
         painter->restore();
     }
 
@@ -82,33 +86,21 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
     frame->setFrameStyle(QFrame::NoFrame);
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
     setCanvas(frame);
-    setCanvasBackground(theme().card);
     plotLayout()->setAlignCanvasToScales(true);
     plotLayout()->setCanvasMargin(0);
-    QFont small = font();
-    small.setPixelSize(13);
-    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
-        setAxisFont(axis, small);
-        QPalette colours = axisWidget(axis)->palette();
-        colours.setColor(QPalette::Text, theme().muted);
-        colours.setColor(QPalette::WindowText, theme().cardBorder);
-        axisWidget(axis)->setPalette(colours);
-        axisWidget(axis)->setMargin(0);
-    }
     setAxisScaleDraw(QwtPlot::xBottom, new ElementScale);
-    axisScaleDraw(QwtPlot::xBottom)->setMinimumExtent(24);
     setAxisScale(QwtPlot::xBottom, -0.5, kForceElements - 0.5, 1.0);
     QList<double> elements;
     for (int i = 0; i < kForceElements; ++i) elements << i;
     setAxisScaleDiv(QwtPlot::xBottom, QwtScaleDiv(-0.5, kForceElements - 0.5, {}, {}, elements));
     axisScaleDraw(QwtPlot::yLeft)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
     axisScaleDraw(QwtPlot::yLeft)->enableComponent(QwtAbstractScaleDraw::Ticks, false);
-    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(26);
+    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)})
+        axisWidget(axis)->setMargin(0);
 
-    auto* grid = new QwtPlotGrid;
-    grid->enableX(false);
-    grid->setMajorPen(theme().grid, 1.0);
-    grid->attach(this);
+    grid_ = new QwtPlotGrid;
+    grid_->enableX(false);
+    grid_->attach(this);
 
     chart_ = new ForceChart;
     chart_->setZ(10.0);
@@ -116,7 +108,6 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
 
     thresholdLine_ = new QwtPlotMarker;
     thresholdLine_->setLineStyle(QwtPlotMarker::HLine);
-    thresholdLine_->setLinePen(theme().bad, 1.5, Qt::DashLine);
     thresholdLine_->setZ(20.0);
     thresholdLine_->attach(this);
 
@@ -127,7 +118,33 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
         numbers_[i]->setZ(30.0);
         numbers_[i]->attach(this);
     }
+    restyle();
+}
+
+void ForceBars::restyle()
+{
+    setCanvasBackground(theme().card);
+    QFont small = font();
+    small.setPixelSize(scaled(13));
+    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
+        setAxisFont(axis, small);
+        QPalette colours = axisWidget(axis)->palette();
+        colours.setColor(QPalette::Text, theme().muted);
+        colours.setColor(QPalette::WindowText, theme().cardBorder);
+        axisWidget(axis)->setPalette(colours);
+    }
+    axisScaleDraw(QwtPlot::xBottom)->setMinimumExtent(scaled(24));
+    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(26));
+    grid_->setMajorPen(theme().grid, 1.0);
+    thresholdLine_->setLinePen(theme().bad, 1.5, Qt::DashLine);
     show();
+}
+
+void ForceBars::changeEvent(QEvent* event)
+{
+    QwtPlot::changeEvent(event);
+    // Later: the style sheet still has the palettes of the parts to set.
+    if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
 }
 
 void ForceBars::setForces(const std::array<std::optional<double>, kForceElements>& newtons)
@@ -201,7 +218,7 @@ void ForceBars::show()
         QwtText label(touching(element) ? numberText(element) + QLatin1Char('\n') + tr("contact")
                                         : numberText(element));
         QFont face = font();
-        face.setPixelSize(13);
+        face.setPixelSize(scaled(13));
         face.setBold(touching(element));
         label.setFont(face);
         label.setColor(touching(element) ? theme().contact : theme().muted);

@@ -7,6 +7,7 @@
 
 #include "core/robot/measurement.h"
 
+class QwtPlotGrid;
 class QwtPlotMarker;
 
 namespace terratact {
@@ -32,13 +33,18 @@ public:
     QSize sizeHint() const override { return {380, 140}; }
     QSize minimumSizeHint() const override { return {260, 120}; }
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void restyle();  ///< in theme and font as they are now
     void show();
 
     std::array<std::optional<double>, kForceElements> force_{};
     double threshold_ = 2.0;   // [N]
     double fullScale_ = 10.0;  // [N]
     ForceChart* chart_ = nullptr;
+    QwtPlotGrid* grid_ = nullptr;
     QwtPlotMarker* thresholdLine_ = nullptr;
     std::array<QwtPlotMarker*, kForceElements> numbers_{};
 };

@@ -99,8 +99,8 @@ bool HeldButton::event(QEvent* event)
     return QPushButton::event(event);
 }
 
-HoldToConfirmButton::HoldToConfirmButton(const QString& text, const QColor& colour, QWidget* parent)
-    : HeldButton(text, parent), colour_(colour)
+HoldToConfirmButton::HoldToConfirmButton(const QString& text, Fill Theme::*fill, QWidget* parent)
+    : HeldButton(text, parent), fill_(fill)
 {
     frames_.setInterval(16);
     connect(this, &HeldButton::holdBegan, this, [this] {
@@ -135,7 +135,7 @@ void HoldToConfirmButton::advance()
 
 QSize HoldToConfirmButton::sizeHint() const
 {
-    return {fontMetrics().horizontalAdvance(text()) + 36, 42};
+    return {fontMetrics().horizontalAdvance(text()) + scaled(36), scaled(42)};
 }
 
 void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
@@ -145,18 +145,21 @@ void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
     const QRectF area = QRectF(rect()).adjusted(1, 1, -1, -1);
     QPainterPath shape;
     shape.addRoundedRect(area, 5, 5);
-    painter.fillPath(shape, isEnabled() ? colour_ : QColor(0xf1, 0xf4, 0xf7));
+    const Fill fill = isEnabled() ? theme().*fill_ : theme().off;
+    painter.fillPath(shape, fill.area);
     if (isHeld()) {
         painter.setClipPath(shape);
         const QRectF done(area.left(), area.top(), area.width() * share(), area.height());
-        painter.fillRect(done, colour_.lighter(145));
-        painter.fillRect(QRectF(done.right() - 3, area.top(), 3, area.height()), Qt::white);
+        QColor filled = fill.text;
+        filled.setAlphaF(0.25F);
+        painter.fillRect(done, filled);
+        painter.fillRect(QRectF(done.right() - 3, area.top(), 3, area.height()), fill.text);
         painter.setClipping(false);
     }
-    painter.setPen(QPen(hasFocus() ? theme().text : colour_.darker(130), hasFocus() ? 2.5 : 1.0));
-    if (!isEnabled()) painter.setPen(QColor(0xd5, 0xdd, 0xe5));
+    const QColor edge = isEnabled() ? theme().buttonBorder : theme().offBorder;
+    painter.setPen(QPen(hasFocus() ? theme().text : edge, hasFocus() ? 2.5 : 1.0));
     painter.drawPath(shape);
-    painter.setPen(isEnabled() ? QColor(Qt::white) : QColor(0x5d, 0x6a, 0x77));
+    painter.setPen(fill.text);
     QFont bold = font();
     bold.setBold(isEnabled());
     painter.setFont(bold);

@@ -4,6 +4,8 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include "widgets/palette.h"
+
 namespace terratact {
 
 /// A button that acts while it is held: by the left mouse button, by Space when it has the focus, or by
@@ -47,8 +49,8 @@ private:
 class HoldToConfirmButton final : public HeldButton {
     Q_OBJECT
 public:
-    explicit HoldToConfirmButton(const QString& text, const QColor& colour,
-                                 QWidget* parent = nullptr);
+    /// fill: which of the theme's it has.
+    explicit HoldToConfirmButton(const QString& text, Fill Theme::*fill, QWidget* parent = nullptr);
     void setHoldTime(int milliseconds) { holdTime_ = milliseconds; }
     double share() const;  ///< 0 … 1 of the time held
 
@@ -62,7 +64,7 @@ protected:
 private:
     void advance();
 
-    QColor colour_;
+    Fill Theme::*fill_;
     int holdTime_ = 1500;  // [ms]
     qint64 heldFor_ = 0;   // [ms] counted frame by frame: a frozen window holds nothing
     QElapsedTimer lastFrame_;

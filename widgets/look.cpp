@@ -2,22 +2,41 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QHash>
 #include <QLabel>
 #include <QPalette>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QStyleFactory>
+#include <QToolTip>
+#include <cmath>
 
 #include "widgets/palette.h"
 
 namespace terratact {
 namespace {
 
+/// The font scale [%] and the theme in use.
+int scalePercent = 100;
+Theme current;
+
+QColor mixed(const QColor& a, const QColor& b, double shareOfB)
+{
+    const auto between = [shareOfB](int from, int to) {
+        return static_cast<int>(std::lround(from + shareOfB * (to - from)));
+    };
+    return {between(a.red(), b.red()), between(a.green(), b.green()), between(a.blue(), b.blue())};
+}
+
+/// @name is a colour, @nameArea and @nameText those of a fill, @nameHover and @nameDown its area under the mouse
+/// and pressed, @12px a length at the font scale.
 QString styleSheet()
 {
     QString sheet = QStringLiteral(R"(
-QToolTip { color: @text; background: #fffbe6; border: 1px solid @border; padding: 4px; }
+QToolTip { color: @text; background: @tip; border: 1px solid @buttonBorder; padding: @4px; }
 QFrame[card="true"] { background: @card; border: 1px solid @border; border-radius: 6px; }
 QLabel[heading="true"] { font-weight: bold; }
+QLabel[headline="true"] { font-size: @15px; font-weight: bold; }
 QLabel[tone="muted"] { color: @muted; }
 QLabel[tone="strong"] { font-weight: bold; }
 QLabel[tone="good"] { color: @good; }
@@ -25,115 +44,182 @@ QLabel[tone="doubt"] { color: @doubt; }
 QLabel[tone="bad"] { color: @bad; font-weight: bold; }
 QLabel[tone="accent"] { color: @accent; font-weight: bold; }
 
-QPushButton { background: @button; color: @text; border: 1px solid #b9c5d0; border-radius: 5px;
-              padding: 4px 12px; min-height: @targetpx; }
-QPushButton:hover { background: #d8e0e8; }
-QPushButton:pressed { background: @down; }
-QPushButton:focus { border: 2px solid @contact; padding: 3px 11px; }
-QPushButton:disabled { background: #f1f4f7; color: #5d6a77; border-color: #d5dde5; }
-QPushButton[role="primary"] { background: @contact; color: white; border-color: #0d3f7a; font-weight: bold; }
-QPushButton[role="primary"]:hover { background: #1b66bd; }
-QPushButton[role="primary"]:pressed { background: #0d3f7a; }
+QPushButton { background: @buttonArea; color: @buttonText; border: 1px solid @buttonBorder; border-radius: 5px;
+              padding: 4px @12px; min-height: @24px; }
+QPushButton:hover { background: @buttonHover; }
+QPushButton:pressed { background: @buttonDown; }
+QPushButton:focus { border: 2px solid @focus; padding: 3px @11px; }
+QPushButton:disabled { background: @offArea; color: @offText; border-color: @offBorder; }
+QPushButton[role="primary"] { background: @primaryArea; color: @primaryText; border-color: @primaryDown; font-weight: bold; }
+QPushButton[role="primary"]:hover { background: @primaryHover; }
+QPushButton[role="primary"]:pressed { background: @primaryDown; }
 QPushButton[role="primary"]:focus { border: 2px solid @text; }
-QPushButton[role="primary"]:disabled { background: #f1f4f7; color: #5d6a77; border-color: #d5dde5; }
-QPushButton[role="stop"] { background: @stop; color: white; border: 2px solid #ffffff; border-radius: 6px;
-                           font-size: 20px; font-weight: bold; min-width: 184px; min-height: 36px; padding: 0 16px; }
-QPushButton[role="stop"]:hover { background: #d92626; }
-QPushButton[role="stop"]:pressed { background: #8e0f0f; }
+QPushButton[role="primary"]:disabled { background: @offArea; color: @offText; border-color: @offBorder; font-weight: normal; }
+QPushButton[role="stop"] { background: @stopArea; color: @stopText; border: 2px solid @stopBorder; border-radius: 6px;
+                           font-size: @20px; font-weight: bold; min-width: 184px; min-height: @36px; padding: 0 16px; }
+QPushButton[role="stop"]:hover { background: @stopHover; }
+QPushButton[role="stop"]:pressed { background: @stopDown; }
 QPushButton[role="stop"]:focus { border: 3px solid @source; }
-QPushButton[latched="true"] { background: #7d0b0b; border: 2px dashed #ffffff; }
+QPushButton[latched="true"] { background: @stoppedArea; color: @stoppedText; border: 2px dashed @stopBorder; }
 
-QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: 172px; font-size: 19px; font-weight: bold;
-                      color: #ffffff; }
-QLabel#verdictBadge[outlook="clear"] { background: @good; }
-QLabel#verdictBadge[outlook="blocked"] { background: @bad; }
-QLabel#verdictBadge[outlook="open"] { background: @doubt; }
-QLabel#verdictBadge[outlook="none"] { background: @button; color: @muted; }
-QLabel#verdictQuestion { font-size: 16px; font-weight: bold; }
-QPushButton[role="compact"] { padding: 3px 3px; font-size: 13px; }
-QPushButton[role="small"] { padding: 5px 4px; min-width: 26px; font-size: 18px; font-weight: bold; }
+QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: 172px; font-size: @19px; font-weight: bold; }
+QLabel#verdictBadge[outlook="clear"] { background: @clearArea; color: @clearText; }
+QLabel#verdictBadge[outlook="blocked"] { background: @blockedArea; color: @blockedText; }
+QLabel#verdictBadge[outlook="open"] { background: @openArea; color: @openText; }
+QLabel#verdictBadge[outlook="none"] { background: @offArea; color: @offText; }
+QLabel#verdictQuestion { font-size: @16px; font-weight: bold; }
+QPushButton[role="compact"] { padding: 3px 3px; font-size: @13px; }
+QPushButton[role="small"] { padding: 5px 4px; min-width: @26px; font-size: @18px; font-weight: bold; }
 
 QFrame#navigationRail { background: @header; }
-QFrame#navigationRail QPushButton { background: transparent; color: @headertext; border: none; padding: 4px 6px;
-                                    min-width: 78px; min-height: 40px; }
-QFrame#navigationRail QPushButton:hover { background: #33444f; }
-QFrame#navigationRail QPushButton:checked { background: #33444f; color: @source; border-left: 4px solid @source;
+QFrame#navigationRail QPushButton { background: transparent; color: @headerText; border: none; padding: 4px 6px;
+                                    min-width: @78px; min-height: @40px; }
+QFrame#navigationRail QPushButton:hover { background: @chipHover; }
+QFrame#navigationRail QPushButton:checked { background: @chipArea; color: @source; border-left: 4px solid @source;
                                             padding-left: 2px; }
 QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 
 QFrame#statusHeader { background: @header; }
-QFrame#statusHeader QPushButton[role="quiet"] { background: #33444f; color: @headertext; border-color: #4d606d; }
-QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: #b4c0c9; border-color: #46565f; }
-QFrame#statusHeader QPushButton[role="alarm"] { background: #8e1414; color: #ffffff; border: 2px solid #ffffff; font-weight: bold; }
-QFrame#statusHeader QPushButton[role="armed"] { background: #9a5b00; color: #ffffff; border-color: #ffd9a0; font-weight: bold; }
-QFrame#statusHeader QLabel { color: @headertext; }
-QFrame#statusHeader QLabel#sourceName { color: @source; font-size: 19px; font-weight: bold; }
-QFrame#statusHeader QLabel[chip="true"] { border-radius: 5px; padding: 5px 10px; background: #33444f; }
-QFrame#statusHeader QLabel[chip="true"][tone="good"] { background: #1f5a35; color: #e2f7e8; }
-QFrame#statusHeader QLabel[chip="true"][tone="doubt"] { background: #7a4a00; color: #fff1d6; }
-QFrame#statusHeader QLabel[chip="true"][tone="bad"] { background: #8e1414; color: #ffffff; }
-QFrame#statusHeader QLabel[chip="true"][tone="accent"] { background: #55217c; color: #f3e6ff; }
-QLabel#banner { background: #8e1414; color: white; font-weight: bold; padding: 7px 16px; }
+QFrame#statusHeader QPushButton[role="quiet"] { background: @chipArea; color: @chipText; border-color: @chipBorder; }
+QFrame#statusHeader QPushButton[role="quiet"]:focus { border-color: @source; }
+QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: @chipOffText; border-color: @chipBorder; }
+QFrame#statusHeader QPushButton[role="alarm"] { background: @chipBadArea; color: @chipBadText; border: 2px solid @stopBorder; font-weight: bold; }
+QFrame#statusHeader QPushButton[role="armed"] { background: @cautionArea; color: @cautionText; border-color: @source; font-weight: bold; }
+QFrame#statusHeader QLabel { color: @headerText; }
+QFrame#statusHeader QLabel#sourceName { color: @source; font-size: @19px; font-weight: bold; }
+QFrame#statusHeader QLabel[chip="true"] { border: 1px solid @chipBorder; border-radius: 5px; padding: 4px @9px;
+                                          background: @chipArea; color: @chipText; }
+QFrame#statusHeader QLabel[chip="true"][tone="good"] { background: @chipGoodArea; color: @chipGoodText; }
+QFrame#statusHeader QLabel[chip="true"][tone="doubt"] { background: @chipDoubtArea; color: @chipDoubtText; }
+QFrame#statusHeader QLabel[chip="true"][tone="bad"] { background: @chipBadArea; color: @chipBadText; }
+QFrame#statusHeader QLabel[chip="true"][tone="accent"] { background: @chipAccentArea; color: @chipAccentText; }
+QLabel#banner { background: @bannerArea; color: @bannerText; font-weight: bold; padding: 7px 16px; }
 
-QProgressBar { border: 1px solid #b9c5d0; border-radius: 4px; background: @card; color: @text;
-               text-align: center; min-height: 20px; }
-QProgressBar::chunk { background: #a9c8ea; border-radius: 3px; }
-QTableView { background: @card; alternate-background-color: @window; border: none; color: @text; }
+QMenu { background: @card; color: @text; border: 1px solid @buttonBorder; }
+QMenu::item { padding: @8px @28px; }
+QMenu::item:selected { background: @primaryArea; color: @primaryText; }
+QMenu::item:disabled { color: @offText; }
+QMenu::indicator { width: @14px; height: @14px; left: @7px; }
+QMenu::separator { height: 1px; background: @border; margin: 4px 0; }
+
+QProgressBar { border: 1px solid @buttonBorder; border-radius: 4px; background: @card; color: @doneText;
+               text-align: center; min-height: @20px; }
+QProgressBar::chunk { background: @doneArea; border-radius: 3px; }
+QTableView { background: @card; alternate-background-color: @window; border: none; color: @text; gridline-color: @border; }
 QTableView::item { padding: 0 6px; }
 QHeaderView { background: @card; }
-QHeaderView::section { background: @button; color: @text; border: none; border-right: 1px solid @border; padding: 4px 6px; }
+QHeaderView::section { background: @buttonArea; color: @buttonText; border: none; border-right: 1px solid @border; padding: 4px 6px; }
 QLineEdit { background: @card; color: @text; border: 1px solid @muted; border-radius: 4px; padding: 2px 8px; }
-QLineEdit:focus { border: 2px solid @contact; padding: 1px 7px; }
+QLineEdit:focus { border: 2px solid @focus; padding: 1px 7px; }
 QListWidget { background: @card; border: none; color: @text; }
 QListWidget::item { padding: 2px 0; }
+QTableView { background: @card; color: @text; border: none; gridline-color: @border; }
+QHeaderView { background: @card; }
+QHeaderView::section { background: @buttonArea; color: @buttonText; border: 1px solid @border; padding: 4px; }
+QTableCornerButton::section { background: @buttonArea; border: 1px solid @border; }
 )");
-    const std::pair<const char*, QString> words[]{
-        {"@window", theme().window.name()},
-        {"@headertext", theme().headerText.name()},
-        {"@header", theme().header.name()},
-        {"@text", theme().text.name()},
-        {"@muted", theme().muted.name()},
-        {"@card", theme().card.name()},
-        {"@border", theme().cardBorder.name()},
-        {"@good", theme().good.name()},
-        {"@doubt", theme().doubt.name()},
-        {"@bad", theme().bad.name()},
-        {"@accent", theme().accent.name()},
-        {"@button", theme().button.name()},
-        {"@down", theme().buttonDown.name()},
-        {"@contact", theme().contact.name()},
-        {"@stop", theme().stop.name()},
-        {"@source", theme().source.name()},
-        {"@target", QString::number(kTarget - 10)},
+    const Theme& t = current;
+    QHash<QString, QColor> colours{
+        {"window", t.window},
+        {"text", t.text},
+        {"muted", t.muted},
+        {"card", t.card},
+        {"border", t.cardBorder},
+        {"tip", t.tip},
+        {"header", t.header},
+        {"headerText", t.headerText},
+        {"source", t.source},
+        {"good", t.good},
+        {"doubt", t.doubt},
+        {"bad", t.bad},
+        {"accent", t.accent},
+        {"focus", t.contact},
+        {"buttonBorder", t.buttonBorder},
+        {"offBorder", t.offBorder},
+        {"stopBorder", t.stopBorder},
+        {"chipBorder", t.chipBorder},
+        {"chipOffText", t.chipOffText},
     };
-    for (const auto& [word, value] : words) sheet.replace(QLatin1String(word), value);
+    const std::pair<QString, Fill> fills[]{
+        {"button", t.button},
+        {"off", t.off},
+        {"primary", t.primary},
+        {"stop", t.stop},
+        {"stopped", t.stopped},
+        {"caution", t.caution},
+        {"chip", t.chip},
+        {"chipGood", t.chipGood},
+        {"chipDoubt", t.chipDoubt},
+        {"chipBad", t.chipBad},
+        {"chipAccent", t.chipAccent},
+        {"banner", t.banner},
+        {"done", t.done},
+        {"clear", t.clear},
+        {"blocked", t.blocked},
+        {"open", t.open},
+    };
+    for (const auto& [name, fill] : fills) {
+        colours[name + "Area"] = fill.area;
+        colours[name + "Text"] = fill.text;
+        colours[name + "Hover"] = mixed(fill.area, fill.text, 0.1);
+        colours[name + "Down"] = mixed(fill.area, QColor(Qt::black), 0.3);
+    }
+    static const QRegularExpression kWord(QStringLiteral("@(?:([0-9]+)px|([A-Za-z]+))"));
+    for (QRegularExpressionMatch word = kWord.match(sheet); word.hasMatch();
+         word = kWord.match(sheet, word.capturedStart())) {
+        const QString pixels = word.captured(1);
+        const QString value = pixels.isEmpty() ? colours.value(word.captured(2)).name()
+                                               : QStringLiteral("%1px").arg(scaled(pixels.toInt()));
+        sheet.replace(word.capturedStart(), word.capturedLength(), value);
+    }
     return sheet;
+}
+
+QPalette paletteOf(const Theme& t)
+{
+    QPalette colours;
+    colours.setColor(QPalette::Window, t.window);
+    colours.setColor(QPalette::WindowText, t.text);
+    colours.setColor(QPalette::Base, t.card);
+    colours.setColor(QPalette::AlternateBase, mixed(t.card, t.text, 0.05));
+    colours.setColor(QPalette::Text, t.text);
+    colours.setColor(QPalette::PlaceholderText, t.muted);
+    colours.setColor(QPalette::Button, t.button.area);
+    colours.setColor(QPalette::ButtonText, t.button.text);
+    colours.setColor(QPalette::Highlight, t.primary.area);
+    colours.setColor(QPalette::HighlightedText, t.primary.text);
+    colours.setColor(QPalette::Link, t.contact);
+    colours.setColor(QPalette::ToolTipBase, t.tip);
+    colours.setColor(QPalette::ToolTipText, t.text);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        colours.setColor(QPalette::Disabled, role, t.off.text);
+    return colours;
 }
 
 }  // namespace
 
 const Theme& theme()
 {
-    static const Theme day;
-    return day;
+    return current;
 }
 
-void applyLook(QApplication& application)
+int scaled(int pixels)
 {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QPalette colours;
-    colours.setColor(QPalette::Window, theme().window);
-    colours.setColor(QPalette::WindowText, theme().text);
-    colours.setColor(QPalette::Base, theme().card);
-    colours.setColor(QPalette::Text, theme().text);
-    colours.setColor(QPalette::Button, theme().button);
-    colours.setColor(QPalette::ButtonText, theme().text);
-    colours.setColor(QPalette::Highlight, theme().contact);
-    colours.setColor(QPalette::ToolTipText, theme().text);
-    QApplication::setPalette(colours);
+    return (pixels * scalePercent + 50) / 100;
+}
+
+void applyLook(QApplication& application, ThemeName name, int fontScale)
+{
+    current = themeOf(name);
+    scalePercent = fontScale;
+    // A style sheet wraps the style and would wrap a second one, too.
+    if (application.styleSheet().isEmpty())
+        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QFont font = QApplication::font();
-    font.setPixelSize(14);
+    font.setPixelSize(scaled(14));
     QApplication::setFont(font);
+    QToolTip::setFont(font);
+    QApplication::setPalette(paletteOf(current));
     application.setStyleSheet(styleSheet());
 }
 

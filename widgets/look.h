@@ -1,12 +1,15 @@
 #pragma once
 
+#include "widgets/palette.h"
+
 class QApplication;
 class QLabel;
 
 namespace terratact {
 
-/// Style, fonts, colours and style sheet of the console.  Call once, before the first window.
-void applyLook(QApplication& application);
+/// Style, fonts, colours and style sheet of the console.  Call before the first window; a later call changes
+/// every window there is, each of whose widgets receives a QEvent::StyleChange.  fontScale: [%].
+void applyLook(QApplication& application, ThemeName name = ThemeName::Day, int fontScale = 100);
 
 /// What a label says, as weight and colour.
 enum class Tone { Plain, Muted, Strong, Good, Doubt, Bad, Accent };

@@ -43,6 +43,13 @@ void NavigationRail::choose(int page)
     emit pageChosen(page);
 }
 
+void NavigationRail::addTool(QPushButton* button)
+{
+    button->setParent(this);
+    button->setFocusPolicy(Qt::TabFocus);
+    column_->addWidget(button);
+}
+
 int NavigationRail::pageOf(int key) const
 {
     return static_cast<int>(keys_.indexOf(key));

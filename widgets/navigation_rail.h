@@ -23,6 +23,8 @@ public:
     int pageOf(int key) const;  ///< −1: the key means no page
     Qt::Key keyOf(int page) const { return static_cast<Qt::Key>(keys_.at(page)); }
     QPushButton* button(int page) const { return buttons_.at(page); }
+    /// Puts a button at the lower end, below those put there before.
+    void addTool(QPushButton* button);
 
 signals:
     void pageChosen(int page);

@@ -71,7 +71,7 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     }
     rows->addLayout(instead, rows->rowCount(), 0, 1, 2);
     rows->setRowMinimumHeight(rows->rowCount(), 4);
-    approve_ = new HoldToConfirmButton(QString(), theme().accent, question);
+    approve_ = new HoldToConfirmButton(QString(), &Theme::decide, question);
     approve_->setToolTip(
         tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing"));
     refuse_ = new QPushButton(tr("Do not probe: 0 s, the estimate stays (N)"), question);

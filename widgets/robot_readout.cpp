@@ -48,7 +48,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds)
         show(row, fresh ? text : words::kNothing, fresh);
     };
     const auto pair = [](const QString& left, const QString& right) {
-        return QStringLiteral("L %1   R %2").arg(left, right);
+        return RobotReadout::tr("L %1   R %2").arg(left, right);
     };
     const auto amperes = [](double value) {
         return words::signedNumber(value, 2) + QStringLiteral(" A");

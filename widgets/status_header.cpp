@@ -1,6 +1,7 @@
 #include "widgets/status_header.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -41,8 +42,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     quality_->setToolTip(tr("How much time an estimate may take for its accuracy"));
     quality_->setVisible(false);
     arming_ = new ArmingControl(this);
-    help_ = new QPushButton(tr("Keys (F1)"), this);
-    help_->setProperty("role", "quiet");
+    help_ = new QPushButton(tr("Keys\nF1"), this);
     help_->setFocusPolicy(Qt::TabFocus);
     help_->setToolTip(tr("Every key, and what this program is"));
     stop_ = new QPushButton(tr("STOP (F12)"), this);
@@ -64,7 +64,6 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     row->addStretch(1);
     row->addWidget(alarms_, 0, Qt::AlignVCenter);
     row->addWidget(quality_, 0, Qt::AlignVCenter);
-    row->addWidget(help_, 0, Qt::AlignVCenter);
     row->addSpacing(20);  // nothing harmless close to STOP
     row->addWidget(stop_);
     connect(help_, &QPushButton::clicked, this, &StatusHeader::helpRequested);
@@ -106,6 +105,28 @@ void StatusHeader::setModel(const QString& text, Tone tone, const QString& detai
     model_->setText(text);
     model_->setToolTip(details);
     setTone(*model_, tone);
+    fit();
+}
+
+void StatusHeader::fit()
+{
+    const int needed = layout()->sizeHint().width()
+                     + (model_->isHidden() ? model_->sizeHint().width() + layout()->spacing() : 0);
+    const bool trouble = model_->property("tone").toString() == QLatin1String("bad");
+    model_->setVisible(needed <= width() || trouble);
+}
+
+void StatusHeader::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    fit();
+}
+
+bool StatusHeader::event(QEvent* event)
+{
+    const bool handled = QFrame::event(event);
+    if (event->type() == QEvent::LayoutRequest) fit();
+    return handled;
 }
 
 void StatusHeader::setQualities(const QStringList& names, const QStringList& lines, int chosen)

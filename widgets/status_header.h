@@ -38,6 +38,10 @@ public:
     QPushButton* qualityButton() const { return quality_; }
     QPushButton* alarmsButton() const { return alarms_; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
+
 signals:
     void stopPressed();
     void helpRequested();
@@ -45,6 +49,8 @@ signals:
     void qualityChosen(int index);
 
 private:
+    void fit();  ///< leaves the model out where STOP needs its room; a missing one stays
+
     QLabel* source_ = nullptr;
     QLabel* link_ = nullptr;
     QLabel* robot_ = nullptr;

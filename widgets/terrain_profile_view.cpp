@@ -21,6 +21,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -39,9 +40,9 @@ constexpr double kLeft = -0.66, kRight = 0.80, kBottom = -0.42, kTop = 0.22;
 // How far it grows for heights that lie outside.
 constexpr double kLowest = -1.6, kHighest = 1.2;
 
-QFont scaled(QFont font, int pixels, bool bold = false)
+QFont sized(QFont font, int pixels, bool bold = false)
 {
-    font.setPixelSize(pixels);
+    font.setPixelSize(scaled(pixels));
     font.setBold(bold);
     return font;
 }
@@ -161,7 +162,7 @@ public:
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
               const QRectF& canvas) const override
     {
-        const QFont font = scaled(plot()->font(), 13);
+        const QFont font = sized(plot()->font(), 13);
         for (std::size_t i = 0; i < kBins; ++i) {
             if (!shown[i] || (i > 0 && shown[i - 1])) continue;
             std::size_t last = i;
@@ -174,10 +175,10 @@ public:
             painter->fillRect(zone, fill);
             painter->setPen(theme().doubt);
             painter->setFont(font);
-            const QString label = QStringLiteral("prior only");
+            const QString label = TerrainProfileView::tr("prior only");
             const double width = painter->fontMetrics().horizontalAdvance(label);
             QRectF place(zone.center().x() - width / 2.0 - 2.0, zone.top() + 5.0, width + 4.0,
-                         20.0);
+                         scaled(20));
             place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
             painter->fillRect(place, theme().priorZone);
             painter->drawText(place, Qt::AlignCenter, label);
@@ -199,19 +200,19 @@ public:
               const QRectF& canvas) const override
     {
         const double px = std::round(x.transform(at)) + 0.5;
-        const double top = canvas.top() + 28.0;
-        painter->setFont(scaled(plot()->font(), 14, true));
+        const double top = canvas.top() + scaled(28);
+        painter->setFont(sized(plot()->font(), 14, true));
         painter->setPen(theme().accent);
-        const QString label = QStringLiteral("▼ probe");
+        const QString label = QStringLiteral("▼ ") + TerrainProfileView::tr("probe");
         const double width = painter->fontMetrics().horizontalAdvance(label) + 4.0;
-        QRectF place(px - 8.0, top, width, 20.0);
+        QRectF place(px - 8.0, top, width, scaled(20));
         place.moveLeft(std::min(place.left(), canvas.right() - width));
         painter->drawText(place, Qt::AlignLeft | Qt::AlignVCenter, label);
         QPen dashes(theme().accent, 2.0, Qt::CustomDashLine);
         dashes.setDashPattern({4.0, 3.0});
         painter->setPen(dashes);
-        const double bottom = std::max(y.transform(down) - 12.0, top + 34.0);
-        painter->drawLine(QPointF(px, top + 22.0), QPointF(px, bottom));
+        const double bottom = std::max(y.transform(down) - 12.0, top + scaled(34));
+        painter->drawLine(QPointF(px, top + scaled(22)), QPointF(px, bottom));
     }
 };
 
@@ -224,31 +225,15 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
     setCanvas(frame);
     frame->installEventFilter(this);
-    setCanvasBackground(theme().card);
     setAutoFillBackground(false);
     plotLayout()->setAlignCanvasToScales(true);
     plotLayout()->setCanvasMargin(0);
 
     setAxisScaleDraw(QwtPlot::xBottom, new MetreScale(false));
     setAxisScaleDraw(QwtPlot::yLeft, new MetreScale(true));
-    const QFont small = scaled(font(), 13);
-    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
-        setAxisFont(axis, small);
-        QPalette colours = axisWidget(axis)->palette();
-        colours.setColor(QPalette::Text, theme().muted);
-        colours.setColor(QPalette::WindowText, theme().muted);
-        axisWidget(axis)->setPalette(colours);
+    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)})
         axisWidget(axis)->setMargin(0);
-    }
-    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(48);
-    // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
-    axisWidget(QwtPlot::xBottom)->setMinBorderDist(22, 22);
-    axisWidget(QwtPlot::yLeft)->setMinBorderDist(10, 10);
-    setAxisTitle(QwtPlot::xBottom, text(tr("forward from the IMU [m]"), theme().muted, small));
-    setAxisTitle(QwtPlot::yLeft, text(tr("height above the IMU [m]"), theme().muted, small));
-
     auto* key = new QwtLegend;
-    key->setFont(small);
     key->setFrameStyle(QFrame::NoFrame);
     insertLegend(key, QwtPlot::BottomLegend);
 
@@ -256,16 +241,14 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     zones_ = new BinZones;
     zones_->attach(this);
 
-    auto* grid = new QwtPlotGrid;
-    grid->enableX(false);
-    grid->setMajorPen(theme().grid, 1.0);
-    grid->setZ(0.5);
-    grid->attach(this);
+    grid_ = new QwtPlotGrid;
+    grid_->enableX(false);
+    grid_->setZ(0.5);
+    grid_->attach(this);
     (new BinBorders)->attach(this);
 
-    const auto line = [this](const QPen& pen, double z, const QString& name) {
+    const auto line = [this](double z, const QString& name) {
         auto* item = new LineItem(name);
-        item->setPen(pen);
         item->setBrush(Qt::NoBrush);
         item->setRenderHint(QwtPlotItem::RenderAntialiased);
         item->setItemAttribute(QwtPlotItem::Legend, !name.isEmpty());
@@ -273,37 +256,16 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
         item->attach(this);
         return item;
     };
-    QPen ceilingPen(theme().ceiling, 1.5, Qt::DotLine);
-    ceilings_ = line(ceilingPen, 12.0, tr("ceiling"));
-    QPen soft(theme().sampled, 2.5, Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
-    soft.setDashPattern({2.5, 2.5});
-    meanPrior_ = line(soft, 20.0, {});
-    mean_ = line(QPen(theme().sampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin), 21.0, {});
-    truthLine_ = line(QPen(theme().truth, 1.2), 19.0, tr("truth"));
+    ceilings_ = line(12.0, tr("ceiling"));
+    meanPrior_ = line(20.0, {});
+    mean_ = line(21.0, {});
+    truthLine_ = line(19.0, tr("truth"));
 
-    const auto look = [](Provenance from) {
-        switch (from) {
-        case Provenance::Arm: return symbol(QwtSymbol::Triangle, theme().arm, theme().arm, 13);
-        case Provenance::Contact:
-            return symbol(QwtSymbol::Rect, theme().contact, theme().contact, 11);
-        case Provenance::Constrained:
-            return symbol(QwtSymbol::DTriangle, theme().sampled, theme().sampled, 11);
-        case Provenance::Sampled:
-            return symbol(QwtSymbol::Ellipse, theme().sampled, theme().sampled, 10);
-        case Provenance::PriorOnly: break;
-        }
-        return symbol(QwtSymbol::Diamond, theme().prior, theme().card, 14);
-    };
     for (const Provenance from : {Provenance::Contact, Provenance::Arm, Provenance::Constrained,
                                   Provenance::Sampled, Provenance::PriorOnly}) {
         const auto kind = static_cast<std::size_t>(from);
-        QwtSymbol* mark = look(from);
         auto* bar = new QwtPlotIntervalCurve;
         bar->setStyle(QwtPlotIntervalCurve::NoCurve);
-        auto* cap = new QwtIntervalSymbol(QwtIntervalSymbol::Bar);
-        cap->setWidth(13);
-        cap->setPen(QPen(mark->pen().color(), 2.0));
-        bar->setSymbol(cap);
         bar->setItemAttribute(QwtPlotItem::Legend, false);
         bar->setZ(24.0);
         bar->attach(this);
@@ -311,24 +273,20 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
 
         auto* points = new QwtPlotCurve(provenanceWord(from));
         points->setStyle(QwtPlotCurve::NoCurve);
-        points->setSymbol(mark);
         points->setRenderHint(QwtPlotItem::RenderAntialiased);
         points->setLegendAttribute(QwtPlotCurve::LegendShowSymbol);
-        points->setLegendIconSize(mark->size() + QSize(3, 3));
         points->setZ(26.0);
         points->attach(this);
         points_[kind] = points;
     }
 
-    auto* imu = new QwtPlotMarker;
-    imu->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, 7));
-    imu->setValue(0.0, 0.0);
-    imu->setLabel(text(tr("IMU"), theme().muted, scaled(font(), 12)));
-    imu->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    imu->setSpacing(6);
-    imu->setRenderHint(QwtPlotItem::RenderAntialiased);
-    imu->setZ(15.0);
-    imu->attach(this);
+    imu_ = new QwtPlotMarker;
+    imu_->setValue(0.0, 0.0);
+    imu_->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    imu_->setSpacing(6);
+    imu_->setRenderHint(QwtPlotItem::RenderAntialiased);
+    imu_->setZ(15.0);
+    imu_->attach(this);
 
     probeMark_ = new ProbeMark;
     probeMark_->setVisible(false);
@@ -354,27 +312,105 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
 
     clearEstimate(tr("No estimate yet"));
     showTruth();
+    restyle();
+}
+
+void TerrainProfileView::restyle()
+{
+    setCanvasBackground(theme().card);
+    const QFont small = sized(font(), 13);
+    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
+        setAxisFont(axis, small);
+        QPalette colours = axisWidget(axis)->palette();
+        colours.setColor(QPalette::Text, theme().muted);
+        colours.setColor(QPalette::WindowText, theme().muted);
+        axisWidget(axis)->setPalette(colours);
+    }
+    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(48));
+    // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
+    axisWidget(QwtPlot::xBottom)->setMinBorderDist(scaled(22), scaled(22));
+    axisWidget(QwtPlot::yLeft)->setMinBorderDist(scaled(10), scaled(10));
+    setAxisTitle(QwtPlot::xBottom, text(tr("forward from the IMU [m]"), theme().muted, small));
+    setAxisTitle(QwtPlot::yLeft, text(tr("height [m]"), theme().muted, small));
+    grid_->setMajorPen(theme().grid, 1.0);
+
+    ceilings_->setPen(QPen(theme().ceiling, 1.5, Qt::DotLine));
+    QPen soft(theme().sampled, 2.5, Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
+    soft.setDashPattern({2.5, 2.5});
+    meanPrior_->setPen(soft);
+    mean_->setPen(QPen(theme().sampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    truthLine_->setPen(QPen(theme().truth, 1.2));
+
+    struct Look {
+        QwtSymbol::Style shape;
+        QColor line, fill;
+        int size;
+    };
+    const auto lookOf = [](Provenance from) -> Look {
+        const Theme& t = theme();
+        switch (from) {
+        case Provenance::Arm: return {QwtSymbol::Triangle, t.arm, t.arm, 13};
+        case Provenance::Contact: return {QwtSymbol::Rect, t.contact, t.contact, 11};
+        case Provenance::Constrained: return {QwtSymbol::DTriangle, t.sampled, t.sampled, 11};
+        case Provenance::Sampled: return {QwtSymbol::Ellipse, t.sampled, t.sampled, 10};
+        case Provenance::PriorOnly: break;
+        }
+        return {QwtSymbol::Diamond, t.prior, t.card, 14};
+    };
+    for (const Provenance from : kProvenances) {
+        const auto kind = static_cast<std::size_t>(from);
+        const Look look = lookOf(from);
+        auto* cap = new QwtIntervalSymbol(QwtIntervalSymbol::Bar);
+        cap->setWidth(scaled(13));
+        cap->setPen(QPen(look.line, 2.0));
+        bars_[kind]->setSymbol(cap);
+        QwtSymbol* mark = symbol(look.shape, look.line, look.fill, scaled(look.size));
+        points_[kind]->setSymbol(mark);
+        points_[kind]->setLegendIconSize(mark->size() + QSize(3, 3));
+    }
+    imu_->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, scaled(7)));
+    imu_->setLabel(text(tr("IMU"), theme().muted, sized(font(), 12)));
+    showNote(note_->text().text(), estimate_.has_value());
+    setOutline(outline_);
+    for (QwtPlotItem* item : itemList()) item->legendChanged();
+    sizeLegend();
+    replot();
+}
+
+void TerrainProfileView::sizeLegend()
+{
+    const QFont small = sized(font(), 13);
+    for (QWidget* label : legend()->findChildren<QwtLegendLabel*>()) label->setFont(small);
+}
+
+void TerrainProfileView::changeEvent(QEvent* event)
+{
+    QwtPlot::changeEvent(event);
+    // Later: the style sheet still has the palettes of the parts to set.
+    if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
 }
 
 void TerrainProfileView::setEstimate(const TerrainEstimate& estimate, const QString& note)
 {
     estimate_ = estimate;
-    showNote(note, theme().doubt);
+    showNote(note, true);
     showEstimate();
 }
 
 void TerrainProfileView::clearEstimate(const QString& why)
 {
     estimate_.reset();
-    showNote(why, theme().muted);
+    showNote(why, false);
     showEstimate();
 }
 
-void TerrainProfileView::showNote(const QString& note, const QColor& colour)
+void TerrainProfileView::showNote(const QString& note, bool warns)
 {
-    QwtText words = text(note, colour, scaled(font(), 16, true));
+    QwtText words = text(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true));
     words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
-    words.setBackgroundBrush(QColor(0xff, 0xff, 0xff, 0xe0));
+    QColor behind = theme().card;
+    behind.setAlpha(0xe0);
+    words.setBackgroundBrush(behind);
     note_->setText(words);
     note_->setVisible(!note.isEmpty());
 }
@@ -550,6 +586,7 @@ void TerrainProfileView::showTruth()
     }
     truthLine_->setShape(pathThrough(line));
     setInLegend(*truthLine_, truth_.has_value());
+    sizeLegend();
 }
 
 void TerrainProfileView::setProposedProbe(std::optional<int> bin)
@@ -625,7 +662,7 @@ bool TerrainProfileView::setScales()
 
     const auto setScale = [this, scale](int axis, double from, double to) {
         QList<double> centres;
-        const double least = axis == QwtPlot::xBottom ? 44.0 : 22.0;  // [px] between labels
+        const double least = scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] between labels
         const double step = 0.1 * scale >= least ? 0.1 : 0.2 * scale >= least ? 0.2 : 0.5;
         const auto last = static_cast<int>(std::floor(to / step + 1e-9));
         for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)

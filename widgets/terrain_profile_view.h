@@ -11,6 +11,7 @@
 #include "core/terrain/outline.h"
 
 class QwtPlotCurve;
+class QwtPlotGrid;
 class QwtPlotIntervalCurve;
 class QwtPlotMarker;
 class QwtPlotShapeItem;
@@ -65,14 +66,17 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     static constexpr std::size_t kKinds = kProvenances.size();
 
+    void sizeLegend();
     void showEstimate();
     void showDraws();
     QStringList closeUp(int bin) const;
-    void showNote(const QString& note, const QColor& colour);
+    void showNote(const QString& note, bool warns);
+    void restyle();  ///< in theme and font as they are now
     void showTruth();
     void showProbe();
     void fitAxes();
@@ -89,6 +93,8 @@ private:
     // The plot owns its items once they are attached.
     std::array<QwtPlotCurve*, kKinds> points_{};
     std::array<QwtPlotIntervalCurve*, kKinds> bars_{};
+    QwtPlotGrid* grid_ = nullptr;
+    QwtPlotMarker* imu_ = nullptr;
     QwtPlotShapeItem* mean_ = nullptr;
     QwtPlotShapeItem* meanPrior_ = nullptr;
     QwtPlotShapeItem* ceilings_ = nullptr;

@@ -1,9 +1,11 @@
 #include "widgets/verdict_strip.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -46,12 +48,12 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     badge_->setAccessibleName(tr("Verdict"));
     question_ = new QLabel(this);
     question_->setObjectName(QStringLiteral("verdictQuestion"));
+    question_->setWordWrap(true);
     question_->setAccessibleName(tr("Probability of a step ahead"));
     reason_ = new QLabel(this);
     reason_->setAccessibleName(tr("Why"));
     reason_->setWordWrap(true);
     setTone(*reason_, Tone::Muted);
-    reason_->setFixedHeight(2 * reason_->fontMetrics().lineSpacing() + 2);  // a jumping layout misleads
     reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     const auto button = [this](const QString& text, const QString& name, const QString& tip) {
         auto* b = new QPushButton(text, this);
@@ -82,6 +84,20 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     row->addWidget(raise_);
     setLimit(kStepLimit);
     setNothing(QString());
+    resizeToFont();
+}
+
+void VerdictStrip::resizeToFont()
+{
+    // Always two lines: a jumping layout misleads.
+    reason_->setFixedHeight(2 * reason_->fontMetrics().lineSpacing() + 2);
+}
+
+void VerdictStrip::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::StyleChange)
+        QTimer::singleShot(0, this, [this] { resizeToFont(); });
 }
 
 void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)

@@ -33,7 +33,11 @@ public:
 signals:
     void limitChosen(double metres);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void resizeToFont();
     void choose(double metres);
     void setBadge(const QString& text, const QString& outlook);
 

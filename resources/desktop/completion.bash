@@ -59,6 +59,9 @@ _terratact_value() {
     *:--precision) _terratact_words single double ;;
     *:--scan) _terratact_words forward reverse random ;;
     *:--protocol) _terratact_words terratact absolem ;;
+    *:--theme) _terratact_words day night-red high-contrast ;;
+    *:--layout) _terratact_words drive probe review ;;
+    *:--language) _terratact_words en cs de ;;
     *:--fault) _terratact_words none silence stuck-imu dead-element refuse-probe slow-arm reboot ;;
     *:--disturb)
       _terratact_words none imu-noise forces-high forces-low dead-element soft-ground light-robot heavy-robot \
@@ -74,7 +77,7 @@ _terratact_options() {
     --full --seconds --scan --seed"
   case $1 in
     console) echo --version --model --robot --terrain --can --transmit --replay --speed --panel --seed --screenshot \
-      --size ;;
+      --size --theme --layout --font-scale --language --safe-mode ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;

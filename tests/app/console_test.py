@@ -1,10 +1,12 @@
 """The console's command line: what it answers without a display, its exit codes, its screenshot."""
 
 import os
+import pathlib
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 CONSOLE = sys.argv.pop()
@@ -68,6 +70,35 @@ class Console(unittest.TestCase):
         self.assertIn("slow-arm", done.stderr)
         for other in ("--can", "--replay"):
             self.assertEqual(run("--fault", "silence", other, "x").returncode, 2, other)
+
+    def started(self, folder, *arguments, until):
+        """Starts the console with its preferences in folder, and ends it once until() holds."""
+        console = subprocess.Popen([CONSOLE, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                   env={**os.environ, "QT_QPA_PLATFORM": "offscreen", "XDG_CONFIG_HOME": folder})
+        try:
+            deadline = time.monotonic() + 60
+            while not until() and time.monotonic() < deadline:
+                time.sleep(0.05)
+            time.sleep(0.5)
+            self.assertIsNone(console.poll(), "the console has ended")
+        finally:
+            console.kill()
+            console.wait()
+
+    def test_no_preferences_stand_in_the_way_of_a_start(self):
+        for content in (b"\0\xff" * 999, b"[General]\nschema=1\nrobot=/nowhere/r\nmodel=/nowhere/m\nfont-scale=x\n"):
+            with tempfile.TemporaryDirectory() as folder:
+                file = pathlib.Path(folder) / "terratact" / "console.ini"
+                file.parent.mkdir()
+                file.write_bytes(content)
+                bad = file.with_suffix(".ini.bad")
+                begun = time.monotonic()
+                self.started(folder, "--safe-mode", until=lambda: time.monotonic() > begun + 2)
+                self.assertEqual(file.read_bytes(), content, "safe mode leaves it alone")
+                garbage = content.startswith(b"\0")
+                begun = time.monotonic()
+                self.started(folder, until=lambda: bad.exists() if garbage else time.monotonic() > begun + 2)
+                self.assertEqual(bad.exists(), garbage)
 
     def test_a_picture_that_cannot_be_written_is_named(self):
         done = run("--screenshot", "/nowhere/x.png")

@@ -17,7 +17,7 @@ struct Hold : testing::Test {
     Hold()
     {
         auto* column = new QVBoxLayout(&window);
-        button = new HoldToConfirmButton("hold to approve", Qt::darkMagenta);
+        button = new HoldToConfirmButton("hold to approve", &Theme::decide);
         other = new QPushButton("other");
         column->addWidget(button);
         column->addWidget(other);

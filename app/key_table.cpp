@@ -1,0 +1,77 @@
+#include "app/key_table.h"
+
+#include <QCoreApplication>
+#include <QKeySequence>
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace terratact {
+namespace {
+
+struct Says {
+    Q_DECLARE_TR_FUNCTIONS(KeyTable)
+};
+
+QString namesOf(const KeyTable::Entry& entry)
+{
+    QStringList names;
+    for (const QKeyCombination key : entry.keys)
+        names << QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped();
+    const QString all = names.join(Says::tr(" or "));
+    return entry.released ? Says::tr("%1, held").arg(all) : all;
+}
+
+}  // namespace
+
+void KeyTable::addGroup(const QString& name)
+{
+    groups_ << Group{name, entries_.size()};
+}
+
+void KeyTable::add(Entry entry)
+{
+    for (const QKeyCombination key : entry.keys)
+        for (const Entry& other : entries_)
+            if (other.keys.contains(key)) throw std::logic_error("a key with two meanings");
+    entries_ << std::move(entry);
+}
+
+const KeyTable::Entry* KeyTable::entryOf(const QKeyEvent& event) const
+{
+    const auto modifiers = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    const QKeyCombination pressed(modifiers, static_cast<Qt::Key>(event.key()));
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+        return entry.keys.contains(pressed);
+    });
+    return found == entries_.end() ? nullptr : &*found;
+}
+
+void KeyTable::release(int key) const
+{
+    for (const Entry& entry : entries_) {
+        if (!entry.released) continue;
+        for (const QKeyCombination own : entry.keys)
+            if (own.key() == key) entry.released();
+    }
+}
+
+QString KeyTable::html() const
+{
+    QString columns[2];
+    for (qsizetype g = 0; g < groups_.size(); ++g) {
+        const qsizetype end = g + 1 < groups_.size() ? groups_[g + 1].begin : entries_.size();
+        QString& column = columns[g % 2];
+        column +=
+            QStringLiteral("<h3>%1</h3><table cellpadding=3>").arg(groups_[g].name.toHtmlEscaped());
+        for (qsizetype i = groups_[g].begin; i < end; ++i)
+            column += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                          .arg(namesOf(entries_[i]), entries_[i].meaning.toHtmlEscaped());
+        column += QStringLiteral("</table>");
+    }
+    return QStringLiteral("<table><tr><td valign=top>%1</td><td width=40></td><td "
+                          "valign=top>%2</td></tr></table>")
+        .arg(columns[0], columns[1]);
+}
+
+}  // namespace terratact

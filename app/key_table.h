@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QKeyEvent>
+#include <QList>
+#include <QString>
+#include <functional>
+
+namespace terratact {
+
+/// What the keys of the window mean: both what is done when one is pressed and the sheet that tells of it come
+/// from here.
+class KeyTable {
+public:
+    struct Entry {
+        QList<QKeyCombination> keys;
+        QString meaning;
+        std::function<void()> pressed;
+        std::function<void()> released = {};  ///< set: the key acts while it is held
+        bool everywhere = false;              ///< in every window of the program, dialogs included
+    };
+    void addGroup(const QString& name);
+    void add(Entry entry);  ///< to the last group; throws std::logic_error for a key that is taken
+
+    /// The entry a key event means; null: none.  Shift and the keypad do not count.
+    const Entry* entryOf(const QKeyEvent& event) const;
+    /// Lets go of what the key held, whatever else is pressed.
+    void release(int key) const;
+
+    QString html() const;  ///< the sheet: a table per group, two groups side by side
+    const QList<Entry>& entries() const { return entries_; }
+
+private:
+    struct Group {
+        QString name;
+        qsizetype begin;
+    };
+    QList<Group> groups_;
+    QList<Entry> entries_;
+};
+
+}  // namespace terratact

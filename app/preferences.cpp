@@ -1,0 +1,276 @@
+#include "app/preferences.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+#include <array>
+#include <numbers>
+
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr qint64 kLargestFile = 1 << 20;  // [bytes]
+constexpr std::array kThemes{ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast};
+constexpr std::array kLayouts{Layout::Drive, Layout::Probe, Layout::Review};
+const QString kSchemaKey = QStringLiteral("schema");
+
+struct Says {
+    Q_DECLARE_TR_FUNCTIONS(Preferences)
+};
+
+/// Reads and writes one value each under its key; every value is kept as text.
+struct Reader {
+    const QSettings& file;
+    QStringList& troubles;
+
+    /// parse: text → bool, whether it was valid; it sets the value then.
+    template <class Parse>
+    void value(const char* key, Parse parse)
+    {
+        if (!file.contains(QLatin1String(key))) return;
+        const QVariant found = file.value(QLatin1String(key));
+        if (found.typeId() == QMetaType::QString && parse(found.toString())) return;
+        troubles << Says::tr("Preferences: “%1” is no valid %2, its default is used")
+                        .arg(found.toString().left(40).simplified(), QLatin1String(key));
+    }
+    void number(const char* key, double& to, double least, double most)
+    {
+        value(key, [&](const QString& text) {
+            bool good = false;
+            const double parsed = text.toDouble(&good);
+            if (!good || !(parsed >= least && parsed <= most)) return false;
+            to = parsed;
+            return true;
+        });
+    }
+    void number(const char* key, int& to, int least, int most)
+    {
+        value(key, [&](const QString& text) {
+            bool good = false;
+            const int parsed = text.toInt(&good);
+            if (!good || parsed < least || parsed > most) return false;
+            to = parsed;
+            return true;
+        });
+    }
+    template <class Value, class Choices>
+    void oneOf(const char* key, Value& to, const Choices& choices)
+    {
+        value(key, [&](const QString& text) {
+            for (const Value choice : choices) {
+                if (words::text(name(choice)) != text) continue;
+                to = choice;
+                return true;
+            }
+            return false;
+        });
+    }
+    void flag(const char* key, bool& to)
+    {
+        value(key, [&](const QString& text) {
+            if (text != QLatin1String("true") && text != QLatin1String("false")) return false;
+            to = text == QLatin1String("true");
+            return true;
+        });
+    }
+    void language(const char* key, QString& to)
+    {
+        value(key, [&](const QString& text) {
+            const bool known = QStringList{QString(), "en", "cs", "de"}.contains(text);
+            if (known) to = text;
+            return known;
+        });
+    }
+    void path(const char* key, QString& to)
+    {
+        value(key, [&](const QString& text) {
+            constexpr int kLongest = 4096;
+            if (text.size() > kLongest || text.contains(QChar(0))) return false;
+            to = text;
+            return true;
+        });
+    }
+    void bytes(const char* key, QByteArray& to)
+    {
+        value(key, [&](const QString& text) {
+            constexpr int kLongest = 4096;
+            const auto decoded = QByteArray::fromBase64Encoding(
+                text.toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
+            if (!decoded || decoded.decoded.size() > kLongest) return false;
+            to = decoded.decoded;
+            return true;
+        });
+    }
+};
+
+struct Writer {
+    QSettings& file;
+
+    void value(const char* key, const QString& text) { file.setValue(QLatin1String(key), text); }
+    void number(const char* key, double value_, double, double)
+    {
+        value(key, QString::number(value_, 'g', QLocale::FloatingPointShortest));
+    }
+    void number(const char* key, int value_, int, int) { value(key, QString::number(value_)); }
+    template <class Value, class Choices>
+    void oneOf(const char* key, Value value_, const Choices&)
+    {
+        value(key, words::text(name(value_)));
+    }
+    void flag(const char* key, bool value_) { value(key, value_ ? "true" : "false"); }
+    void language(const char* key, const QString& value_) { value(key, value_); }
+    void path(const char* key, const QString& value_) { value(key, value_); }
+    void bytes(const char* key, const QByteArray& value_)
+    {
+        value(key, QString::fromLatin1(value_.toBase64()));
+    }
+};
+
+/// Every preference under its key and with its limits, the same for reading and writing.
+template <class Visitor, class Values>
+void visit(Visitor visitor, Values& p)
+{
+    constexpr double kRight = std::numbers::pi / 2.0;
+    visitor.oneOf("theme", p.theme, kThemes);
+    visitor.number("font-scale", p.fontScale, kSmallestFont, kLargestFont);
+    visitor.language("language", p.language);
+    visitor.oneOf("layout", p.layout, kLayouts);
+    visitor.flag("sound", p.sound);
+    visitor.number("obstacle-limit", p.obstacleLimit, 0.02, 0.60);
+    visitor.oneOf("method", p.method, kMethods);
+    visitor.oneOf("quality", p.quality, kQualities);
+    visitor.number("force-threshold", p.forceThreshold, 0.1, 500.0);
+    visitor.number("probe-above", p.probeAbove, 0.001, 1.0);
+    visitor.number("roll-limit", p.rollLimit, 0.01, kRight);
+    visitor.number("asymmetry-limit", p.asymmetryLimit, 0.01, kRight);
+    visitor.path("model", p.model);
+    visitor.path("robot", p.robot);
+    visitor.bytes("window", p.window);
+}
+
+/// Moves the file out of the way; says so, and where nothing may be saved because it could not.
+void setAside(const QString& path, const QString& why, LoadedPreferences& loaded)
+{
+    const QString bad = path + QStringLiteral(".bad");
+    QFile::remove(bad);
+    if (QFile::rename(path, bad)) {
+        loaded.troubles << Says::tr(
+                               "Preferences: %1; the file is set aside as %2, defaults are used")
+                               .arg(why, bad);
+    } else {
+        loaded.troubles
+            << Says::tr("Preferences: %1; defaults are used and nothing is saved").arg(why);
+        loaded.path.clear();
+    }
+}
+
+}  // namespace
+
+std::string_view name(ThemeName theme)
+{
+    switch (theme) {
+    case ThemeName::Day: return "day";
+    case ThemeName::NightRed: return "night-red";
+    case ThemeName::HighContrast: return "high-contrast";
+    }
+    return {};
+}
+
+std::string_view name(Layout layout)
+{
+    switch (layout) {
+    case Layout::Drive: return "drive";
+    case Layout::Probe: return "probe";
+    case Layout::Review: return "review";
+    }
+    return {};
+}
+
+Settings withPreferences(Settings settings, const Preferences& preferences)
+{
+    settings = withQuality(settings, preferences.quality);
+    settings.method = preferences.method;
+    settings.forceThreshold = preferences.forceThreshold;
+    settings.probeAbove = preferences.probeAbove;
+    settings.rollLimit = preferences.rollLimit;
+    settings.asymmetryLimit = preferences.asymmetryLimit;
+    return settings;
+}
+
+QString robotNotUsed(const QString& why)
+{
+    return Says::tr("Preferences: %1; the shipped robot is used").arg(why);
+}
+
+QString modelNotUsed(const QString& path)
+{
+    return Says::tr("Preferences: %1 cannot be read; the shipped model is used").arg(path);
+}
+
+QString preferencesPath()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation);
+    return folder.isEmpty() ? QString() : folder + QStringLiteral("/terratact/console.ini");
+}
+
+LoadedPreferences loadPreferences(const QString& path)
+{
+    LoadedPreferences loaded;
+    loaded.path = path;
+    const QFileInfo info(path);
+    if (path.isEmpty() || !info.exists()) return loaded;
+    if (!info.isFile()) {  // a folder, or a pipe whose reading would wait for ever
+        loaded.path.clear();
+        loaded.troubles << Says::tr(
+                               "Preferences: %1 is no file; defaults are used and nothing is saved")
+                               .arg(path);
+        return loaded;
+    }
+    if (!info.isReadable()) {
+        loaded.path.clear();
+        loaded.troubles
+            << Says::tr("Preferences: %1 cannot be read; defaults are used and nothing is saved")
+                   .arg(path);
+        return loaded;
+    }
+    if (info.size() > kLargestFile) {
+        setAside(path, Says::tr("%1 is too large").arg(path), loaded);
+        return loaded;
+    }
+    const QSettings file(path, QSettings::IniFormat);
+    bool numbered = false;
+    const int schema = file.value(kSchemaKey).toString().toInt(&numbered);
+    if (file.status() != QSettings::NoError || !numbered || schema < 1) {
+        setAside(path, Says::tr("%1 is not understood").arg(path), loaded);
+    } else if (schema > kPreferencesSchema) {
+        loaded.path.clear();
+        loaded.troubles
+            << Says::tr(
+                   "Preferences: %1 was written by a newer version; defaults are used and nothing "
+                   "is saved")
+                   .arg(path);
+    } else {
+        visit(Reader{file, loaded.troubles}, loaded.preferences);
+    }
+    return loaded;
+}
+
+QString savePreferences(const QString& path, const Preferences& preferences)
+{
+    if (path.isEmpty()) return {};
+    QDir().mkpath(QFileInfo(path).path());
+    QSettings file(path, QSettings::IniFormat);
+    file.setValue(kSchemaKey, QString::number(kPreferencesSchema));
+    visit(Writer{file}, preferences);
+    file.sync();
+    return file.status() == QSettings::NoError
+             ? QString()
+             : Says::tr("Preferences: %1 cannot be written").arg(path);
+}
+
+}  // namespace terratact

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+#include <string_view>
+
+#include "core/infer/quality.h"
+#include "widgets/palette.h"
+
+namespace terratact {
+
+/// What the terrain page makes large.
+enum class Layout : std::uint8_t { Drive, Probe, Review };
+
+/// What an operator has chosen and finds again at the next start.  Plain values.
+struct Preferences {
+    ThemeName theme = ThemeName::Day;
+    int fontScale = 100;  ///< [%] kSmallestFont … kLargestFont
+    QString language;     ///< "en", "cs" or "de"; empty: the system's
+    Layout layout = Layout::Probe;
+    bool sound = true;            ///< alarms may be heard
+    double obstacleLimit = 0.10;  ///< [m] neighbouring bins that differ by more are an obstacle
+    Method method = Method::Local;
+    Quality quality = Quality::Balanced;
+    double forceThreshold = Settings{}.forceThreshold;  ///< [N]
+    double probeAbove = Settings{}.probeAbove;          ///< [m]
+    double rollLimit = Settings{}.rollLimit;            ///< [rad]
+    double asymmetryLimit = Settings{}.asymmetryLimit;  ///< [rad]
+    QString model, robot;                               ///< files; empty: the shipped ones
+    QByteArray window;  ///< QWidget::saveGeometry(); empty: none yet
+    bool operator==(const Preferences&) const = default;
+};
+
+inline constexpr int kSmallestFont = 80, kLargestFont = 200;  ///< [%]
+inline constexpr int kPreferencesSchema = 1;
+
+/// The settings with what the preferences say about method, quality and limits.
+Settings withPreferences(Settings settings, const Preferences& preferences);
+
+/// terratact/console.ini in the user's configuration folder (XDG base directory specification).
+QString preferencesPath();
+
+struct LoadedPreferences {
+    Preferences preferences;
+    QStringList troubles;  ///< one sentence for each thing that was not taken as it stood
+    QString path;          ///< where to save; empty: nowhere, the file there is not ours to replace
+};
+
+/// Reads a file of preferences; never fails.  A value that is not valid is replaced by its default, a file that
+/// cannot be understood is set aside as PATH.bad, and one of a newer schema is left alone: a sentence each.
+/// An empty path (safe mode) gives the defaults, and no path to save to.
+LoadedPreferences loadPreferences(const QString& path);
+
+/// Replaces the file, whole or not at all.  Returns why it could not, in one sentence; empty: it is saved.
+/// Does nothing for an empty path.
+QString savePreferences(const QString& path, const Preferences& preferences);
+
+// What is said when a preferred file could not be used.
+QString robotNotUsed(const QString& why);
+QString modelNotUsed(const QString& path);
+
+/// The names used in the file and on the command line: "day", "night-red", "high-contrast"; "drive", …
+std::string_view name(ThemeName theme);
+std::string_view name(Layout layout);
+
+}  // namespace terratact

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QList>
+#include <QMenu>
+#include <functional>
+
+#include "app/preference_store.h"
+
+namespace terratact {
+
+/// One way to see the console: a layout, a theme or a size of the letters.
+struct ViewChoice {
+    QString name;
+    QList<QKeyCombination> keys;  ///< may be empty
+    std::function<void(Preferences&)> edit;
+    std::function<bool(const Preferences&)> chosen;  ///< null: it is a step, not a state
+};
+
+/// In the order of the menu; an empty name stands for a separator.
+QList<ViewChoice> viewChoices();
+
+/// The menu of them.
+class ViewMenu final : public QMenu {
+    Q_OBJECT
+public:
+    explicit ViewMenu(PreferenceStore& preferences, QWidget* parent = nullptr);
+};
+
+}  // namespace terratact

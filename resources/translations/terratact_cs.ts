@@ -1,0 +1,2271 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="cs" sourcelanguage="en">
+<context>
+    <name>KeyTable</name>
+    <message>
+        <source> or </source>
+        <translation> nebo </translation>
+    </message>
+    <message>
+        <source>%1, held</source>
+        <translation>%1, držet</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Preferences: %1; the shipped robot is used</source>
+        <translation>Nastavení: %1; použije se dodaný robot</translation>
+    </message>
+    <message>
+        <source>Preferences: “%1” is no valid %2, its default is used</source>
+        <translation>Nastavení: „%1“ není platná hodnota %2, použije se výchozí</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; the file is set aside as %2, defaults are used</source>
+        <translation>Nastavení: %1; soubor je odložen jako %2, platí výchozí hodnoty</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; defaults are used and nothing is saved</source>
+        <translation>Nastavení: %1; platí výchozí hodnoty a nic se neuloží</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 is no file; defaults are used and nothing is saved</source>
+        <translation>Nastavení: %1 není soubor; platí výchozí hodnoty a nic se neuloží</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be read; defaults are used and nothing is saved</source>
+        <translation>Nastavení: %1 nelze přečíst; platí výchozí hodnoty a nic se neuloží</translation>
+    </message>
+    <message>
+        <source>%1 is too large</source>
+        <translation>%1 je příliš velký</translation>
+    </message>
+    <message>
+        <source>%1 is not understood</source>
+        <translation>%1 je nesrozumitelný</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 was written by a newer version; defaults are used and nothing is saved</source>
+        <translation>Nastavení: %1 zapsala novější verze; platí výchozí hodnoty a nic se neuloží</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be written</source>
+        <translation>Nastavení: %1 nelze zapsat</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be read; the shipped model is used</source>
+        <translation>Nastavení: %1 nelze přečíst; použije se dodaný model</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>fast</source>
+        <translation>rychle</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>vyváženě</translation>
+    </message>
+    <message>
+        <source>accurate</source>
+        <translation>přesně</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>řetězce nekonvergovaly</translation>
+    </message>
+    <message>
+        <source>roll %1°: the ground is not the same left and right</source>
+        <translation>náklon %1°: terén není vlevo a vpravo stejný</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1°: the ground is not the same left and right</source>
+        <translation>levý a pravý flipper se liší o %1°: terén není vlevo a vpravo stejný</translation>
+    </message>
+    <message>
+        <source>contact and arm disagree about bin %1 m by %2 mm</source>
+        <translation>kontakt a rameno se v bodě %1 m liší o %2 mm</translation>
+    </message>
+    <message>
+        <source>the arm found bin %1 m %2 mm above the robot&apos;s own lower edge</source>
+        <translation>rameno našlo bod %1 m o %2 mm nad spodní hranou robota</translation>
+    </message>
+    <message>
+        <source>unlike the training scenes: %1 times the distance that %2 % of them exceed</source>
+        <translation>nepodobá se trénovacím scénám: %1násobek vzdálenosti, kterou překročí %2 % z nich</translation>
+    </message>
+    <message>
+        <source>a step of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
+        <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± %3, nejspíš mezi %4 a %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)</source>
+        <translation>v %1 m jsou pravděpodobné dvě výšky: %2 m (%3 %) nebo %4 m (%5 %)</translation>
+    </message>
+    <message>
+        <source>no live telemetry: the robot may have moved</source>
+        <translation>bez živé telemetrie: robot se mohl pohnout</translation>
+    </message>
+    <message>
+        <source>the scene is unlike all training</source>
+        <translation>scéna se nepodobá ničemu z tréninku</translation>
+    </message>
+    <message>
+        <source>the robot rolls: left and right ground differ</source>
+        <translation>robot je nakloněn: terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>the flippers differ: left and right ground differ</source>
+        <translation>flippery se liší: terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP drží: nejdřív ho uvolněte</translation>
+    </message>
+    <message>
+        <source>The link must be good for a second</source>
+        <translation>Spojení musí být sekundu v pořádku</translation>
+    </message>
+    <message>
+        <source>CLEAR</source>
+        <translation>VOLNO</translation>
+    </message>
+    <message>
+        <source>BLOCKED</source>
+        <translation>PŘEKÁŽKA</translation>
+    </message>
+    <message>
+        <source>CANNOT TELL</source>
+        <translation>NELZE ŘÍCI</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>připraveno</translation>
+    </message>
+    <message>
+        <source>halting the robot</source>
+        <translation>zastavuje robota</translation>
+    </message>
+    <message>
+        <source>pressing the front flippers down</source>
+        <translation>tlačí přední flippery dolů</translation>
+    </message>
+    <message>
+        <source>estimating the terrain</source>
+        <translation>odhaduje terén</translation>
+    </message>
+    <message>
+        <source>arm probe proposed</source>
+        <translation>navržena sonda ramenem</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>rameno sonduje</translation>
+    </message>
+    <message>
+        <source>estimating again with the arm&apos;s height</source>
+        <translation>odhaduje znovu s výškou z ramene</translation>
+    </message>
+    <message>
+        <source>estimate stands</source>
+        <translation>odhad platí</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <translation>STOP DRŽÍ</translation>
+    </message>
+    <message>
+        <source>exploration failed</source>
+        <translation>průzkum selhal</translation>
+    </message>
+    <message>
+        <source>no failure</source>
+        <translation>bez chyby</translation>
+    </message>
+    <message>
+        <source>the robot did not halt in time</source>
+        <translation>robot včas nezastavil</translation>
+    </message>
+    <message>
+        <source>the flippers found nothing to press against in time</source>
+        <translation>flippery včas nenašly oporu</translation>
+    </message>
+    <message>
+        <source>the estimate took too long</source>
+        <translation>odhad trval příliš dlouho</translation>
+    </message>
+    <message>
+        <source>the estimate could not be computed</source>
+        <translation>odhad se nepodařilo spočítat</translation>
+    </message>
+    <message>
+        <source>the arm did not finish in time</source>
+        <translation>rameno včas neskončilo</translation>
+    </message>
+    <message>
+        <source>the robot refused the probe</source>
+        <translation>robot sondu odmítl</translation>
+    </message>
+    <message>
+        <source>the robot refused to press</source>
+        <translation>robot odmítl přitlačit</translation>
+    </message>
+    <message>
+        <source>the link to the robot was lost</source>
+        <translation>spojení s robotem se ztratilo</translation>
+    </message>
+    <message>
+        <source>the robot moved, so what it felt no longer holds</source>
+        <translation>robot se pohnul, co nahmatal, už neplatí</translation>
+    </message>
+    <message>
+        <source>the approval was of another scene, settings or model</source>
+        <translation>schválení patřilo jiné scéně, nastavení nebo modelu</translation>
+    </message>
+    <message>
+        <source>the robot is not armed</source>
+        <translation>robot není aktivní</translation>
+    </message>
+    <message>
+        <source>not armed yet</source>
+        <translation>dosud neaktivní</translation>
+    </message>
+    <message>
+        <source>disarmed by the operator</source>
+        <translation>deaktivoval operátor</translation>
+    </message>
+    <message>
+        <source>the stop is latched</source>
+        <translation>nouzové zastavení drží</translation>
+    </message>
+    <message>
+        <source>window or panel does not answer</source>
+        <translation>okno nebo panel neodpovídá</translation>
+    </message>
+    <message>
+        <source>somebody else sends this console&apos;s frames</source>
+        <translation>někdo jiný vysílá rámce této konzole</translation>
+    </message>
+    <message>
+        <source>the link is not good</source>
+        <translation>spojení není v pořádku</translation>
+    </message>
+    <message>
+        <source>the robot is armed, but not by this console</source>
+        <translation>robot je aktivní, ale ne z této konzole</translation>
+    </message>
+    <message>
+        <source>not confirmed in time</source>
+        <translation>nepotvrzeno včas</translation>
+    </message>
+    <message>
+        <source>the robot did not arm in time</source>
+        <translation>robot se včas neaktivoval</translation>
+    </message>
+    <message>
+        <source>the robot has disarmed</source>
+        <translation>robot se deaktivoval</translation>
+    </message>
+    <message>
+        <source>the robot has begun anew</source>
+        <translation>robot začal znovu</translation>
+    </message>
+    <message>
+        <source>may be sent</source>
+        <translation>smí se odeslat</translation>
+    </message>
+    <message>
+        <source>not a frame that a console sends</source>
+        <translation>takový rámec konzole nevysílá</translation>
+    </message>
+    <message>
+        <source>the frame is damaged</source>
+        <translation>rámec je poškozen</translation>
+    </message>
+    <message>
+        <source>the link to the robot is not good</source>
+        <translation>spojení s robotem není v pořádku</translation>
+    </message>
+    <message>
+        <source>the robot does not answer: what arrives may be a recording</source>
+        <translation>robot neodpovídá: co přichází, může být záznam</translation>
+    </message>
+    <message>
+        <source>the robot has begun a new arming</source>
+        <translation>robot začal novou aktivaci</translation>
+    </message>
+    <message>
+        <source>the robot is not stopped</source>
+        <translation>robot není zastaven</translation>
+    </message>
+    <message>
+        <source>not armed</source>
+        <translation>není aktivní</translation>
+    </message>
+    <message>
+        <source>arming is not confirmed</source>
+        <translation>aktivace není potvrzena</translation>
+    </message>
+    <message>
+        <source>an exploration is running</source>
+        <translation>běží průzkum</translation>
+    </message>
+    <message>
+        <source>no exploration is running</source>
+        <translation>žádný průzkum neběží</translation>
+    </message>
+    <message>
+        <source>the robot is busy</source>
+        <translation>robot je zaneprázdněn</translation>
+    </message>
+    <message>
+        <source>the front flippers are not pressed to the ground</source>
+        <translation>přední flippery nejsou přitlačeny k zemi</translation>
+    </message>
+    <message>
+        <source>the value is over its limit</source>
+        <translation>hodnota překračuje mez</translation>
+    </message>
+    <message>
+        <source>nobody has approved the probe</source>
+        <translation>sondu nikdo neschválil</translation>
+    </message>
+    <message>
+        <source>the approval is too old</source>
+        <translation>schválení je příliš staré</translation>
+    </message>
+    <message>
+        <source>another bin was approved</source>
+        <translation>schválen byl jiný bod</translation>
+    </message>
+    <message>
+        <source>chains not converged: R-hat %1 (limit %2), effective draws %3 (limit %4)</source>
+        <translation>řetězce nekonvergovaly: R-hat %1 (mez %2), účinných vzorků %3 (mez %4)</translation>
+    </message>
+    <message>
+        <source>chains not converged when time was out: R-hat %1 (limit %2), effective draws %3 (limit %4)</source>
+        <translation>řetězce do vypršení času nekonvergovaly: R-hat %1 (mez %2), účinných vzorků %3 (mez %4)</translation>
+    </message>
+    <message>
+        <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
+        <translation>model bodu %1 m je singulární: %2 jeho rozptylu přidáno jako šum</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AlarmTable</name>
+    <message>
+        <source>▲ CRITICAL, new</source>
+        <translation>▲ KRITICKÉ, nové</translation>
+    </message>
+    <message>
+        <source>◆ caution, new</source>
+        <translation>◆ pozor, nové</translation>
+    </message>
+    <message>
+        <source>▽ over, not seen</source>
+        <translation>▽ pominulo, neviděno</translation>
+    </message>
+    <message>
+        <source>■ critical, seen</source>
+        <translation>■ kritické, viděno</translation>
+    </message>
+    <message>
+        <source>■ caution, seen</source>
+        <translation>■ pozor, viděno</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>už %1</translation>
+    </message>
+    <message>
+        <source>over for %1</source>
+        <translation>pominul před %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
+    </message>
+    <message>
+        <source>Alarms, most urgent first</source>
+        <translation>Alarmy, nejnaléhavější první</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stav</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Co</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Krát</translation>
+    </message>
+    <message>
+        <source>✔ No alarms.</source>
+        <translation>✔ Bez alarmů.</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Potvrdit</translation>
+    </message>
+    <message>
+        <source>The chosen alarm has been seen</source>
+        <translation>Vybraný alarm byl viděn</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Potvrdit vše</translation>
+    </message>
+    <message>
+        <source>All alarms have been seen</source>
+        <translation>Všechny alarmy byly viděny</translation>
+    </message>
+    <message>
+        <source>Silence 60 s</source>
+        <translation>Ticho 60 s</translation>
+    </message>
+    <message>
+        <source>No sound for a minute; a new alarm sounds all the same</source>
+        <translation>Minutu ticho; nový alarm přesto zazní</translation>
+    </message>
+    <message>
+        <source>Silence 120 s</source>
+        <translation>Ticho 120 s</translation>
+    </message>
+    <message>
+        <source>No sound for two minutes; a new alarm sounds all the same</source>
+        <translation>Dvě minuty ticho; nový alarm přesto zazní</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Zvuk</translation>
+    </message>
+    <message>
+        <source>Critical alarms beep until they are acknowledged: at once, then every 10 s</source>
+        <translation>Kritické alarmy pípají do potvrzení: hned a pak každých 10 s</translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation>Ticho</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>ticho %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AlarmsPage</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ArmingControl</name>
+    <message>
+        <source>Arming</source>
+        <translation>Aktivace</translation>
+    </message>
+    <message>
+        <source>hold to arm (M)</source>
+        <translation>držet: aktivovat (M)</translation>
+    </message>
+    <message>
+        <source>Hold to arm the robot</source>
+        <translation>Držením aktivovat robota</translation>
+    </message>
+    <message>
+        <source>Within 5 s; then commands from here move the robot</source>
+        <translation>Do 5 s; pak povely odtud pohybují robotem</translation>
+    </message>
+    <message>
+        <source>Commands from here move the robot. A click halts and disarms it</source>
+        <translation>Povely odtud pohybují robotem. Kliknutí ho zastaví a deaktivuje</translation>
+    </message>
+    <message>
+        <source>Asks for a second action within 5 s</source>
+        <translation>Do 5 s vyžádá druhý úkon</translation>
+    </message>
+    <message>
+        <source>
+Last disarmed: %1</source>
+        <translation>
+Poslední deaktivace: %1</translation>
+    </message>
+    <message>
+        <source>DISARMED · arm (M)</source>
+        <translation>NEAKTIVNÍ · aktivovat (M)</translation>
+    </message>
+    <message>
+        <source>ARMED · disarm (M)</source>
+        <translation>AKTIVNÍ · deaktivovat (M)</translation>
+    </message>
+    <message>
+        <source>arming … cancel (M)</source>
+        <translation>aktivace … zrušit (M)</translation>
+    </message>
+    <message>
+        <source>NO COMMANDS</source>
+        <translation>BEZ POVELŮ</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AtemPanel</name>
+    <message>
+        <source>Exploration (ATEM)</source>
+        <translation>Průzkum (ATEM)</translation>
+    </message>
+    <message>
+        <source>State of the exploration</source>
+        <translation>Stav průzkumu</translation>
+    </message>
+    <message>
+        <source>Explore the terrain (A)</source>
+        <translation>Prozkoumat terén (A)</translation>
+    </message>
+    <message>
+        <source>Abort (Esc)</source>
+        <translation>Přerušit (Esc)</translation>
+    </message>
+    <message>
+        <source>hold to release STOP (R)</source>
+        <translation>držet: uvolnit STOP (R)</translation>
+    </message>
+    <message>
+        <source>Hold to release STOP</source>
+        <translation>Držením uvolnit STOP</translation>
+    </message>
+    <message>
+        <source>Lets commands through again; the robot does not move by itself</source>
+        <translation>Povely zase projdou; robot se sám nepohne</translation>
+    </message>
+    <message>
+        <source>; no answer in time, so no probe</source>
+        <translation>; bez odpovědi včas, tedy bez sondy</translation>
+    </message>
+    <message>
+        <source>, arm included</source>
+        <translation>, včetně ramene</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>zbývá %1</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>splněno</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>sporné</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>chybí</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Běží průzkum: nejdřív ho ukončete klávesou Esc</translation>
+    </message>
+    <message>
+        <source>Not possible now: %1</source>
+        <translation>Teď to nejde: %1</translation>
+    </message>
+    <message>
+        <source>Halts the robot, presses the front flippers down and estimates the terrain</source>
+        <translation>Zastaví robota, přitlačí přední flippery a odhadne terén</translation>
+    </message>
+    <message>
+        <source>Clear (Esc)</source>
+        <translation>Smazat (Esc)</translation>
+    </message>
+    <message>
+        <source>Halts the robot and ends the exploration</source>
+        <translation>Zastaví robota a ukončí průzkum</translation>
+    </message>
+    <message>
+        <source>Takes the result off the screen</source>
+        <translation>Odstraní výsledek z obrazovky</translation>
+    </message>
+    <message>
+        <source>No exploration is running</source>
+        <translation>Žádný průzkum neběží</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::BinInspector</name>
+    <message>
+        <source>The bin up close</source>
+        <translation>Bod zblízka</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ConsoleAlarms</name>
+    <message>
+        <source>left</source>
+        <translation>vlevo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
+    </message>
+    <message>
+        <source>No model, so nothing can be estimated: %1</source>
+        <translation>Bez modelu nelze nic odhadnout: %1</translation>
+    </message>
+    <message>
+        <source>Exploration failed: %1</source>
+        <translation>Průzkum selhal: %1</translation>
+    </message>
+    <message>
+        <source>The robot is stopped and moves only after a release</source>
+        <translation>Robot je zastaven a pohne se až po uvolnění</translation>
+    </message>
+    <message>
+        <source>No telemetry has come since the start%1</source>
+        <translation>Od spuštění nepřišla telemetrie%1</translation>
+    </message>
+    <message>
+        <source>Link lost%1</source>
+        <translation>Spojení ztraceno%1</translation>
+    </message>
+    <message>
+        <source>Another console sends commands on this bus: find it and switch it off</source>
+        <translation>Na sběrnici vysílá povely jiná konzole: najděte ji a vypněte</translation>
+    </message>
+    <message>
+        <source>This computer was too slow for the bus: %1 frames lost since the start</source>
+        <translation>Tento počítač nestíhal sběrnici: od spuštění ztraceno %1 rámců</translation>
+    </message>
+    <message>
+        <source>Damaged frames: %1 with a wrong checksum since the start</source>
+        <translation>Poškozené rámce: od spuštění %1 se špatným součtem</translation>
+    </message>
+    <message>
+        <source>Force sensors not usable: %1</source>
+        <translation>Silové snímače nepoužitelné: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DiagnosticsPage</name>
+    <message>
+        <source>Versions</source>
+        <translation>Verze</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>jádro</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Procesor</translation>
+    </message>
+    <message>
+        <source>cores</source>
+        <translation>jádra</translation>
+    </message>
+    <message>
+        <source>estimator uses</source>
+        <translation>odhad používá</translation>
+    </message>
+    <message>
+        <source>training uses</source>
+        <translation>trénink používá</translation>
+    </message>
+    <message>
+        <source>✔ possible</source>
+        <translation>✔ možné</translation>
+    </message>
+    <message>
+        <source>✘ not possible: %1</source>
+        <translation>✘ není možné: %1</translation>
+    </message>
+    <message>
+        <source>none here</source>
+        <translation>zde žádné</translation>
+    </message>
+    <message>
+        <source>✔ %1</source>
+        <translation>✔ %1</translation>
+    </message>
+    <message>
+        <source>✘ %1: no permission (join the group gpio)</source>
+        <translation>✘ %1: bez oprávnění (vstupte do skupiny gpio)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>Permissions</source>
+        <translation>Oprávnění</translation>
+    </message>
+    <message>
+        <source>CAN socket</source>
+        <translation>soket CAN</translation>
+    </message>
+    <message>
+        <source>CAN interfaces</source>
+        <translation>rozhraní CAN</translation>
+    </message>
+    <message>
+        <source>GPIO chips</source>
+        <translation>čipy GPIO</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>skupiny</translation>
+    </message>
+    <message>
+        <source>half ≤ %1 · 99 % ≤ %2 · worst %3</source>
+        <translation>polovina ≤ %1 · 99 % ≤ %2 · nejhůř %3</translation>
+    </message>
+    <message>
+        <source>Last minute</source>
+        <translation>Poslední minuta</translation>
+    </message>
+    <message>
+        <source>a frame takes</source>
+        <translation>snímek trvá</translation>
+    </message>
+    <message>
+        <source>an event waits</source>
+        <translation>událost čeká</translation>
+    </message>
+    <message>
+        <source>telemetry to screen</source>
+        <translation>z telemetrie na obrazovku</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnostika</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Kopírovat jako text</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DrivePad</name>
+    <message>
+        <source>Drive</source>
+        <translation>Jízda</translation>
+    </message>
+    <message>
+        <source>◀ hold: back (S)</source>
+        <translation>◀ držet: zpět (S)</translation>
+    </message>
+    <message>
+        <source>Hold to drive back</source>
+        <translation>Držením jet zpět</translation>
+    </message>
+    <message>
+        <source>hold: forward (W) ▶</source>
+        <translation>držet: vpřed (W) ▶</translation>
+    </message>
+    <message>
+        <source>Hold to drive forward</source>
+        <translation>Držením jet vpřed</translation>
+    </message>
+    <message>
+        <source>Drives while held; also the arrow keys Up and Down</source>
+        <translation>Jede, dokud držíte; také šipky nahoru a dolů</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::EstimateStrip</name>
+    <message>
+        <source>Result</source>
+        <translation>Výsledek</translation>
+    </message>
+    <message>
+        <source>What makes the result doubtful</source>
+        <translation>Co výsledek zpochybňuje</translation>
+    </message>
+    <message>
+        <source>Progress of the estimate</source>
+        <translation>Průběh odhadu</translation>
+    </message>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>Zrušit (Esc)</translation>
+    </message>
+    <message>
+        <source>Ends the estimate and the exploration</source>
+        <translation>Ukončí odhad i průzkum</translation>
+    </message>
+    <message>
+        <source>Known to ± %1 m, widest at %2</source>
+        <translation>Známo na ± %1 m, nejhůř v %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 draws · %3 s</source>
+        <translation>%1 · %2 vzorků · %3 s</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>řetězce nekonvergovaly</translation>
+    </message>
+    <message>
+        <source>estimating %p %</source>
+        <translation>odhad %p %</translation>
+    </message>
+    <message>
+        <source>Uncertain at %1: ± %2 m</source>
+        <translation>Nejisté v %1: ± %2 m</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::EventList</name>
+    <message>
+        <source>Last minutes</source>
+        <translation>Poslední minuty</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Exploration</name>
+    <message>
+        <source>No estimate yet: explore the terrain (A)</source>
+        <translation>Zatím bez odhadu: prozkoumejte terén (A)</translation>
+    </message>
+    <message>
+        <source>model %1 loaded</source>
+        <translation>model %1 načten</translation>
+    </message>
+    <message>
+        <source>estimate in %1 s</source>
+        <translation>odhad za %1 s</translation>
+    </message>
+    <message>
+        <source>No live estimate: %1</source>
+        <translation>Bez živého odhadu: %1</translation>
+    </message>
+    <message>
+        <source>estimate failed: %1</source>
+        <translation>odhad selhal: %1</translation>
+    </message>
+    <message>
+        <source>STOP not sent: %1</source>
+        <translation>STOP neodeslán: %1</translation>
+    </message>
+    <message>
+        <source>STOP released by the operator</source>
+        <translation>STOP uvolnil operátor</translation>
+    </message>
+    <message>
+        <source>quality of the next estimate: %1</source>
+        <translation>kvalita příštího odhadu: %1</translation>
+    </message>
+    <message>
+        <source>command not sent: %1</source>
+        <translation>povel neodeslán: %1</translation>
+    </message>
+    <message>
+        <source>the robot did not release STOP: hold R again</source>
+        <translation>robot neuvolnil STOP: podržte R znovu</translation>
+    </message>
+    <message>
+        <source>No estimate: explore the terrain (A)</source>
+        <translation>Bez odhadu: prozkoumejte terén (A)</translation>
+    </message>
+    <message>
+        <source>The robot has moved: explore again (A)</source>
+        <translation>Robot se pohnul: prozkoumejte znovu (A)</translation>
+    </message>
+    <message>
+        <source>Exploring: the robot halts</source>
+        <translation>Průzkum: robot zastavuje</translation>
+    </message>
+    <message>
+        <source>exploration requested</source>
+        <translation>vyžádán průzkum</translation>
+    </message>
+    <message>
+        <source>Exploring: the front flippers press down</source>
+        <translation>Průzkum: přední flippery tlačí dolů</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Odhaduje se …</translation>
+    </message>
+    <message>
+        <source>probe proposed at %1</source>
+        <translation>návrh sondy v %1</translation>
+    </message>
+    <message>
+        <source>probe at %1 approved</source>
+        <translation>sonda v %1 schválena</translation>
+    </message>
+    <message>
+        <source>no answer in time: no probe</source>
+        <translation>bez odpovědi včas: bez sondy</translation>
+    </message>
+    <message>
+        <source>probe refused</source>
+        <translation>sonda odmítnuta</translation>
+    </message>
+    <message>
+        <source>exploration ended by the operator</source>
+        <translation>průzkum ukončil operátor</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>No estimate: STOP was pressed</source>
+        <translation>Bez odhadu: stisknut STOP</translation>
+    </message>
+    <message>
+        <source>exploration failed: %1</source>
+        <translation>průzkum selhal: %1</translation>
+    </message>
+    <message>
+        <source>No estimate: %1</source>
+        <translation>Bez odhadu: %1</translation>
+    </message>
+    <message>
+        <source>arm at %1: %2 m, %3 the band shown before</source>
+        <translation>rameno v %1: %2 m, %3 předtím ukázaného pásma</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>uvnitř</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>mimo</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP drží: nejdřív ho uvolněte</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Běží průzkum: nejdřív ho ukončete klávesou Esc</translation>
+    </message>
+    <message>
+        <source>No telemetry from the robot</source>
+        <translation>Žádná telemetrie z robota</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>robot je aktivní</translation>
+    </message>
+    <message>
+        <source>telemetry is live</source>
+        <translation>telemetrie běží</translation>
+    </message>
+    <message>
+        <source>no telemetry from the robot</source>
+        <translation>žádná telemetrie z robota</translation>
+    </message>
+    <message>
+        <source>STOP: release sent, not yet confirmed by the robot</source>
+        <translation>STOP: uvolnění odesláno, robot ještě nepotvrdil</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP drží</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP nedrží</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>bez modelu: %1</translation>
+    </message>
+    <message>
+        <source>the model is being loaded</source>
+        <translation>model se načítá</translation>
+    </message>
+    <message>
+        <source>model %1 is ready</source>
+        <translation>model %1 je připraven</translation>
+    </message>
+    <message>
+        <source>roll %1: left and right ground differ</source>
+        <translation>náklon %1: terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1</source>
+        <translation>levý a pravý flipper se liší o %1</translation>
+    </message>
+    <message>
+        <source>left and right agree, roll is small</source>
+        <translation>vlevo i vpravo stejně, náklon malý</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>bez druhého odhadu: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: it comes when the robot presses its flippers</source>
+        <translation>Zatím bez odhadu: přijde, až robot přitlačí flippery</translation>
+    </message>
+    <message>
+        <source>No estimate yet: press M, then hold M to arm; then explore (A)</source>
+        <translation>Zatím bez odhadu: aktivujte (stisk M, pak držet M); pak průzkum (A)</translation>
+    </message>
+    <message>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
+    </message>
+    <message>
+        <source>probe asked for at %1 instead</source>
+        <translation>místo toho žádána sonda v %1</translation>
+    </message>
+    <message>
+        <source>Following: the front flippers press down</source>
+        <translation>Sledování: přední flippery tlačí dolů</translation>
+    </message>
+    <message>
+        <source>following: the robot has pressed its flippers down</source>
+        <translation>sledování: robot přitlačil flippery</translation>
+    </message>
+    <message>
+        <source>following: the arm is probing</source>
+        <translation>sledování: rameno sonduje</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>sledování: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot is stopped</source>
+        <translation>Bez odhadu: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>following: no estimate: %1</source>
+        <translation>sledování: bez odhadu: %1</translation>
+    </message>
+    <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>není aktivní: stisknout M, pak držet M</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>záznam skončil</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ForceBars</name>
+    <message>
+        <source>1 pivot</source>
+        <translation>1 čep</translation>
+    </message>
+    <message>
+        <source>%1 tip</source>
+        <translation>%1 špička</translation>
+    </message>
+    <message>
+        <source>Forces on the front flippers</source>
+        <translation>Síly na předních flipperech</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>kontakt</translation>
+    </message>
+    <message>
+        <source>element %1: %2 N%3</source>
+        <translation>prvek %1: %2 N%3</translation>
+    </message>
+    <message>
+        <source>, contact</source>
+        <translation>, kontakt</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::MainWindow</name>
+    <message>
+        <source>halted</source>
+        <translation>stojí</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>jede</translation>
+    </message>
+    <message>
+        <source>pressing down</source>
+        <translation>tlačí dolů</translation>
+    </message>
+    <message>
+        <source>flippers pressed</source>
+        <translation>flippery přitlačeny</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>rameno sonduje</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>zastaven</translation>
+    </message>
+    <message>
+        <source>Terratact — %1</source>
+        <translation>Terratact — %1</translation>
+    </message>
+    <message>
+        <source>model loading …</source>
+        <translation>model se načítá …</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>The terrain under the robot, exploring it, and the arm</source>
+        <translation>Terén pod robotem, jeho průzkum a rameno</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vzhled</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Rozvržení, barvy a velikost písma</translation>
+    </message>
+    <message>
+        <source>- - threshold %1 N</source>
+        <translation>- - práh %1 N</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Age of the telemetry</source>
+        <translation>Stáří telemetrie</translation>
+    </message>
+    <message>
+        <source>Last minutes</source>
+        <translation>Poslední minuty</translation>
+    </message>
+    <message>
+        <source>%1: not measured (terratact tradeoff)</source>
+        <translation>%1: neměřeno (terratact tradeoff)</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm</source>
+        <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, střední chyba %4 mm</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>model %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>bez modelu</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel: release it there first</source>
+        <translation>STOP je stisknut na panelu: nejdřív ho uvolněte tam</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>SPOJENÍ ZTRACENO · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>zatím bez telemetrie</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>spoj %1 Hz · ≤ %2</translation>
+    </message>
+    <message>
+        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
+        <translation>SPOJENÍ ZTRACENO %1 — nic na obrazovce není živé%2</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>spojení navázáno</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>spojení ztraceno</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>stáří %1</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>robot je aktivní</translation>
+    </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>není aktivní: %1</translation>
+    </message>
+    <message>
+        <source>The flippers still move: nothing ahead is felt yet</source>
+        <translation>Flippery se ještě hýbou: vpředu zatím nic nahmatáno</translation>
+    </message>
+    <message>
+        <source>LIVE preview</source>
+        <translation>ŽIVÝ náhled</translation>
+    </message>
+    <message>
+        <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
+        <translation>Sonda se nenavrhuje. Po průzkumu se rameno nabídne tam, kde terén zůstal nejistý.</translation>
+    </message>
+    <message>
+        <source>The arm has measured; its height is part of the estimate.</source>
+        <translation>Rameno změřilo; jeho výška je součástí odhadu.</translation>
+    </message>
+    <message>
+        <source>The proposal was not answered in time, which means no.</source>
+        <translation>Návrh zůstal bez odpovědi, což znamená ne.</translation>
+    </message>
+    <message>
+        <source>No probe: the estimate stands without the arm.</source>
+        <translation>Bez sondy: odhad platí i bez ramene.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+    <message>
+        <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
+        <translation>Terratact %1. Zčásti založen na práci projektu Qwt (http://qwt.sf.net).</translation>
+    </message>
+    <message>
+        <source>STOP, in every window</source>
+        <translation>STOP, v každém okně</translation>
+    </message>
+    <message>
+        <source>release STOP</source>
+        <translation>uvolnit STOP</translation>
+    </message>
+    <message>
+        <source>drive forward</source>
+        <translation>jet vpřed</translation>
+    </message>
+    <message>
+        <source>drive back</source>
+        <translation>jet zpět</translation>
+    </message>
+    <message>
+        <source>arm the robot: press, then hold; again disarms it</source>
+        <translation>aktivovat robota: stisknout, pak držet; znovu ho deaktivuje</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>tento přehled</translation>
+    </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Průzkum</translation>
+    </message>
+    <message>
+        <source>explore the terrain</source>
+        <translation>prozkoumat terén</translation>
+    </message>
+    <message>
+        <source>approve the proposed probe, or press the button that has the focus</source>
+        <translation>schválit navrženou sondu, nebo stisknout zaměřené tlačítko</translation>
+    </message>
+    <message>
+        <source>refuse it</source>
+        <translation>odmítnout ji</translation>
+    </message>
+    <message>
+        <source>abort the exploration, or clear its result</source>
+        <translation>přerušit průzkum, nebo smazat výsledek</translation>
+    </message>
+    <message>
+        <source>to the next control, to the one before</source>
+        <translation>na další prvek, na předchozí</translation>
+    </message>
+    <message>
+        <source>Front forces [N]</source>
+        <translation>Síly vpředu [N]</translation>
+    </message>
+    <message>
+        <source>Following: the arm is probing.</source>
+        <translation>Sledování: rameno sonduje.</translation>
+    </message>
+    <message>
+        <source>Following: probes are approved where the robot is commanded.</source>
+        <translation>Sledování: sondy schvaluje ten, kdo robota řídí.</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Čísla</translation>
+    </message>
+    <message>
+        <source>The same scene as a table</source>
+        <translation>Táž scéna jako tabulka</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>pohled</translation>
+    </message>
+    <message>
+        <source>What else is drawn: draws, a second method</source>
+        <translation>Co ještě kreslit: vzorky, druhou metodu</translation>
+    </message>
+    <message>
+        <source>View of the terrain</source>
+        <translation>Zobrazení terénu</translation>
+    </message>
+    <message>
+        <source>Some of the draws as thin lines (D)</source>
+        <translation>Některé vzorky jako tenké čáry (D)</translation>
+    </message>
+    <message>
+        <source>A second method beside it</source>
+        <translation>Druhá metoda vedle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>KONEC ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>konec záznamu</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>záznam skončil</translation>
+    </message>
+    <message>
+        <source>The flippers still move</source>
+        <translation>Flippery se ještě hýbou</translation>
+    </message>
+    <message>
+        <source>probe at %1: %2 → %3 bit</source>
+        <translation>sonda v %1: %2 → %3 bit</translation>
+    </message>
+    <message>
+        <source>ask for another bin instead: the %1. offered</source>
+        <translation>žádat jiný bod: %1. nabízený</translation>
+    </message>
+    <message>
+        <source>raise what counts as an obstacle</source>
+        <translation>zvýšit mez překážky</translation>
+    </message>
+    <message>
+        <source>lower it</source>
+        <translation>snížit ji</translation>
+    </message>
+    <message>
+        <source>show some of the draws as thin lines</source>
+        <translation>některé vzorky jako tenké čáry</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen</source>
+        <translation>Co je špatně a co bylo a nikdo neviděl</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signály</translation>
+    </message>
+    <message>
+        <source>Every signal on the bus, and its newest frames</source>
+        <translation>Všechny signály na sběrnici a poslední rámce</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnostika</translation>
+    </message>
+    <message>
+        <source>Versions, permissions and how fast the console is</source>
+        <translation>Verze, oprávnění a rychlost konzole</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 rámců/s, %3
+%4 rámců ztratil tento počítač, %5 chybových rámců</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Teď</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>stáří telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>čekající rámce CAN</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 teď, nejvýš %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>jeden odhad běží</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>nečinný</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>paměť</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>S čím pracuje</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>zdroj</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>údaje o robotu</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>údaje o modelu</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 ztraceno</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NavigationRail</name>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersPage</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Scéna v číslech</translation>
+    </message>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Kopírovat (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>The whole table, columns apart by tabs</source>
+        <translation>Celá tabulka, sloupce oddělené tabulátory</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Odhad</translation>
+    </message>
+    <message>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m</source>
+        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4 m</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersTable</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Scéna v číslech</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>bod [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>výška [m]</translation>
+    </message>
+    <message>
+        <source>sd [m]</source>
+        <translation>sd [m]</translation>
+    </message>
+    <message>
+        <source>10 % [m]</source>
+        <translation>10 % [m]</translation>
+    </message>
+    <message>
+        <source>90 % [m]</source>
+        <translation>90 % [m]</translation>
+    </message>
+    <message>
+        <source>ceiling [m]</source>
+        <translation>strop [m]</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>z čeho</translation>
+    </message>
+    <message>
+        <source>step to next</source>
+        <translation>schod k další</translation>
+    </message>
+    <message>
+        <source>R-hat</source>
+        <translation>R-hat</translation>
+    </message>
+    <message>
+        <source>ESS</source>
+        <translation>ESS</translation>
+    </message>
+    <message>
+        <source>two heights</source>
+        <translation>dvě výšky</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %) or %3 (%4 %)</source>
+        <translation>%1 (%2 %) nebo %3 (%4 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PanelControl</name>
+    <message>
+        <source>STOP pressed on the panel</source>
+        <translation>STOP stisknut na panelu</translation>
+    </message>
+    <message>
+        <source>the panel is lost, which means STOP</source>
+        <translation>panel ztracen, což znamená STOP</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s panel does not answer</source>
+        <translation>panel operátora neodpovídá</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel</source>
+        <translation>STOP je stisknut na panelu</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s panel answers</source>
+        <translation>panel operátora odpovídá</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ProbeCard</name>
+    <message>
+        <source>Arm probe</source>
+        <translation>Sonda ramenem</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>kde</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>80 % band</source>
+        <translation>pásmo 80 %</translation>
+    </message>
+    <message>
+        <source>costs</source>
+        <translation>stojí</translation>
+    </message>
+    <message>
+        <source>Hold the mouse button or Space for 1.5 s; letting go early means nothing</source>
+        <translation>Držte tlačítko myši nebo mezerník 1.5 s; dřívější puštění neznamená nic</translation>
+    </message>
+    <message>
+        <source>Progress of the probe</source>
+        <translation>Průběh sondy</translation>
+    </message>
+    <message>
+        <source>bin %1</source>
+        <translation>bod %1</translation>
+    </message>
+    <message>
+        <source>%1 m ± %2 m (sd)</source>
+        <translation>%1 m ± %2 m (sd)</translation>
+    </message>
+    <message>
+        <source>%1 … %2 m</source>
+        <translation>%1 … %2 m</translation>
+    </message>
+    <message>
+        <source>this bin to ± %1 m</source>
+        <translation>tento bod na ± %1 m</translation>
+    </message>
+    <message>
+        <source>≈ %1 s, arm out in smoke</source>
+        <translation>≈ %1 s, rameno venku v kouři</translation>
+    </message>
+    <message>
+        <source>hold to approve probe at %1 (Space)</source>
+        <translation>držet: sonda v %1 (Space)</translation>
+    </message>
+    <message>
+        <source>Hold to approve the probe of bin %1</source>
+        <translation>Držením schválit sondu bodu %1</translation>
+    </message>
+    <message>
+        <source>%1 left, then no</source>
+        <translation>zbývá %1, pak ne</translation>
+    </message>
+    <message>
+        <source>The arm is probing bin %1</source>
+        <translation>Rameno sonduje bod %1</translation>
+    </message>
+    <message>
+        <source>%1 of about %2</source>
+        <translation>%1 z asi %2</translation>
+    </message>
+    <message>
+        <source>all bins</source>
+        <translation>všechny body</translation>
+    </message>
+    <message>
+        <source>step ahead</source>
+        <translation>schod vpředu</translation>
+    </message>
+    <message>
+        <source>Do not probe: 0 s, the estimate stays (N)</source>
+        <translation>Bez sondy: 0 s, odhad zůstane (N)</translation>
+    </message>
+    <message>
+        <source>Refuses the arm; as good an answer as any other</source>
+        <translation>Odmítne rameno; odpověď stejně dobrá jako jiná</translation>
+    </message>
+    <message>
+        <source>step &gt; %1 m</source>
+        <translation>schod &gt; %1 m</translation>
+    </message>
+    <message>
+        <source>total variance %1 %</source>
+        <translation>celkový rozptyl %1 %</translation>
+    </message>
+    <message>
+        <source>%1 → %2 bit: %3 a minute</source>
+        <translation>%1 → %2 bit: %3 za minutu</translation>
+    </message>
+    <message>
+        <source>not known for this method</source>
+        <translation>u této metody neznámo</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 %</source>
+        <translation>%1: %2, %3 %</translation>
+    </message>
+    <message>
+        <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
+        <translation>Místo toho bod %1: celkový rozptyl %2 %, schod vpředu na %3 bit</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Provenance</name>
+    <message>
+        <source>arm</source>
+        <translation>rameno</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>kontakt</translation>
+    </message>
+    <message>
+        <source>constrained</source>
+        <translation>omezeno</translation>
+    </message>
+    <message>
+        <source>sampled</source>
+        <translation>vzorkováno</translation>
+    </message>
+    <message>
+        <source>prior only</source>
+        <translation>jen apriori</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::RawTrace</name>
+    <message>
+        <source>after a gap</source>
+        <translation>po mezeře</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>špatný součet</translation>
+    </message>
+    <message>
+        <source>repeated or out of sequence</source>
+        <translation>opakovaný nebo mimo pořadí</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>nepoužitelné</translation>
+    </message>
+    <message>
+        <source>not in the DBC</source>
+        <translation>mimo DBC</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Číslo</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Čas [s]</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rámec</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bajty</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>Co říká</translation>
+    </message>
+    <message>
+        <source>%1 (from here)</source>
+        <translation>%1 (odsud)</translation>
+    </message>
+    <message>
+        <source>id (hexadecimal) or a part of the name</source>
+        <translation>id (šestnáctkově) nebo část názvu</translation>
+    </message>
+    <message>
+        <source>Filter of the frames</source>
+        <translation>Filtr rámců</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Podržet obraz</translation>
+    </message>
+    <message>
+        <source>The list stands still; everything is received and counted all the same</source>
+        <translation>Seznam stojí; vše se přesto přijímá a počítá</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Poslední rámce</translation>
+    </message>
+    <message>
+        <source>Held: go on</source>
+        <translation>Stojí: pokračovat</translation>
+    </message>
+    <message>
+        <source>%1 of the newest %2 frames</source>
+        <translation>%1 z posledních %2 rámců</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::RobotReadout</name>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>podélný sklon</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>náklon</translation>
+    </message>
+    <message>
+        <source>front flippers</source>
+        <translation>přední flippery</translation>
+    </message>
+    <message>
+        <source>rear flippers</source>
+        <translation>zadní flippery</translation>
+    </message>
+    <message>
+        <source>front currents</source>
+        <translation>proudy vpředu</translation>
+    </message>
+    <message>
+        <source>rear currents</source>
+        <translation>proudy vzadu</translation>
+    </message>
+    <message>
+        <source>L %1   R %2</source>
+        <translation>L %1   P %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ScreenshotDemo</name>
+    <message>
+        <source>the demonstration took too long</source>
+        <translation>ukázka trvala příliš dlouho</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: nelze zapsat: %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalTable</name>
+    <message>
+        <source>Frame</source>
+        <translation>Rámec</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signál</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednotka</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frekvence</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Stáří</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Nejméně</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Nejvíce</translation>
+    </message>
+    <message>
+        <source>Last 12 s</source>
+        <translation>Posledních 12 s</translation>
+    </message>
+    <message>
+        <source>history of %1</source>
+        <translation>průběh: %1</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signály</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalsPage</name>
+    <message>
+        <source>error frame</source>
+        <translation>chybový rámec</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>neznámo</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>podélný sklon</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>náklon</translation>
+    </message>
+    <message>
+        <source>front flipper left</source>
+        <translation>přední flipper vlevo</translation>
+    </message>
+    <message>
+        <source>front flipper right</source>
+        <translation>přední flipper vpravo</translation>
+    </message>
+    <message>
+        <source>rear flipper left</source>
+        <translation>zadní flipper vlevo</translation>
+    </message>
+    <message>
+        <source>rear flipper right</source>
+        <translation>zadní flipper vpravo</translation>
+    </message>
+    <message>
+        <source>front current left</source>
+        <translation>proud vpředu vlevo</translation>
+    </message>
+    <message>
+        <source>front current right</source>
+        <translation>proud vpředu vpravo</translation>
+    </message>
+    <message>
+        <source>rear current left</source>
+        <translation>proud vzadu vlevo</translation>
+    </message>
+    <message>
+        <source>rear current right</source>
+        <translation>proud vzadu vpravo</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>síla %1</translation>
+    </message>
+    <message>
+        <source>load --- (bit rate not known): %1 to %2 kbit/s</source>
+        <translation>zátěž --- (rychlost neznámá): %1 až %2 kbit/s</translation>
+    </message>
+    <message>
+        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)</source>
+        <translation>zátěž %1 až %2 % z %3 kbit/s (bez vkládaných bitů, se všemi možnými)</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signály</translation>
+    </message>
+    <message>
+        <source>State of the bus</source>
+        <translation>Stav sběrnice</translation>
+    </message>
+    <message>
+        <source>Forget least and most</source>
+        <translation>Zapomenout minima a maxima</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Poslední rámce</translation>
+    </message>
+    <message>
+        <source>%1 · %2 frames/s · %3
+Since the start: %4 frames, %5 dropped, %6 error frames, %7 with a wrong checksum, %8 out of sequence, %9 not in the DBC</source>
+        <translation>%1 · %2 rámců/s · %3
+Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem, %8 mimo pořadí, %9 mimo DBC</translation>
+    </message>
+    <message>
+        <source>This source is no CAN bus: it has no frames, and these are its values.</source>
+        <translation>Tento zdroj není sběrnice CAN: nemá rámce, zde jsou jeho hodnoty.</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::StatusHeader</name>
+    <message>
+        <source>Status</source>
+        <translation>Stav</translation>
+    </message>
+    <message>
+        <source>Where the data come from</source>
+        <translation>Odkud jsou data</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Spojení</translation>
+    </message>
+    <message>
+        <source>What the robot does</source>
+        <translation>Co robot dělá</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Quality of the estimate</source>
+        <translation>Kvalita odhadu</translation>
+    </message>
+    <message>
+        <source>How much time an estimate may take for its accuracy</source>
+        <translation>Kolik času smí odhad stát za svou přesnost</translation>
+    </message>
+    <message>
+        <source>Keys
+F1</source>
+        <translation>Klávesy
+F1</translation>
+    </message>
+    <message>
+        <source>Every key, and what this program is</source>
+        <translation>Všechny klávesy a co je tento program</translation>
+    </message>
+    <message>
+        <source>STOP (F12)</source>
+        <translation>STOP (F12)</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Halts the robot at once and latches; F12 does the same everywhere</source>
+        <translation>Robota hned zastaví a drží; F12 dělá totéž všude</translation>
+    </message>
+    <message>
+        <source>STOPPED (F12)</source>
+        <translation>STOP DRŽÍ (F12)</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen (F4)</source>
+        <translation>Co je špatně a co bylo a nikdo neviděl (F4)</translation>
+    </message>
+    <message>
+        <source>no alarms</source>
+        <translation>bez alarmů</translation>
+    </message>
+    <message>
+        <source>alarms: %1</source>
+        <translation>alarmy: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 not acknowledged</source>
+        <translation>%1, nepotvrzeno %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TerrainProfileView</name>
+    <message>
+        <source>prior only</source>
+        <translation>jen apriori</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>sonda</translation>
+    </message>
+    <message>
+        <source>Terrain profile</source>
+        <translation>Profil terénu</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>strop</translation>
+    </message>
+    <message>
+        <source>No estimate yet</source>
+        <translation>Zatím bez odhadu</translation>
+    </message>
+    <message>
+        <source>forward from the IMU [m]</source>
+        <translation>vpřed od IMU [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>výška [m]</translation>
+    </message>
+    <message>
+        <source>IMU</source>
+        <translation>IMU</translation>
+    </message>
+    <message>
+        <source>bin %1: %2 m, 80 % in %3 … %4, %5</source>
+        <translation>bod %1: %2 m, 80 % v %3 … %4, %5</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>vzorky</translation>
+    </message>
+    <message>
+        <source>either … or</source>
+        <translation>buď … nebo</translation>
+    </message>
+    <message>
+        <source>80 % band</source>
+        <translation>pásmo 80 %</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>skutečnost</translation>
+    </message>
+    <message>
+        <source>bin %1</source>
+        <translation>bod %1</translation>
+    </message>
+    <message>
+        <source>height %1 m ± %2 m</source>
+        <translation>výška %1 m ± %2 m</translation>
+    </message>
+    <message>
+        <source>80 % in %1 … %2 m</source>
+        <translation>80 % v %1 … %2 m</translation>
+    </message>
+    <message>
+        <source>ceiling %1 m</source>
+        <translation>strop %1 m</translation>
+    </message>
+    <message>
+        <source>from: %1</source>
+        <translation>z: %1</translation>
+    </message>
+    <message>
+        <source>either %1 m (%2 %)</source>
+        <translation>buď %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>or %1 m (%2 %)</source>
+        <translation>nebo %1 m (%2 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::VerdictStrip</name>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>bez živé telemetrie, robot se mohl pohnout</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>řetězce nekonvergovaly</translation>
+    </message>
+    <message>
+        <source>the scene is unlike all training</source>
+        <translation>scéna se nepodobá ničemu z tréninku</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>robot je nakloněn, terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>flippery se liší, terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>likeliest at %1 … %2 m (%3)</source>
+        <translation>nejspíš v %1 … %2 m (%3)</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdikt</translation>
+    </message>
+    <message>
+        <source>Probability of a step ahead</source>
+        <translation>Pravděpodobnost schodu vpředu</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Proč</translation>
+    </message>
+    <message>
+        <source>Lower the limit</source>
+        <translation>Snížit mez</translation>
+    </message>
+    <message>
+        <source>A lower step counts as an obstacle, too (PgDown)</source>
+        <translation>Překážkou je i nižší schod (PgDown)</translation>
+    </message>
+    <message>
+        <source>Raise the limit</source>
+        <translation>Zvýšit mez</translation>
+    </message>
+    <message>
+        <source>Only a higher step counts as an obstacle (PgUp)</source>
+        <translation>Překážkou je až vyšší schod (PgUp)</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead) = %2 ± %3</source>
+        <translation>P(schod &gt; %1 m vpředu) = %2 ± %3</translation>
+    </message>
+    <message>
+        <source>✔ CLEAR</source>
+        <translation>✔ VOLNO</translation>
+    </message>
+    <message>
+        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %</source>
+        <translation>do 0.75 m před IMU, riziko pod %1 %</translation>
+    </message>
+    <message>
+        <source>✘ BLOCKED</source>
+        <translation>✘ PŘEKÁŽKA</translation>
+    </message>
+    <message>
+        <source>? CANNOT TELL</source>
+        <translation>? NELZE ŘÍCI</translation>
+    </message>
+    <message>
+        <source>withheld: %1</source>
+        <translation>zadrženo: %1</translation>
+    </message>
+    <message>
+        <source>NO VERDICT</source>
+        <translation>BEZ VERDIKTU</translation>
+    </message>
+    <message>
+        <source>Is there a step of more than %1 m ahead?</source>
+        <translation>Je vpředu schod vyšší než %1 m?</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ViewMenu</name>
+    <message>
+        <source>layout: drive</source>
+        <translation>rozvržení: jízda</translation>
+    </message>
+    <message>
+        <source>layout: probe</source>
+        <translation>rozvržení: sonda</translation>
+    </message>
+    <message>
+        <source>layout: review</source>
+        <translation>rozvržení: přehled</translation>
+    </message>
+    <message>
+        <source>layout and letters as at first</source>
+        <translation>rozvržení a písmo jako na začátku</translation>
+    </message>
+    <message>
+        <source>colours: day</source>
+        <translation>barvy: den</translation>
+    </message>
+    <message>
+        <source>colours: night, red</source>
+        <translation>barvy: noc, červená</translation>
+    </message>
+    <message>
+        <source>colours: high contrast</source>
+        <translation>barvy: vysoký kontrast</translation>
+    </message>
+    <message>
+        <source>larger letters</source>
+        <translation>větší písmo</translation>
+    </message>
+    <message>
+        <source>smaller letters</source>
+        <translation>menší písmo</translation>
+    </message>
+    <message>
+        <source>letters of normal size</source>
+        <translation>písmo normální velikosti</translation>
+    </message>
+    <message>
+        <source>language: %1 (at the next start)</source>
+        <translation>jazyk: %1 (po novém spuštění)</translation>
+    </message>
+</context>
+</TS>

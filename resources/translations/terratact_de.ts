@@ -1,0 +1,2271 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>KeyTable</name>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>%1, held</source>
+        <translation>%1, halten</translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>Preferences: %1; the shipped robot is used</source>
+        <translation>Einstellungen: %1; der mitgelieferte Roboter wird verwendet</translation>
+    </message>
+    <message>
+        <source>Preferences: “%1” is no valid %2, its default is used</source>
+        <translation>Einstellungen: „%1“ ist kein gültiger Wert für %2, der Standard gilt</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; the file is set aside as %2, defaults are used</source>
+        <translation>Einstellungen: %1; die Datei liegt nun als %2, es gelten die Standardwerte</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 is no file; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1 ist keine Datei; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be read; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1 ist nicht lesbar; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 is too large</source>
+        <translation>%1 ist zu groß</translation>
+    </message>
+    <message>
+        <source>%1 is not understood</source>
+        <translation>%1 ist nicht verständlich</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 was written by a newer version; defaults are used and nothing is saved</source>
+        <translation>Einstellungen: %1 stammt von einer neueren Version; es gelten die Standardwerte, nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be written</source>
+        <translation>Einstellungen: %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Preferences: %1 cannot be read; the shipped model is used</source>
+        <translation>Einstellungen: %1 ist nicht lesbar; das mitgelieferte Modell wird verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>ausgewogen</translation>
+    </message>
+    <message>
+        <source>accurate</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>die Ketten sind nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>roll %1°: the ground is not the same left and right</source>
+        <translation>Rollen %1°: der Boden ist links und rechts nicht gleich</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1°: the ground is not the same left and right</source>
+        <translation>linker und rechter Flipper weichen um %1° ab: der Boden ist links und rechts nicht gleich</translation>
+    </message>
+    <message>
+        <source>contact and arm disagree about bin %1 m by %2 mm</source>
+        <translation>Kontakt und Arm weichen bei Feld %1 m um %2 mm ab</translation>
+    </message>
+    <message>
+        <source>the arm found bin %1 m %2 mm above the robot&apos;s own lower edge</source>
+        <translation>der Arm fand Feld %1 m um %2 mm über der Unterkante des Roboters</translation>
+    </message>
+    <message>
+        <source>unlike the training scenes: %1 times the distance that %2 % of them exceed</source>
+        <translation>anders als die Trainingsszenen: das %1-Fache des Abstands, den %2 % davon überschreiten</translation>
+    </message>
+    <message>
+        <source>a step of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
+        <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten zwischen %4 und %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)</source>
+        <translation>bei %1 m sind zwei Höhen wahrscheinlich: %2 m (%3 %) oder %4 m (%5 %)</translation>
+    </message>
+    <message>
+        <source>no live telemetry: the robot may have moved</source>
+        <translation>keine aktuelle Telemetrie: der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>the scene is unlike all training</source>
+        <translation>die Szene gleicht nichts aus dem Training</translation>
+    </message>
+    <message>
+        <source>the robot rolls: left and right ground differ</source>
+        <translation>der Roboter rollt: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>the flippers differ: left and right ground differ</source>
+        <translation>die Flipper weichen ab: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP ist eingerastet: erst lösen</translation>
+    </message>
+    <message>
+        <source>The link must be good for a second</source>
+        <translation>Die Verbindung muss eine Sekunde lang gut sein</translation>
+    </message>
+    <message>
+        <source>CLEAR</source>
+        <translation>FREI</translation>
+    </message>
+    <message>
+        <source>BLOCKED</source>
+        <translation>VERSPERRT</translation>
+    </message>
+    <message>
+        <source>CANNOT TELL</source>
+        <translation>UNKLAR</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>halting the robot</source>
+        <translation>hält den Roboter an</translation>
+    </message>
+    <message>
+        <source>pressing the front flippers down</source>
+        <translation>drückt die vorderen Flipper an</translation>
+    </message>
+    <message>
+        <source>estimating the terrain</source>
+        <translation>schätzt das Gelände</translation>
+    </message>
+    <message>
+        <source>arm probe proposed</source>
+        <translation>Sondierung vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>Arm sondiert</translation>
+    </message>
+    <message>
+        <source>estimating again with the arm&apos;s height</source>
+        <translation>schätzt neu mit der Höhe des Arms</translation>
+    </message>
+    <message>
+        <source>estimate stands</source>
+        <translation>Schätzung steht</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <translation>STOP AKTIV</translation>
+    </message>
+    <message>
+        <source>exploration failed</source>
+        <translation>Erkundung fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>no failure</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>the robot did not halt in time</source>
+        <translation>der Roboter hielt nicht rechtzeitig an</translation>
+    </message>
+    <message>
+        <source>the flippers found nothing to press against in time</source>
+        <translation>die Flipper fanden nicht rechtzeitig Widerstand</translation>
+    </message>
+    <message>
+        <source>the estimate took too long</source>
+        <translation>die Schätzung dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>the estimate could not be computed</source>
+        <translation>die Schätzung war nicht zu berechnen</translation>
+    </message>
+    <message>
+        <source>the arm did not finish in time</source>
+        <translation>der Arm wurde nicht rechtzeitig fertig</translation>
+    </message>
+    <message>
+        <source>the robot refused the probe</source>
+        <translation>der Roboter lehnte die Sondierung ab</translation>
+    </message>
+    <message>
+        <source>the robot refused to press</source>
+        <translation>der Roboter lehnte das Andrücken ab</translation>
+    </message>
+    <message>
+        <source>the link to the robot was lost</source>
+        <translation>die Verbindung zum Roboter ging verloren</translation>
+    </message>
+    <message>
+        <source>the robot moved, so what it felt no longer holds</source>
+        <translation>der Roboter bewegte sich, das Ertastete gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>the approval was of another scene, settings or model</source>
+        <translation>die Genehmigung galt einer anderen Szene, Einstellung oder einem anderen Modell</translation>
+    </message>
+    <message>
+        <source>the robot is not armed</source>
+        <translation>der Roboter ist nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>not armed yet</source>
+        <translation>noch nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>disarmed by the operator</source>
+        <translation>vom Bediener gesperrt</translation>
+    </message>
+    <message>
+        <source>the stop is latched</source>
+        <translation>der Halt ist eingerastet</translation>
+    </message>
+    <message>
+        <source>window or panel does not answer</source>
+        <translation>Fenster oder Pult antwortet nicht</translation>
+    </message>
+    <message>
+        <source>somebody else sends this console&apos;s frames</source>
+        <translation>jemand anders sendet die Rahmen dieser Konsole</translation>
+    </message>
+    <message>
+        <source>the link is not good</source>
+        <translation>die Verbindung ist nicht gut</translation>
+    </message>
+    <message>
+        <source>the robot is armed, but not by this console</source>
+        <translation>der Roboter ist freigegeben, aber nicht von dieser Konsole</translation>
+    </message>
+    <message>
+        <source>not confirmed in time</source>
+        <translation>nicht rechtzeitig bestätigt</translation>
+    </message>
+    <message>
+        <source>the robot did not arm in time</source>
+        <translation>der Roboter gab nicht rechtzeitig frei</translation>
+    </message>
+    <message>
+        <source>the robot has disarmed</source>
+        <translation>der Roboter hat sich gesperrt</translation>
+    </message>
+    <message>
+        <source>the robot has begun anew</source>
+        <translation>der Roboter hat neu begonnen</translation>
+    </message>
+    <message>
+        <source>may be sent</source>
+        <translation>darf gesendet werden</translation>
+    </message>
+    <message>
+        <source>not a frame that a console sends</source>
+        <translation>kein Rahmen, den eine Konsole sendet</translation>
+    </message>
+    <message>
+        <source>the frame is damaged</source>
+        <translation>der Rahmen ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the link to the robot is not good</source>
+        <translation>die Verbindung zum Roboter ist nicht gut</translation>
+    </message>
+    <message>
+        <source>the robot does not answer: what arrives may be a recording</source>
+        <translation>der Roboter antwortet nicht: was ankommt, kann eine Aufzeichnung sein</translation>
+    </message>
+    <message>
+        <source>the robot has begun a new arming</source>
+        <translation>der Roboter hat eine neue Freigabe begonnen</translation>
+    </message>
+    <message>
+        <source>the robot is not stopped</source>
+        <translation>der Roboter ist nicht gestoppt</translation>
+    </message>
+    <message>
+        <source>not armed</source>
+        <translation>nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>arming is not confirmed</source>
+        <translation>die Freigabe ist nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>an exploration is running</source>
+        <translation>eine Erkundung läuft</translation>
+    </message>
+    <message>
+        <source>no exploration is running</source>
+        <translation>es läuft keine Erkundung</translation>
+    </message>
+    <message>
+        <source>the robot is busy</source>
+        <translation>der Roboter ist beschäftigt</translation>
+    </message>
+    <message>
+        <source>the front flippers are not pressed to the ground</source>
+        <translation>die vorderen Flipper sind nicht an den Boden gedrückt</translation>
+    </message>
+    <message>
+        <source>the value is over its limit</source>
+        <translation>der Wert liegt über seiner Grenze</translation>
+    </message>
+    <message>
+        <source>nobody has approved the probe</source>
+        <translation>niemand hat die Sondierung genehmigt</translation>
+    </message>
+    <message>
+        <source>the approval is too old</source>
+        <translation>die Genehmigung ist zu alt</translation>
+    </message>
+    <message>
+        <source>another bin was approved</source>
+        <translation>ein anderes Feld wurde genehmigt</translation>
+    </message>
+    <message>
+        <source>chains not converged: R-hat %1 (limit %2), effective draws %3 (limit %4)</source>
+        <translation>Ketten nicht konvergiert: R-hat %1 (Grenze %2), wirksame Ziehungen %3 (Grenze %4)</translation>
+    </message>
+    <message>
+        <source>chains not converged when time was out: R-hat %1 (limit %2), effective draws %3 (limit %4)</source>
+        <translation>Ketten bei Ablauf der Zeit nicht konvergiert: R-hat %1 (Grenze %2), wirksame Ziehungen %3 (Grenze %4)</translation>
+    </message>
+    <message>
+        <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
+        <translation>das Modell von Feld %1 m ist singulär: %2 seiner Varianz wurde als Rauschen zugegeben</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AlarmTable</name>
+    <message>
+        <source>▲ CRITICAL, new</source>
+        <translation>▲ KRITISCH, neu</translation>
+    </message>
+    <message>
+        <source>◆ caution, new</source>
+        <translation>◆ Vorsicht, neu</translation>
+    </message>
+    <message>
+        <source>▽ over, not seen</source>
+        <translation>▽ vorbei, nicht gesehen</translation>
+    </message>
+    <message>
+        <source>■ critical, seen</source>
+        <translation>■ kritisch, gesehen</translation>
+    </message>
+    <message>
+        <source>■ caution, seen</source>
+        <translation>■ Vorsicht, gesehen</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>over for %1</source>
+        <translation>vorbei seit %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Alarms, most urgent first</source>
+        <translation>Alarme, dringendste zuerst</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>✔ No alarms.</source>
+        <translation>✔ Keine Alarme.</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>The chosen alarm has been seen</source>
+        <translation>Der gewählte Alarm ist gesehen</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Alle quittieren</translation>
+    </message>
+    <message>
+        <source>All alarms have been seen</source>
+        <translation>Alle Alarme sind gesehen</translation>
+    </message>
+    <message>
+        <source>Silence 60 s</source>
+        <translation>Stumm 60 s</translation>
+    </message>
+    <message>
+        <source>No sound for a minute; a new alarm sounds all the same</source>
+        <translation>Eine Minute kein Ton; ein neuer Alarm ertönt dennoch</translation>
+    </message>
+    <message>
+        <source>Silence 120 s</source>
+        <translation>Stumm 120 s</translation>
+    </message>
+    <message>
+        <source>No sound for two minutes; a new alarm sounds all the same</source>
+        <translation>Zwei Minuten kein Ton; ein neuer Alarm ertönt dennoch</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Critical alarms beep until they are acknowledged: at once, then every 10 s</source>
+        <translation>Kritische Alarme piepen bis zur Quittierung: sofort, dann alle 10 s</translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>silent for %1</source>
+        <translation>stumm für %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AlarmsPage</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ArmingControl</name>
+    <message>
+        <source>Arming</source>
+        <translation>Freigabe</translation>
+    </message>
+    <message>
+        <source>hold to arm (M)</source>
+        <translation>halten: freigeben (M)</translation>
+    </message>
+    <message>
+        <source>Hold to arm the robot</source>
+        <translation>Halten, um den Roboter freizugeben</translation>
+    </message>
+    <message>
+        <source>Within 5 s; then commands from here move the robot</source>
+        <translation>Innerhalb von 5 s; danach bewegen Befehle von hier den Roboter</translation>
+    </message>
+    <message>
+        <source>Commands from here move the robot. A click halts and disarms it</source>
+        <translation>Befehle von hier bewegen den Roboter. Ein Klick hält ihn an und sperrt ihn</translation>
+    </message>
+    <message>
+        <source>Asks for a second action within 5 s</source>
+        <translation>Verlangt innerhalb von 5 s eine zweite Handlung</translation>
+    </message>
+    <message>
+        <source>
+Last disarmed: %1</source>
+        <translation>
+Zuletzt gesperrt: %1</translation>
+    </message>
+    <message>
+        <source>DISARMED · arm (M)</source>
+        <translation>GESPERRT · freigeben (M)</translation>
+    </message>
+    <message>
+        <source>ARMED · disarm (M)</source>
+        <translation>FREI · sperren (M)</translation>
+    </message>
+    <message>
+        <source>arming … cancel (M)</source>
+        <translation>Freigabe … abbrechen (M)</translation>
+    </message>
+    <message>
+        <source>NO COMMANDS</source>
+        <translation>KEINE BEFEHLE</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::AtemPanel</name>
+    <message>
+        <source>Exploration (ATEM)</source>
+        <translation>Erkundung (ATEM)</translation>
+    </message>
+    <message>
+        <source>State of the exploration</source>
+        <translation>Stand der Erkundung</translation>
+    </message>
+    <message>
+        <source>Explore the terrain (A)</source>
+        <translation>Gelände erkunden (A)</translation>
+    </message>
+    <message>
+        <source>Abort (Esc)</source>
+        <translation>Abbruch (Esc)</translation>
+    </message>
+    <message>
+        <source>hold to release STOP (R)</source>
+        <translation>halten: STOP lösen (R)</translation>
+    </message>
+    <message>
+        <source>Hold to release STOP</source>
+        <translation>Halten, um STOP zu lösen</translation>
+    </message>
+    <message>
+        <source>Lets commands through again; the robot does not move by itself</source>
+        <translation>Lässt Befehle wieder durch; der Roboter bewegt sich nicht von selbst</translation>
+    </message>
+    <message>
+        <source>; no answer in time, so no probe</source>
+        <translation>; keine Antwort in der Zeit, also keine Sondierung</translation>
+    </message>
+    <message>
+        <source>, arm included</source>
+        <translation>, Arm eingerechnet</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
+    </message>
+    <message>
+        <source>Not possible now: %1</source>
+        <translation>Jetzt nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>Halts the robot, presses the front flippers down and estimates the terrain</source>
+        <translation>Hält den Roboter an, drückt die vorderen Flipper an und schätzt das Gelände</translation>
+    </message>
+    <message>
+        <source>Clear (Esc)</source>
+        <translation>Löschen (Esc)</translation>
+    </message>
+    <message>
+        <source>Halts the robot and ends the exploration</source>
+        <translation>Hält den Roboter an und beendet die Erkundung</translation>
+    </message>
+    <message>
+        <source>Takes the result off the screen</source>
+        <translation>Nimmt das Ergebnis vom Schirm</translation>
+    </message>
+    <message>
+        <source>No exploration is running</source>
+        <translation>Es läuft keine Erkundung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::BinInspector</name>
+    <message>
+        <source>The bin up close</source>
+        <translation>Das Feld aus der Nähe</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ConsoleAlarms</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>No model, so nothing can be estimated: %1</source>
+        <translation>Kein Modell, also keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>Exploration failed: %1</source>
+        <translation>Erkundung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>The robot is stopped and moves only after a release</source>
+        <translation>Der Roboter ist gestoppt und bewegt sich erst nach dem Lösen</translation>
+    </message>
+    <message>
+        <source>No telemetry has come since the start%1</source>
+        <translation>Seit dem Start keine Telemetrie%1</translation>
+    </message>
+    <message>
+        <source>Link lost%1</source>
+        <translation>Verbindung verloren%1</translation>
+    </message>
+    <message>
+        <source>Another console sends commands on this bus: find it and switch it off</source>
+        <translation>Eine andere Konsole sendet Befehle auf diesem Bus: suchen und abschalten</translation>
+    </message>
+    <message>
+        <source>This computer was too slow for the bus: %1 frames lost since the start</source>
+        <translation>Dieser Rechner war zu langsam für den Bus: %1 Rahmen seit dem Start verloren</translation>
+    </message>
+    <message>
+        <source>Damaged frames: %1 with a wrong checksum since the start</source>
+        <translation>Beschädigte Rahmen: seit dem Start %1 mit falscher Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Force sensors not usable: %1</source>
+        <translation>Kraftsensoren unbrauchbar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DiagnosticsPage</name>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>Kernel</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>cores</source>
+        <translation>Kerne</translation>
+    </message>
+    <message>
+        <source>estimator uses</source>
+        <translation>Schätzer nutzt</translation>
+    </message>
+    <message>
+        <source>training uses</source>
+        <translation>Training nutzt</translation>
+    </message>
+    <message>
+        <source>✔ possible</source>
+        <translation>✔ möglich</translation>
+    </message>
+    <message>
+        <source>✘ not possible: %1</source>
+        <translation>✘ nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>none here</source>
+        <translation>hier keine</translation>
+    </message>
+    <message>
+        <source>✔ %1</source>
+        <translation>✔ %1</translation>
+    </message>
+    <message>
+        <source>✘ %1: no permission (join the group gpio)</source>
+        <translation>✘ %1: keine Rechte (in die Gruppe gpio eintreten)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Permissions</source>
+        <translation>Rechte</translation>
+    </message>
+    <message>
+        <source>CAN socket</source>
+        <translation>CAN-Socket</translation>
+    </message>
+    <message>
+        <source>CAN interfaces</source>
+        <translation>CAN-Schnittstellen</translation>
+    </message>
+    <message>
+        <source>GPIO chips</source>
+        <translation>GPIO-Chips</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>half ≤ %1 · 99 % ≤ %2 · worst %3</source>
+        <translation>Hälfte ≤ %1 · 99 % ≤ %2 · schlechtester %3</translation>
+    </message>
+    <message>
+        <source>Last minute</source>
+        <translation>Letzte Minute</translation>
+    </message>
+    <message>
+        <source>a frame takes</source>
+        <translation>ein Bild braucht</translation>
+    </message>
+    <message>
+        <source>an event waits</source>
+        <translation>ein Ereignis wartet</translation>
+    </message>
+    <message>
+        <source>telemetry to screen</source>
+        <translation>Telemetrie bis Schirm</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnose</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DrivePad</name>
+    <message>
+        <source>Drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>◀ hold: back (S)</source>
+        <translation>◀ halten: zurück (S)</translation>
+    </message>
+    <message>
+        <source>Hold to drive back</source>
+        <translation>Halten, um zurückzufahren</translation>
+    </message>
+    <message>
+        <source>hold: forward (W) ▶</source>
+        <translation>halten: vor (W) ▶</translation>
+    </message>
+    <message>
+        <source>Hold to drive forward</source>
+        <translation>Halten, um vorwärtszufahren</translation>
+    </message>
+    <message>
+        <source>Drives while held; also the arrow keys Up and Down</source>
+        <translation>Fährt, solange gehalten; auch mit den Pfeiltasten auf und ab</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::EstimateStrip</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>What makes the result doubtful</source>
+        <translation>Was das Ergebnis zweifelhaft macht</translation>
+    </message>
+    <message>
+        <source>Progress of the estimate</source>
+        <translation>Fortschritt der Schätzung</translation>
+    </message>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>Abbruch (Esc)</translation>
+    </message>
+    <message>
+        <source>Ends the estimate and the exploration</source>
+        <translation>Beendet Schätzung und Erkundung</translation>
+    </message>
+    <message>
+        <source>Known to ± %1 m, widest at %2</source>
+        <translation>Bekannt auf ± %1 m, am weitesten bei %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 draws · %3 s</source>
+        <translation>%1 · %2 Ziehungen · %3 s</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>die Ketten sind nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>estimating %p %</source>
+        <translation>schätzt %p %</translation>
+    </message>
+    <message>
+        <source>Uncertain at %1: ± %2 m</source>
+        <translation>Unsicher bei %1: ± %2 m</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::EventList</name>
+    <message>
+        <source>Last minutes</source>
+        <translation>Letzte Minuten</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Exploration</name>
+    <message>
+        <source>No estimate yet: explore the terrain (A)</source>
+        <translation>Noch keine Schätzung: Gelände erkunden (A)</translation>
+    </message>
+    <message>
+        <source>model %1 loaded</source>
+        <translation>Modell %1 geladen</translation>
+    </message>
+    <message>
+        <source>estimate in %1 s</source>
+        <translation>Schätzung in %1 s</translation>
+    </message>
+    <message>
+        <source>No live estimate: %1</source>
+        <translation>Keine laufende Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>estimate failed: %1</source>
+        <translation>Schätzung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>STOP not sent: %1</source>
+        <translation>STOP nicht gesendet: %1</translation>
+    </message>
+    <message>
+        <source>STOP released by the operator</source>
+        <translation>STOP vom Bediener gelöst</translation>
+    </message>
+    <message>
+        <source>quality of the next estimate: %1</source>
+        <translation>Güte der nächsten Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>command not sent: %1</source>
+        <translation>Befehl nicht gesendet: %1</translation>
+    </message>
+    <message>
+        <source>the robot did not release STOP: hold R again</source>
+        <translation>der Roboter hat STOP nicht gelöst: R noch einmal halten</translation>
+    </message>
+    <message>
+        <source>No estimate: explore the terrain (A)</source>
+        <translation>Keine Schätzung: Gelände erkunden (A)</translation>
+    </message>
+    <message>
+        <source>The robot has moved: explore again (A)</source>
+        <translation>Der Roboter hat sich bewegt: neu erkunden (A)</translation>
+    </message>
+    <message>
+        <source>Exploring: the robot halts</source>
+        <translation>Erkundung: der Roboter hält an</translation>
+    </message>
+    <message>
+        <source>exploration requested</source>
+        <translation>Erkundung angefordert</translation>
+    </message>
+    <message>
+        <source>Exploring: the front flippers press down</source>
+        <translation>Erkundung: die vorderen Flipper drücken an</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzt …</translation>
+    </message>
+    <message>
+        <source>probe proposed at %1</source>
+        <translation>Sondierung vorgeschlagen bei %1</translation>
+    </message>
+    <message>
+        <source>probe at %1 approved</source>
+        <translation>Sondierung bei %1 genehmigt</translation>
+    </message>
+    <message>
+        <source>no answer in time: no probe</source>
+        <translation>keine Antwort in der Zeit: keine Sondierung</translation>
+    </message>
+    <message>
+        <source>probe refused</source>
+        <translation>Sondierung abgelehnt</translation>
+    </message>
+    <message>
+        <source>exploration ended by the operator</source>
+        <translation>Erkundung vom Bediener beendet</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>No estimate: STOP was pressed</source>
+        <translation>Keine Schätzung: STOP wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>exploration failed: %1</source>
+        <translation>Erkundung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>No estimate: %1</source>
+        <translation>Keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>arm at %1: %2 m, %3 the band shown before</source>
+        <translation>Arm bei %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innerhalb</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP ist eingerastet: erst lösen</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
+    </message>
+    <message>
+        <source>No telemetry from the robot</source>
+        <translation>Keine Telemetrie vom Roboter</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>telemetry is live</source>
+        <translation>Telemetrie läuft</translation>
+    </message>
+    <message>
+        <source>no telemetry from the robot</source>
+        <translation>keine Telemetrie vom Roboter</translation>
+    </message>
+    <message>
+        <source>STOP: release sent, not yet confirmed by the robot</source>
+        <translation>STOP: Lösen gesendet, vom Roboter noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP ist eingerastet</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP ist nicht eingerastet</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>kein Modell: %1</translation>
+    </message>
+    <message>
+        <source>the model is being loaded</source>
+        <translation>das Modell wird geladen</translation>
+    </message>
+    <message>
+        <source>model %1 is ready</source>
+        <translation>Modell %1 ist bereit</translation>
+    </message>
+    <message>
+        <source>roll %1: left and right ground differ</source>
+        <translation>Rollen %1: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1</source>
+        <translation>linker und rechter Flipper weichen um %1 ab</translation>
+    </message>
+    <message>
+        <source>left and right agree, roll is small</source>
+        <translation>links und rechts gleich, Rollen klein</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>keine zweite Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: it comes when the robot presses its flippers</source>
+        <translation>Noch keine Schätzung: sie kommt, wenn der Roboter die Flipper andrückt</translation>
+    </message>
+    <message>
+        <source>No estimate yet: press M, then hold M to arm; then explore (A)</source>
+        <translation>Noch keine Schätzung: M drücken, dann M halten zum Freigeben; dann erkunden (A)</translation>
+    </message>
+    <message>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
+    </message>
+    <message>
+        <source>probe asked for at %1 instead</source>
+        <translation>stattdessen Sondierung bei %1 verlangt</translation>
+    </message>
+    <message>
+        <source>Following: the front flippers press down</source>
+        <translation>Mitverfolgt: die vorderen Flipper drücken an</translation>
+    </message>
+    <message>
+        <source>following: the robot has pressed its flippers down</source>
+        <translation>mitverfolgt: der Roboter hat die Flipper angedrückt</translation>
+    </message>
+    <message>
+        <source>following: the arm is probing</source>
+        <translation>mitverfolgt: der Arm sondiert</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>mitverfolgt: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot is stopped</source>
+        <translation>Keine Schätzung: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>following: no estimate: %1</source>
+        <translation>mitverfolgt: keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>nicht freigegeben: M drücken, dann M halten</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>das Log ist zu Ende</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ForceBars</name>
+    <message>
+        <source>1 pivot</source>
+        <translation>1 Achse</translation>
+    </message>
+    <message>
+        <source>%1 tip</source>
+        <translation>%1 Spitze</translation>
+    </message>
+    <message>
+        <source>Forces on the front flippers</source>
+        <translation>Kräfte an den vorderen Flippern</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>element %1: %2 N%3</source>
+        <translation>Element %1: %2 N%3</translation>
+    </message>
+    <message>
+        <source>, contact</source>
+        <translation>, Kontakt</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::MainWindow</name>
+    <message>
+        <source>halted</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>fährt</translation>
+    </message>
+    <message>
+        <source>pressing down</source>
+        <translation>drückt an</translation>
+    </message>
+    <message>
+        <source>flippers pressed</source>
+        <translation>Flipper angedrückt</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>Arm sondiert</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>Terratact — %1</source>
+        <translation>Terratact — %1</translation>
+    </message>
+    <message>
+        <source>model loading …</source>
+        <translation>Modell lädt …</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>The terrain under the robot, exploring it, and the arm</source>
+        <translation>Das Gelände unter dem Roboter, die Erkundung und der Arm</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Anordnung, Farben und Schriftgröße</translation>
+    </message>
+    <message>
+        <source>- - threshold %1 N</source>
+        <translation>- - Schwelle %1 N</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Age of the telemetry</source>
+        <translation>Alter der Telemetrie</translation>
+    </message>
+    <message>
+        <source>Last minutes</source>
+        <translation>Letzte Minuten</translation>
+    </message>
+    <message>
+        <source>%1: not measured (terratact tradeoff)</source>
+        <translation>%1: nicht gemessen (terratact tradeoff)</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm</source>
+        <translation>%1: %2 ms, Quantile ± %3 mm von einem langen Lauf, mittlerer Fehler %4 mm</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>Modell %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel: release it there first</source>
+        <translation>STOP ist am Pult gedrückt: erst dort lösen</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>VERBINDUNG WEG · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>noch keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>Link %1 Hz · ≤ %2</translation>
+    </message>
+    <message>
+        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
+        <translation>VERBINDUNG WEG seit %1 — nichts auf diesem Schirm ist aktuell%2</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>Verbindung steht</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>%1 alt</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>nicht freigegeben: %1</translation>
+    </message>
+    <message>
+        <source>The flippers still move: nothing ahead is felt yet</source>
+        <translation>Die Flipper bewegen sich noch: vorn ist noch nichts ertastet</translation>
+    </message>
+    <message>
+        <source>LIVE preview</source>
+        <translation>LIVE-Vorschau</translation>
+    </message>
+    <message>
+        <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
+        <translation>Keine Sondierung vorgeschlagen. Nach einer Erkundung wird der Arm angeboten, wo das Gelände unsicher bleibt.</translation>
+    </message>
+    <message>
+        <source>The arm has measured; its height is part of the estimate.</source>
+        <translation>Der Arm hat gemessen; seine Höhe ist Teil der Schätzung.</translation>
+    </message>
+    <message>
+        <source>The proposal was not answered in time, which means no.</source>
+        <translation>Der Vorschlag blieb ohne Antwort, das heißt nein.</translation>
+    </message>
+    <message>
+        <source>No probe: the estimate stands without the arm.</source>
+        <translation>Keine Sondierung: die Schätzung gilt ohne den Arm.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
+        <translation>Terratact %1. Beruht teilweise auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
+    </message>
+    <message>
+        <source>STOP, in every window</source>
+        <translation>STOP, in jedem Fenster</translation>
+    </message>
+    <message>
+        <source>release STOP</source>
+        <translation>STOP lösen</translation>
+    </message>
+    <message>
+        <source>drive forward</source>
+        <translation>vorwärtsfahren</translation>
+    </message>
+    <message>
+        <source>drive back</source>
+        <translation>zurückfahren</translation>
+    </message>
+    <message>
+        <source>arm the robot: press, then hold; again disarms it</source>
+        <translation>Roboter freigeben: drücken, dann halten; noch einmal sperrt ihn</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>diese Übersicht</translation>
+    </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>explore the terrain</source>
+        <translation>Gelände erkunden</translation>
+    </message>
+    <message>
+        <source>approve the proposed probe, or press the button that has the focus</source>
+        <translation>vorgeschlagene Sondierung genehmigen, oder den gewählten Knopf drücken</translation>
+    </message>
+    <message>
+        <source>refuse it</source>
+        <translation>sie ablehnen</translation>
+    </message>
+    <message>
+        <source>abort the exploration, or clear its result</source>
+        <translation>Erkundung abbrechen, oder ihr Ergebnis löschen</translation>
+    </message>
+    <message>
+        <source>to the next control, to the one before</source>
+        <translation>zum nächsten Element, zum vorigen</translation>
+    </message>
+    <message>
+        <source>Front forces [N]</source>
+        <translation>Kräfte vorn [N]</translation>
+    </message>
+    <message>
+        <source>Following: the arm is probing.</source>
+        <translation>Mitverfolgt: der Arm sondiert.</translation>
+    </message>
+    <message>
+        <source>Following: probes are approved where the robot is commanded.</source>
+        <translation>Mitverfolgt: Sondierungen genehmigt, wer den Roboter führt.</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>The same scene as a table</source>
+        <translation>Dieselbe Szene als Tabelle</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>What else is drawn: draws, a second method</source>
+        <translation>Was noch gezeichnet wird: Ziehungen, eine zweite Methode</translation>
+    </message>
+    <message>
+        <source>View of the terrain</source>
+        <translation>Ansicht des Geländes</translation>
+    </message>
+    <message>
+        <source>Some of the draws as thin lines (D)</source>
+        <translation>Einige Ziehungen als dünne Linien (D)</translation>
+    </message>
+    <message>
+        <source>A second method beside it</source>
+        <translation>Eine zweite Methode daneben</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>ENDE DES LOGS</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>Ende des Logs</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>das Log ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The flippers still move</source>
+        <translation>Die Flipper bewegen sich noch</translation>
+    </message>
+    <message>
+        <source>probe at %1: %2 → %3 bit</source>
+        <translation>Sondierung bei %1: %2 → %3 bit</translation>
+    </message>
+    <message>
+        <source>ask for another bin instead: the %1. offered</source>
+        <translation>ein anderes Feld verlangen: das %1. angebotene</translation>
+    </message>
+    <message>
+        <source>raise what counts as an obstacle</source>
+        <translation>Hindernisgrenze anheben</translation>
+    </message>
+    <message>
+        <source>lower it</source>
+        <translation>sie senken</translation>
+    </message>
+    <message>
+        <source>show some of the draws as thin lines</source>
+        <translation>einige Ziehungen als dünne Linien</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen</source>
+        <translation>Was nicht stimmt, und was war und nicht gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Every signal on the bus, and its newest frames</source>
+        <translation>Jedes Signal auf dem Bus und die neuesten Rahmen</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnose</translation>
+    </message>
+    <message>
+        <source>Versions, permissions and how fast the console is</source>
+        <translation>Versionen, Rechte und wie schnell die Konsole ist</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 Rahmen/s, %3
+%4 Rahmen von diesem Rechner verloren, %5 Fehlerrahmen</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>Alter der Telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>Telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>wartende CAN-Rahmen</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 jetzt, höchstens %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>eine Schätzung läuft</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>untätig</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>Womit sie arbeitet</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>Angaben zum Roboter</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>Angaben zum Modell</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 verloren</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NavigationRail</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersPage</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Die Szene in Zahlen</translation>
+    </message>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Kopieren (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>The whole table, columns apart by tabs</source>
+        <translation>Die ganze Tabelle, Spalten durch Tabulatoren getrennt</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m</source>
+        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4 m</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::NumbersTable</name>
+    <message>
+        <source>The scene as numbers</source>
+        <translation>Die Szene in Zahlen</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>Feld [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>Höhe [m]</translation>
+    </message>
+    <message>
+        <source>sd [m]</source>
+        <translation>sd [m]</translation>
+    </message>
+    <message>
+        <source>10 % [m]</source>
+        <translation>10 % [m]</translation>
+    </message>
+    <message>
+        <source>90 % [m]</source>
+        <translation>90 % [m]</translation>
+    </message>
+    <message>
+        <source>ceiling [m]</source>
+        <translation>Obergrenze [m]</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>woher</translation>
+    </message>
+    <message>
+        <source>step to next</source>
+        <translation>Stufe zum nächsten</translation>
+    </message>
+    <message>
+        <source>R-hat</source>
+        <translation>R-hat</translation>
+    </message>
+    <message>
+        <source>ESS</source>
+        <translation>ESS</translation>
+    </message>
+    <message>
+        <source>two heights</source>
+        <translation>zwei Höhen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %) or %3 (%4 %)</source>
+        <translation>%1 (%2 %) oder %3 (%4 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PanelControl</name>
+    <message>
+        <source>STOP pressed on the panel</source>
+        <translation>STOP am Pult gedrückt</translation>
+    </message>
+    <message>
+        <source>the panel is lost, which means STOP</source>
+        <translation>das Pult ist weg, das heißt STOP</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s panel does not answer</source>
+        <translation>das Bedienpult antwortet nicht</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel</source>
+        <translation>STOP ist am Pult gedrückt</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s panel answers</source>
+        <translation>das Bedienpult antwortet</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ProbeCard</name>
+    <message>
+        <source>Arm probe</source>
+        <translation>Armsonde</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>wo</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>erwartet</translation>
+    </message>
+    <message>
+        <source>80 % band</source>
+        <translation>80-%-Band</translation>
+    </message>
+    <message>
+        <source>costs</source>
+        <translation>kostet</translation>
+    </message>
+    <message>
+        <source>Hold the mouse button or Space for 1.5 s; letting go early means nothing</source>
+        <translation>Maustaste oder Leertaste 1.5 s halten; früheres Loslassen bewirkt nichts</translation>
+    </message>
+    <message>
+        <source>Progress of the probe</source>
+        <translation>Fortschritt der Sondierung</translation>
+    </message>
+    <message>
+        <source>bin %1</source>
+        <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>%1 m ± %2 m (sd)</source>
+        <translation>%1 m ± %2 m (sd)</translation>
+    </message>
+    <message>
+        <source>%1 … %2 m</source>
+        <translation>%1 … %2 m</translation>
+    </message>
+    <message>
+        <source>this bin to ± %1 m</source>
+        <translation>dieses Feld auf ± %1 m</translation>
+    </message>
+    <message>
+        <source>≈ %1 s, arm out in smoke</source>
+        <translation>≈ %1 s, Arm draußen im Rauch</translation>
+    </message>
+    <message>
+        <source>hold to approve probe at %1 (Space)</source>
+        <translation>halten: Sondierung bei %1 (Space)</translation>
+    </message>
+    <message>
+        <source>Hold to approve the probe of bin %1</source>
+        <translation>Halten, um die Sondierung von Feld %1 zu genehmigen</translation>
+    </message>
+    <message>
+        <source>%1 left, then no</source>
+        <translation>noch %1, dann nein</translation>
+    </message>
+    <message>
+        <source>The arm is probing bin %1</source>
+        <translation>Der Arm sondiert Feld %1</translation>
+    </message>
+    <message>
+        <source>%1 of about %2</source>
+        <translation>%1 von etwa %2</translation>
+    </message>
+    <message>
+        <source>all bins</source>
+        <translation>alle Felder</translation>
+    </message>
+    <message>
+        <source>step ahead</source>
+        <translation>Stufe voraus</translation>
+    </message>
+    <message>
+        <source>Do not probe: 0 s, the estimate stays (N)</source>
+        <translation>Nicht sondieren: 0 s, Schätzung bleibt (N)</translation>
+    </message>
+    <message>
+        <source>Refuses the arm; as good an answer as any other</source>
+        <translation>Lehnt den Arm ab; so gut wie jede andere Antwort</translation>
+    </message>
+    <message>
+        <source>step &gt; %1 m</source>
+        <translation>Stufe &gt; %1 m</translation>
+    </message>
+    <message>
+        <source>total variance %1 %</source>
+        <translation>Gesamtvarianz %1 %</translation>
+    </message>
+    <message>
+        <source>%1 → %2 bit: %3 a minute</source>
+        <translation>%1 → %2 bit: %3 pro Minute</translation>
+    </message>
+    <message>
+        <source>not known for this method</source>
+        <translation>bei dieser Methode unbekannt</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 %</source>
+        <translation>%1: %2, %3 %</translation>
+    </message>
+    <message>
+        <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
+        <translation>Stattdessen Feld %1: Gesamtvarianz %2 %, Stufe voraus auf %3 bit</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Provenance</name>
+    <message>
+        <source>arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>constrained</source>
+        <translation>begrenzt</translation>
+    </message>
+    <message>
+        <source>sampled</source>
+        <translation>geschätzt</translation>
+    </message>
+    <message>
+        <source>prior only</source>
+        <translation>nur Vorwissen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::RawTrace</name>
+    <message>
+        <source>after a gap</source>
+        <translation>nach einer Lücke</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>falsche Prüfsumme</translation>
+    </message>
+    <message>
+        <source>repeated or out of sequence</source>
+        <translation>wiederholt oder außer der Reihe</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>unbrauchbar</translation>
+    </message>
+    <message>
+        <source>not in the DBC</source>
+        <translation>nicht in der DBC</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>Was es sagt</translation>
+    </message>
+    <message>
+        <source>%1 (from here)</source>
+        <translation>%1 (von hier)</translation>
+    </message>
+    <message>
+        <source>id (hexadecimal) or a part of the name</source>
+        <translation>Id (hexadezimal) oder Teil des Namens</translation>
+    </message>
+    <message>
+        <source>Filter of the frames</source>
+        <translation>Filter der Rahmen</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Bild anhalten</translation>
+    </message>
+    <message>
+        <source>The list stands still; everything is received and counted all the same</source>
+        <translation>Die Liste steht; alles wird dennoch empfangen und gezählt</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Neueste Rahmen</translation>
+    </message>
+    <message>
+        <source>Held: go on</source>
+        <translation>Angehalten: weiter</translation>
+    </message>
+    <message>
+        <source>%1 of the newest %2 frames</source>
+        <translation>%1 der neuesten %2 Rahmen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::RobotReadout</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>front flippers</source>
+        <translation>Flipper vorn</translation>
+    </message>
+    <message>
+        <source>rear flippers</source>
+        <translation>Flipper hinten</translation>
+    </message>
+    <message>
+        <source>front currents</source>
+        <translation>Ströme vorn</translation>
+    </message>
+    <message>
+        <source>rear currents</source>
+        <translation>Ströme hinten</translation>
+    </message>
+    <message>
+        <source>L %1   R %2</source>
+        <translation>L %1   R %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ScreenshotDemo</name>
+    <message>
+        <source>the demonstration took too long</source>
+        <translation>die Vorführung dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: kann nicht geschrieben werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalTable</name>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Last 12 s</source>
+        <translation>Letzte 12 s</translation>
+    </message>
+    <message>
+        <source>history of %1</source>
+        <translation>Verlauf von %1</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SignalsPage</name>
+    <message>
+        <source>error frame</source>
+        <translation>Fehlerrahmen</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>front flipper left</source>
+        <translation>Flipper vorn links</translation>
+    </message>
+    <message>
+        <source>front flipper right</source>
+        <translation>Flipper vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear flipper left</source>
+        <translation>Flipper hinten links</translation>
+    </message>
+    <message>
+        <source>rear flipper right</source>
+        <translation>Flipper hinten rechts</translation>
+    </message>
+    <message>
+        <source>front current left</source>
+        <translation>Strom vorn links</translation>
+    </message>
+    <message>
+        <source>front current right</source>
+        <translation>Strom vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear current left</source>
+        <translation>Strom hinten links</translation>
+    </message>
+    <message>
+        <source>rear current right</source>
+        <translation>Strom hinten rechts</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>Kraft %1</translation>
+    </message>
+    <message>
+        <source>load --- (bit rate not known): %1 to %2 kbit/s</source>
+        <translation>Last --- (Bitrate unbekannt): %1 bis %2 kbit/s</translation>
+    </message>
+    <message>
+        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)</source>
+        <translation>Last %1 bis %2 % von %3 kbit/s (ohne Stopfbits, mit allen möglichen)</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>State of the bus</source>
+        <translation>Zustand des Busses</translation>
+    </message>
+    <message>
+        <source>Forget least and most</source>
+        <translation>Kleinste und größte vergessen</translation>
+    </message>
+    <message>
+        <source>Newest frames</source>
+        <translation>Neueste Rahmen</translation>
+    </message>
+    <message>
+        <source>%1 · %2 frames/s · %3
+Since the start: %4 frames, %5 dropped, %6 error frames, %7 with a wrong checksum, %8 out of sequence, %9 not in the DBC</source>
+        <translation>%1 · %2 Rahmen/s · %3
+Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsumme, %8 außer der Reihe, %9 nicht in der DBC</translation>
+    </message>
+    <message>
+        <source>This source is no CAN bus: it has no frames, and these are its values.</source>
+        <translation>Diese Quelle ist kein CAN-Bus: sie hat keine Rahmen, dies sind ihre Werte.</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::StatusHeader</name>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Where the data come from</source>
+        <translation>Woher die Daten kommen</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>What the robot does</source>
+        <translation>Was der Roboter tut</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Quality of the estimate</source>
+        <translation>Güte der Schätzung</translation>
+    </message>
+    <message>
+        <source>How much time an estimate may take for its accuracy</source>
+        <translation>Wie viel Zeit eine Schätzung für ihre Genauigkeit brauchen darf</translation>
+    </message>
+    <message>
+        <source>Keys
+F1</source>
+        <translation>Tasten
+F1</translation>
+    </message>
+    <message>
+        <source>Every key, and what this program is</source>
+        <translation>Alle Tasten, und was dieses Programm ist</translation>
+    </message>
+    <message>
+        <source>STOP (F12)</source>
+        <translation>STOP (F12)</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Halts the robot at once and latches; F12 does the same everywhere</source>
+        <translation>Hält den Roboter sofort an und rastet ein; F12 tut überall dasselbe</translation>
+    </message>
+    <message>
+        <source>STOPPED (F12)</source>
+        <translation>STOP AKTIV (F12)</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what was and has not been seen (F4)</source>
+        <translation>Was nicht stimmt, und was war und nicht gesehen wurde (F4)</translation>
+    </message>
+    <message>
+        <source>no alarms</source>
+        <translation>keine Alarme</translation>
+    </message>
+    <message>
+        <source>alarms: %1</source>
+        <translation>Alarme: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 not acknowledged</source>
+        <translation>%1, %2 nicht quittiert</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TerrainProfileView</name>
+    <message>
+        <source>prior only</source>
+        <translation>nur Vorwissen</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>Sondierung</translation>
+    </message>
+    <message>
+        <source>Terrain profile</source>
+        <translation>Geländeprofil</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>Obergrenze</translation>
+    </message>
+    <message>
+        <source>No estimate yet</source>
+        <translation>Noch keine Schätzung</translation>
+    </message>
+    <message>
+        <source>forward from the IMU [m]</source>
+        <translation>vorwärts ab IMU [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>Höhe [m]</translation>
+    </message>
+    <message>
+        <source>IMU</source>
+        <translation>IMU</translation>
+    </message>
+    <message>
+        <source>bin %1: %2 m, 80 % in %3 … %4, %5</source>
+        <translation>Feld %1: %2 m, 80 % in %3 … %4, %5</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>Ziehungen</translation>
+    </message>
+    <message>
+        <source>either … or</source>
+        <translation>entweder … oder</translation>
+    </message>
+    <message>
+        <source>80 % band</source>
+        <translation>80-%-Band</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>Wahrheit</translation>
+    </message>
+    <message>
+        <source>bin %1</source>
+        <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>height %1 m ± %2 m</source>
+        <translation>Höhe %1 m ± %2 m</translation>
+    </message>
+    <message>
+        <source>80 % in %1 … %2 m</source>
+        <translation>80 % in %1 … %2 m</translation>
+    </message>
+    <message>
+        <source>ceiling %1 m</source>
+        <translation>Obergrenze %1 m</translation>
+    </message>
+    <message>
+        <source>from: %1</source>
+        <translation>aus: %1</translation>
+    </message>
+    <message>
+        <source>either %1 m (%2 %)</source>
+        <translation>entweder %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>or %1 m (%2 %)</source>
+        <translation>oder %1 m (%2 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::VerdictStrip</name>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>keine aktuelle Telemetrie, der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>the chains have not converged</source>
+        <translation>die Ketten sind nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>the scene is unlike all training</source>
+        <translation>die Szene gleicht nichts aus dem Training</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>der Roboter rollt, Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>die Flipper weichen ab, Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>likeliest at %1 … %2 m (%3)</source>
+        <translation>am ehesten bei %1 … %2 m (%3)</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Probability of a step ahead</source>
+        <translation>Wahrscheinlichkeit einer Stufe voraus</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Lower the limit</source>
+        <translation>Grenze senken</translation>
+    </message>
+    <message>
+        <source>A lower step counts as an obstacle, too (PgDown)</source>
+        <translation>Auch eine niedrigere Stufe gilt als Hindernis (PgDown)</translation>
+    </message>
+    <message>
+        <source>Raise the limit</source>
+        <translation>Grenze anheben</translation>
+    </message>
+    <message>
+        <source>Only a higher step counts as an obstacle (PgUp)</source>
+        <translation>Erst eine höhere Stufe gilt als Hindernis (PgUp)</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead) = %2 ± %3</source>
+        <translation>P(Stufe &gt; %1 m voraus) = %2 ± %3</translation>
+    </message>
+    <message>
+        <source>✔ CLEAR</source>
+        <translation>✔ FREI</translation>
+    </message>
+    <message>
+        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %</source>
+        <translation>bis 0.75 m vor der IMU, Risiko unter %1 %</translation>
+    </message>
+    <message>
+        <source>✘ BLOCKED</source>
+        <translation>✘ VERSPERRT</translation>
+    </message>
+    <message>
+        <source>? CANNOT TELL</source>
+        <translation>? UNKLAR</translation>
+    </message>
+    <message>
+        <source>withheld: %1</source>
+        <translation>zurückgehalten: %1</translation>
+    </message>
+    <message>
+        <source>NO VERDICT</source>
+        <translation>KEIN URTEIL</translation>
+    </message>
+    <message>
+        <source>Is there a step of more than %1 m ahead?</source>
+        <translation>Ist voraus eine Stufe über %1 m?</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ViewMenu</name>
+    <message>
+        <source>layout: drive</source>
+        <translation>Anordnung: Fahren</translation>
+    </message>
+    <message>
+        <source>layout: probe</source>
+        <translation>Anordnung: Sondieren</translation>
+    </message>
+    <message>
+        <source>layout: review</source>
+        <translation>Anordnung: Auswerten</translation>
+    </message>
+    <message>
+        <source>layout and letters as at first</source>
+        <translation>Anordnung und Schrift wie am Anfang</translation>
+    </message>
+    <message>
+        <source>colours: day</source>
+        <translation>Farben: Tag</translation>
+    </message>
+    <message>
+        <source>colours: night, red</source>
+        <translation>Farben: Nacht, rot</translation>
+    </message>
+    <message>
+        <source>colours: high contrast</source>
+        <translation>Farben: hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>larger letters</source>
+        <translation>größere Schrift</translation>
+    </message>
+    <message>
+        <source>smaller letters</source>
+        <translation>kleinere Schrift</translation>
+    </message>
+    <message>
+        <source>letters of normal size</source>
+        <translation>Schrift in normaler Größe</translation>
+    </message>
+    <message>
+        <source>language: %1 (at the next start)</source>
+        <translation>Sprache: %1 (ab dem nächsten Start)</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,42 @@
+"""The translations know every text of the sources, and keep its places for numbers, names and keys."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+FOLDER = pathlib.Path(os.environ["TERRATACT_SOURCE_DIR"]) / "resources" / "translations"
+# A place for a value, a progress bar's percentage, and a key as a text names it.
+KEPT = re.compile(r"%[1-9]|%p|\((?:A|M|N|R|S|W|Esc|Space|F12)\)|F1\b|ATEM|STOP")
+
+
+def trouble(file):
+    for context in ElementTree.parse(file).getroot().iter("context"):
+        for message in context.iter("message"):
+            source = message.find("source").text
+            translation = message.find("translation")
+            where = f"{file.name}, {context.find('name').text}: {source!r}"
+            if translation.get("type") == "unfinished" or not translation.text:
+                yield f"{where} is not translated"
+            elif sorted(KEPT.findall(source)) != sorted(KEPT.findall(translation.text)):
+                yield f"{where}: {translation.text!r} does not keep its places, keys, ATEM or STOP"
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        update = subprocess.run([FOLDER / "update.sh", folder], check=False)
+        if update.returncode == 77:
+            return 77
+        update.check_returncode()
+        files = sorted(pathlib.Path(folder).glob("*.ts"))
+        assert [f.name for f in files] == ["terratact_cs.ts", "terratact_de.ts"], files
+        found = [line for file in files for line in trouble(file)]
+    print("\n".join(found))
+    print(f"{len(found)} texts to look at; resources/translations/update.sh, then fill them in")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
