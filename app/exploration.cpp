@@ -208,10 +208,15 @@ void Exploration::releaseStop()
     emit happened(tr("STOP released by the operator"), Weight::Doubt);
 }
 
-void Exploration::setQuality(Quality quality)
+void Exploration::setSettings(const Settings& settings)
 {
-    options_.settings = withQuality(options_.settings, quality);
-    emit happened(tr("quality of the next estimate: %1").arg(words::sentence(name(quality))),
+    const std::uint64_t seed = options_.settings.seed;
+    options_.settings = settings;
+    options_.settings.seed = seed;
+    emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
+                      .arg(words::text(name(settings.method)))
+                      .arg(settings.draws)
+                      .arg(words::number(settings.forceThreshold, 1)),
                   Weight::Note);
 }
 

@@ -62,7 +62,7 @@ public:
     void halt();  ///< ends drive(); does nothing when not driving
     void stop();  ///< goes out at once and again until the robot confirms it
     void releaseStop();
-    void setQuality(Quality quality);  ///< of the estimates from now on
+    void setSettings(const Settings& settings);  ///< of the estimates from now on; the seed stays
     void leave();  ///< the window closes: halts what was set in motion from here
 
     /// now: [s] on the steady clock.

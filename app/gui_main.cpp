@@ -36,6 +36,7 @@ namespace terratact {
 namespace {
 
 constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
+constexpr int kReopen = 1000;       // never an exit code
 constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screenshot's drive
 
 struct Arguments {
@@ -295,7 +296,9 @@ void setSize(MainWindow& window, const Arguments& arguments)
         window.resize(kDefaultSize);
 }
 
-int run(int argc, char** argv, const Arguments& arguments)
+/// Opens the console and stays until it is closed; kReopen: the operator has chosen another robot.
+int openConsole(int& argc, char** argv, const Arguments& arguments,
+                std::optional<QApplication>& application)
 {
     LoadedPreferences loaded = preferencesFor(arguments);
     const std::string robotPath = robotFor(arguments, loaded);
@@ -316,14 +319,14 @@ int run(int argc, char** argv, const Arguments& arguments)
         && !std::getenv("WAYLAND_DISPLAY"))
         return failed("no display: set DISPLAY, or use --screenshot FILE");
 
-    QApplication application(argc, argv);
+    if (!application) application.emplace(argc, argv);
     QApplication::setApplicationName(QStringLiteral("terratact-console"));
     QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
     QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
     QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
-    installLanguage(application, preferences.language);
-    applyLook(application, preferences.theme, preferences.fontScale);
+    installLanguage(*application, preferences.language);
+    applyLook(*application, preferences.theme, preferences.fontScale);
 
     options.model = modelFileLoader(model, *robot);
     options.exploration.settings = withPreferences(options.exploration.settings, preferences);
@@ -335,10 +338,23 @@ int run(int argc, char** argv, const Arguments& arguments)
 
     MainWindow window(std::move(options));
     setSize(window, arguments);
+    QObject::connect(
+        &window, &MainWindow::reopenWanted, &window, [] { QApplication::exit(kReopen); },
+        Qt::QueuedConnection);
     window.show();
     if (!demo) return QApplication::exec();
     const ScreenshotDemo screenshot(window, QString::fromStdString(arguments.screenshot));
     return QApplication::exec();
+}
+
+int run(int& argc, char** argv, Arguments arguments)
+{
+    std::optional<QApplication> application;
+    for (;;) {
+        const int ended = openConsole(argc, argv, arguments, application);
+        if (ended != kReopen) return ended;
+        arguments.robot.clear();  // what has just been chosen counts
+    }
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "app/alarms_page.h"
 #include "app/numbers_page.h"
 #include "app/page.h"
+#include "app/settings_page.h"
 #include "app/signals_page.h"
 #include "app/view_menu.h"
 #include "core/terrain/body_ceiling.h"
@@ -100,7 +101,8 @@ QString followedProbe(const AtemState& state)
 MainWindow::MainWindow(Options options)
     : preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
+      presets_(std::move(options.presets)), robot_(std::move(options.robot)),
+      source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
@@ -114,7 +116,7 @@ MainWindow::MainWindow(Options options)
     setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
     build();
     connectAll();
-    offerQualities(options.presets);
+    offerQualities();
     offerViews();
     defineKeys();
     for (const QString& trouble : preferences_->troubles())
@@ -189,6 +191,8 @@ void MainWindow::addPages()
     signalsPage_ = new SignalsPage(*acquisition_, link_, this);
     addPage(signalsPage_, tr("Signals"), Qt::Key_F5,
             tr("Every signal on the bus, and its newest frames"));
+    settings_ = new SettingsPage(*preferences_, presets_, this);
+    addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
             tr("Versions, permissions and how fast the console is"));
@@ -218,10 +222,9 @@ QWidget* MainWindow::terrainPage()
 
     auto* forceCard = new Card(tr("Front forces [N]"), page);
     forces_ = new ForceBars(forceCard);
-    const double threshold = exploration_->options().settings.forceThreshold;
-    forces_->setThreshold(threshold);
-    forceCard->note()->setText(tr("- - threshold %1 N").arg(words::number(threshold, 1)));
-    setTone(*forceCard->note(), Tone::Bad);
+    threshold_ = forceCard->note();
+    setTone(*threshold_, Tone::Bad);
+    showThreshold();
     forceCard->body()->addWidget(forces_, 1);
 
     auto* robotCard = new Card(tr("Robot"), page);
@@ -317,7 +320,13 @@ void MainWindow::applyPreferences(const Preferences& before)
     const Preferences& now = preferences_->current();
     if (now.theme != before.theme || now.fontScale != before.fontScale)
         applyLook(*qApp, now.theme, now.fontScale);
-    if (now.quality != before.quality) exploration_->setQuality(now.quality);
+    const Settings& set = exploration_->options().settings;
+    if (const Settings wanted = withPreferences(set, now); wanted != set) {
+        exploration_->setSettings(wanted);
+        showThreshold();
+        offerQualities();
+    }
+    if (now.robot != before.robot) emit reopenWanted();
     if (now.obstacleLimit != before.obstacleLimit) {
         exploration_->setStepLimit(now.obstacleLimit);
         verdict_->setLimit(now.obstacleLimit);
@@ -325,16 +334,35 @@ void MainWindow::applyPreferences(const Preferences& before)
     arrange();
 }
 
-void MainWindow::offerQualities(const std::vector<PresetCost>& presets)
+void MainWindow::showThreshold()
+{
+    const double threshold = exploration_->options().settings.forceThreshold;
+    forces_->setThreshold(threshold);
+    threshold_->setText(tr("- - threshold %1 N").arg(words::number(threshold, 1)));
+}
+
+void MainWindow::showCards()
+{
+    settings_->setModelCard(modelTrouble_.isEmpty() ? modelName_ + QLatin1Char('\n') + modelDetails_
+                                                    : tr("no model: %1").arg(modelTrouble_));
+    const bool commands = link_ && exploration_->armed();
+    const QString blocked = exploring(exploration_->state().phase)
+                              ? tr("An exploration is running: end it with Esc first")
+                          : commands ? tr("The robot is armed: disarm it first (M)")
+                                     : QString();
+    settings_->setRobotCard(robotDetails_, blocked);
+}
+
+void MainWindow::offerQualities()
 {
     const Method method = exploration_->options().settings.method;
     QStringList names, lines;
     for (const Quality quality : kQualities) {
         names << words::sentence(name(quality));
-        const auto cost = std::find_if(presets.begin(), presets.end(), [&](const PresetCost& p) {
+        const auto cost = std::find_if(presets_.begin(), presets_.end(), [&](const PresetCost& p) {
             return p.method == method && p.quality == quality;
         });
-        lines << (cost == presets.end()
+        lines << (cost == presets_.end()
                       ? tr("%1: not measured (terratact tradeoff)").arg(names.back())
                       : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
                             .arg(names.back(), words::number(cost->milliseconds, 1),
@@ -427,6 +455,7 @@ void MainWindow::redraw(double now)
     atem_->setPreconditions(preconditions);
     const QString whyNot = exploration_->whyNotDriving();
     drive_->setBlocked(whyNot.isEmpty() ? panelForbids(now) : whyNot);
+    if (settings_->isVisible()) showCards();
     if (auto* page = qobject_cast<Page*>(pages_->currentWidget())) page->refresh(now);
 
     prepared_ = steadyNow() - now;

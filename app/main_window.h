@@ -36,6 +36,7 @@ class NavigationRail;
 class Page;
 class ProbeCard;
 class RobotReadout;
+class SettingsPage;
 class SignalsPage;
 class StatusHeader;
 class NumbersPage;
@@ -82,6 +83,7 @@ public:
     EstimateStrip* strip() const { return strip_; }
     NavigationRail* rail() const { return rail_; }
     NumbersPage* numbers() const { return numbers_; }
+    SettingsPage* settings() const { return settings_; }
     VerdictStrip* verdict() const { return verdict_; }
     QPushButton* viewButton() const { return view_; }
     ConsoleAlarms& alarms() { return *alarms_; }
@@ -90,6 +92,9 @@ public:
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
+
+signals:
+    void reopenWanted();  ///< another robot was chosen: the window has to be built anew
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -122,9 +127,12 @@ private:
     void defineKeys();
     void applyPreferences(const Preferences& before);
     void arrange();  ///< the terrain page in the layout in force, at the font scale in force
-    void offerQualities(const std::vector<PresetCost>& presets);
+    void showThreshold();
+    void showCards();  ///< of model and robot, on the page of the settings
+    void offerQualities();
 
     std::unique_ptr<PreferenceStore> preferences_;
+    std::vector<PresetCost> presets_;
     KeyTable keys_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
@@ -150,6 +158,8 @@ private:
     QLabel* help_ = nullptr;
     VerdictStrip* verdict_ = nullptr;
     NumbersPage* numbers_ = nullptr;
+    SettingsPage* settings_ = nullptr;
+    QLabel* threshold_ = nullptr;
     QPushButton* view_ = nullptr;
     QAction* drawsAction_ = nullptr;
     Card* terrainCard_ = nullptr;
