@@ -17,12 +17,13 @@
 #include "app/diagnostics_page.h"
 #include "app/loop_meter.h"
 #include "app/main_window.h"
+#include "app/robot_in_process.h"
 #include "app/signals_page.h"
+#include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_on_memory_bus.h"
 #include "tests/support/scripted_source.h"
 #include "widgets/alarm_table.h"
 #include "widgets/drive_pad.h"
@@ -423,10 +424,10 @@ struct Pages : testing::Test {
     {
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
-        robot = std::make_unique<RobotOnMemoryBus>(
+        robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation), RobotOnBus::Options{});
         auto source = std::make_unique<CanSource>(
-            std::make_unique<TimedEnd>(bus, "can0", 2), model,
+            bus.join("can0"), model,
             CanSource::Options{.mode = CanSource::Mode::Transmit, .bitrate = 500'000.0});
         MainWindow::Options options;
         options.robot = model;
@@ -476,8 +477,8 @@ struct Pages : testing::Test {
 
     int sounds = 0;
     RobotModel model = absolem();
-    MemoryBus bus;
-    std::unique_ptr<RobotOnMemoryBus> robot;
+    MemoryBus bus{steadyNow};
+    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 

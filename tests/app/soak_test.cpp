@@ -11,10 +11,11 @@
 #include "app/diagnostics_page.h"
 #include "app/main_window.h"
 #include "app/resources.h"
+#include "app/robot_in_process.h"
+#include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_on_memory_bus.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 
@@ -36,7 +37,6 @@ public:
               for (long sent = 0; !stop.stop_requested();) {
                   const double seconds =
                       std::chrono::duration<double>(Clock::now() - began).count();
-                  bus.setTime(steadyNow());
                   for (; static_cast<double>(sent) < seconds * kFramesPerSecond; ++sent)
                       bus.put({.id = 0x100 + static_cast<std::uint32_t>(sent % 200),
                                .length = 8,
@@ -96,10 +96,10 @@ struct Soak : testing::Test {
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
-        robot = std::make_unique<RobotOnMemoryBus>(
+        robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation), RobotOnBus::Options{});
         auto source = std::make_unique<CanSource>(
-            std::make_unique<TimedEnd>(bus, "can0", 2), model,
+            bus.join("can0"), model,
             CanSource::Options{.mode = CanSource::Mode::Transmit, .bitrate = 1e6});
         MainWindow::Options options;
         options.robot = model;
@@ -143,8 +143,8 @@ struct Soak : testing::Test {
 
     RobotModel model = absolem();
     Busy busy;
-    MemoryBus bus;
-    std::unique_ptr<RobotOnMemoryBus> robot;
+    MemoryBus bus{steadyNow};
+    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 
