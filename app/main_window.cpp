@@ -696,6 +696,8 @@ void MainWindow::showProbe()
     // What asks or moves is shown in every layout.
     probe_->setVisible(preferences_->current().layout == Layout::Probe || asking
                        || exploration_->probingBin());
+    // In large letters the question needs the room; the robot stands still while it is asked.
+    readout_->setVisible(!asking || preferences_->current().fontScale <= 120);
     terrain_->setProposedProbe(asking ? std::optional(proposal->bin) : exploration_->probingBin());
     if (asking) {
         probe_->setProposal(*proposal);
