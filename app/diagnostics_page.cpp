@@ -166,6 +166,7 @@ DiagnosticsPage::DiagnosticsPage(Look look, QWidget* parent)
     copy_ = new QPushButton(tr("Copy as text"), this);
     copy_->setFocusPolicy(Qt::TabFocus);
     copy_->setMinimumHeight(kTarget);
+    copy_->setToolTip(tr("All of this page, for a report"));
     connect(copy_, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(text()); });
     auto* head = new QHBoxLayout;
@@ -187,6 +188,7 @@ DiagnosticsPage::DiagnosticsPage(Look look, QWidget* parent)
         halves->addLayout(half, 1);
     }
     auto* scroll = new QScrollArea(this);
+    scroll->setAccessibleName(tr("Diagnostics"));
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

@@ -245,7 +245,7 @@ QWidget* MainWindow::terrainPage()
     decide->addWidget(probe_, 1);
     auto* upper = new QHBoxLayout;
     upper->setSpacing(10);
-    auto* ground = new QVBoxLayout;
+    auto* ground = ground_ = new QVBoxLayout;
     ground->setSpacing(10);
     ground->addWidget(verdict_);
     ground->addWidget(terrainCard, 1);
@@ -297,6 +297,9 @@ void MainWindow::arrange()
     for (QBoxLayout* row : {beside, below}) row->removeWidget(strip_);
     (large ? below : beside)->insertWidget(large ? 1 : 2, strip_, large ? 0 : 1);
     beside->setStretch(0, large ? 1 : 0);
+    // Nor for the verdict above the terrain alone: it then stands above the whole page.
+    for (QBoxLayout* column : {ground_, rows_}) column->removeWidget(verdict_);
+    (large ? rows_ : ground_)->insertWidget(0, verdict_);
 
     struct Shares {
         int upper, lower, forces, robot, events;
@@ -305,8 +308,9 @@ void MainWindow::arrange()
     const Shares shares = layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
                         : layout == Layout::Review ? Shares{13, 9, 9, 8, 16}
                                                    : Shares{17, 6, 10, 9, 10};
-    rows_->setStretch(0, shares.upper);
-    rows_->setStretch(1, shares.lower);
+    rows_->setStretch(rows_->count() - 2, shares.upper + (large ? 4 : 0));
+    rows_->setStretch(rows_->count() - 1, shares.lower);
+    if (large) rows_->setStretch(0, 0);
     lower_->setStretch(0, shares.forces);
     lower_->setStretch(1, shares.robot);
     lower_->setStretch(2, shares.events);
@@ -721,6 +725,8 @@ void MainWindow::showProbe()
     // What asks or moves is shown in every layout.
     probe_->setVisible(preferences_->current().layout == Layout::Probe || asking
                        || exploration_->probingBin());
+    // In large letters the question needs the room; the robot stands still while it is asked.
+    readout_->setVisible(!asking || preferences_->current().fontScale <= 120);
     terrain_->setProposedProbe(asking ? std::optional(proposal->bin) : exploration_->probingBin());
     if (asking) {
         probe_->setProposal(*proposal);

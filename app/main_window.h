@@ -175,8 +175,9 @@ private:
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;
     DiagnosticsPage* diagnosticsPage_ = nullptr;
-    QBoxLayout* rows_ = nullptr;   ///< of the terrain page: terrain and decisions, the cards below
-    QBoxLayout* lower_ = nullptr;  ///< forces, robot, events
+    QBoxLayout* ground_ = nullptr;  ///< of the terrain page: verdict and terrain
+    QBoxLayout* rows_ = nullptr;    ///< of the terrain page: terrain and decisions, the cards below
+    QBoxLayout* lower_ = nullptr;   ///< forces, robot, events
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_;

@@ -86,8 +86,8 @@ QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: @chipOffText; bo
 QFrame#statusHeader QPushButton[role="alarm"] { background: @chipBadArea; color: @chipBadText; border: 2px solid @stopBorder; font-weight: bold; }
 QFrame#statusHeader QPushButton[role="armed"] { background: @cautionArea; color: @cautionText; border-color: @source; font-weight: bold; }
 QFrame#statusHeader QLabel { color: @headerText; }
-QFrame#statusHeader QLabel#sourceName { color: @source; font-size: @19px; font-weight: bold; }
-QFrame#statusHeader QLabel[chip="true"] { border: 1px solid @chipBorder; border-radius: 5px; padding: 4px @9px;
+QFrame#statusHeader QLabel#sourceName { color: @source; font-size: @17px; font-weight: bold; }
+QFrame#statusHeader QLabel[chip="true"] { border: 1px solid @chipBorder; border-radius: 5px; padding: 4px 8px;
                                           background: @chipArea; color: @chipText; }
 QFrame#statusHeader QLabel[chip="true"][tone="good"] { background: @chipGoodArea; color: @chipGoodText; }
 QFrame#statusHeader QLabel[chip="true"][tone="doubt"] { background: @chipDoubtArea; color: @chipDoubtText; }

@@ -752,6 +752,10 @@ Poslední deaktivace: %1</translation>
         <source>Copy as text</source>
         <translation>Kopírovat jako text</translation>
     </message>
+    <message>
+        <source>All of this page, for a report</source>
+        <translation>Celá stránka, pro hlášení</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>

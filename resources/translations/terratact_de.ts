@@ -752,6 +752,10 @@ Zuletzt gesperrt: %1</translation>
         <source>Copy as text</source>
         <translation>Als Text kopieren</translation>
     </message>
+    <message>
+        <source>All of this page, for a report</source>
+        <translation>Die ganze Seite, für einen Bericht</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>
