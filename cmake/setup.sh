@@ -26,7 +26,7 @@ declare -A packages=(
   [gui]="qt6-base-dev qt6-svg-dev qt6-wayland qmake6 libgl-dev make bzip2 fonts-dejavu-core"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           python3-can sqlite3 parallel xvfb xauth xdotool"
-  [tidy]="clang clang-tidy clang-format libclang-rt-14-dev git"
+  [tidy]="clang clang-tidy clang-format libclang-rt-14-dev lld git"
   [kernel]="linux-source-6.1 gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
 )
 
