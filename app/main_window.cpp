@@ -24,6 +24,7 @@
 #include "app/signals_page.h"
 #include "app/view_menu.h"
 #include "core/terrain/body_ceiling.h"
+#include "widgets/alarm_table.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/card.h"
@@ -185,7 +186,10 @@ void MainWindow::addPage(Page* page, const QString& name, Qt::Key key, const QSt
 
 void MainWindow::addPages()
 {
+    alarms_->setSoundOn(preferences_->current().sound);
     alarmsPage_ = new AlarmsPage(*alarms_, this);
+    connect(alarmsPage_->table(), &AlarmTable::soundWanted, this,
+            [this](bool on) { preferences_->change([on](Preferences& p) { p.sound = on; }); });
     addPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
             tr("What is wrong, and what was and has not been seen"));
     signalsPage_ = new SignalsPage(*acquisition_, link_, this);
@@ -331,6 +335,10 @@ void MainWindow::applyPreferences(const Preferences& before)
         offerQualities();
     }
     if (now.robot != before.robot) emit reopenWanted();
+    if (now.sound != before.sound) {
+        alarms_->setSoundOn(now.sound);
+        alarmsPage_->table()->setSoundOn(now.sound);
+    }
     if (now.obstacleLimit != before.obstacleLimit) {
         exploration_->setStepLimit(now.obstacleLimit);
         verdict_->setLimit(now.obstacleLimit);
