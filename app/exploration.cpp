@@ -355,6 +355,11 @@ void Exploration::advance()
         in.grounds = grounds();
     }
     look(in);
+    if (planarOverridden_ && latest_ && planarity().level == Precondition::Level::Met
+        && !exploring(state_.phase)) {
+        planarOverridden_ = false;
+        emit happened(tr("the override has ended: left and right agree again"), Weight::Note);
+    }
     if (in.aborted && !exploring(state_.phase) && estimate_)
         forget(tr("No estimate: explore the terrain (A)"));
     if (moved_ && estimate_) forget(whyMoved());
@@ -620,6 +625,35 @@ Precondition Exploration::arming() const
             following() ? whyFollowing_ : tr("not armed: press M, then hold M")};
 }
 
+Precondition Exploration::planarity() const
+{
+    using Level = Precondition::Level;
+    const Measurement& m = latest_->sample.measurement;
+    const Settings& settings = options_.settings;
+    const double asymmetry = flipperAsymmetry(m);
+    const Level doubtful = planarOverridden_ ? Level::Overridden : Level::Doubtful;
+    if (std::abs(m.roll) > settings.rollLimit)
+        return {doubtful, tr("roll %1: left and right ground differ").arg(words::degrees(m.roll))};
+    if (asymmetry > settings.asymmetryLimit)
+        return {doubtful,
+                tr("left and right flippers differ by %1").arg(words::degrees(asymmetry))};
+    return {Level::Met, tr("left and right agree, roll is small")};
+}
+
+void Exploration::overrideDoubts()
+{
+    if (following() || !latest_) return;
+    const Precondition doubt = planarity();
+    if (doubt.level != Precondition::Level::Doubtful) return;
+    planarOverridden_ = true;
+    emit happened(tr("overridden by the operator: %1").arg(doubt.text), Weight::Doubt);
+}
+
+QString Exploration::overridden() const
+{
+    return planarOverridden_ && latest_ ? planarity().text : QString();
+}
+
 QList<Precondition> Exploration::preconditions() const
 {
     using Level = Precondition::Level;
@@ -642,21 +676,7 @@ QList<Precondition> Exploration::preconditions() const
         list << Precondition{Level::Missing, tr("the model is being loaded")};
     else
         list << Precondition{Level::Met, tr("model %1 is ready").arg(modelName_)};
-    if (latest_) {
-        const Measurement& m = latest_->sample.measurement;
-        const Settings& settings = options_.settings;
-        const double asymmetry = flipperAsymmetry(m);
-        if (std::abs(m.roll) > settings.rollLimit)
-            list << Precondition{
-                Level::Doubtful,
-                tr("roll %1: left and right ground differ").arg(words::degrees(m.roll))};
-        else if (asymmetry > settings.asymmetryLimit)
-            list << Precondition{
-                Level::Doubtful,
-                tr("left and right flippers differ by %1").arg(words::degrees(asymmetry))};
-        else
-            list << Precondition{Level::Met, tr("left and right agree, roll is small")};
-    }
+    if (latest_) list << planarity();
     return list;
 }
 

@@ -52,6 +52,8 @@ public:
     // What the operator did.
     void request();
     void abort();
+    /// Takes what is doubtful now upon the operator, until it is so no more.
+    void overrideDoubts();
     void approve(quint64 proposal);
     void refuse(quint64 proposal);
     void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
@@ -102,6 +104,7 @@ public:
     }
     QString whyNotDriving() const;  ///< empty: driving is allowed
     QList<Precondition> preconditions() const;
+    QString overridden() const;  ///< what the operator has overridden, in words; empty: nothing
     const Options& options() const { return options_; }
 
 signals:
@@ -132,6 +135,7 @@ private:
     void forget(const QString& why);
     void finishProbe(const ArmReading& reading);
     Precondition arming() const;  ///< of a link
+    Precondition planarity() const;
     std::string grounds() const;  ///< fingerprint of what the proposal rests on now
 
     MeasurementSource& source_;
@@ -145,6 +149,7 @@ private:
     double now_ = 0.0;
     std::optional<Received> latest_;
     bool linkAlive_ = false;
+    bool planarOverridden_ = false;
     bool ended_ = false;
     /// Count of the newest telemetry at the last command, or while a followed link was lost: what it and those
     /// before it say is no answer.

@@ -407,6 +407,7 @@ void MainWindow::connectAll()
     }
     connect(atem_, &AtemPanel::requested, exploration, &Exploration::request);
     connect(atem_, &AtemPanel::aborted, exploration, &Exploration::abort);
+    connect(atem_, &AtemPanel::overrideWanted, exploration, &Exploration::overrideDoubts);
     connect(atem_, &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
     connect(strip_, &EstimateStrip::cancelled, exploration, &Exploration::abort);
     connect(probe_, &ProbeCard::approved, exploration, &Exploration::approve);
@@ -461,6 +462,7 @@ void MainWindow::redraw(double now)
     // A preview takes a telemetry's time: its progress would only flicker.
     strip_->setProgress(exploration_->estimating() ? worker_->progress() : std::nullopt);
     header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
+    header_->setOverridden(exploration_->overridden());
     atem_->setState(exploration_->state(), exploration_->timeLeft());
     QList<Precondition> preconditions = exploration_->preconditions();
     if (panel_) preconditions << panel_->precondition(now);
@@ -811,6 +813,9 @@ void MainWindow::defineKeys()
     keys_.addGroup(tr("Exploration"));
     keys_.add({{Qt::Key_A}, tr("explore the terrain"), [this] {
                    if (atem_->requestButton()->isEnabled()) exploration_->request();
+               }});
+    keys_.add({{Qt::Key_O}, tr("override what is doubtful about exploring"), [this] {
+                   if (atem_->overrideButton()->isVisible()) exploration_->overrideDoubts();
                }});
     held({Qt::Key_Space}, tr("approve the proposed probe, or press the button that has the focus"),
          probe_->approveButton());

@@ -58,7 +58,13 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
 
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
+    override_ = new QPushButton(tr("Override (O)"), this);
+    override_->setFocusPolicy(Qt::TabFocus);
+    override_->setToolTip(
+        tr("Explore in spite of what is doubtful; it is noted, and stays on the screen"));
+    connect(override_, &QPushButton::clicked, this, &AtemPanel::overrideWanted);
     buttons->addWidget(request_, 2);
+    buttons->addWidget(override_, 1);
     buttons->addWidget(abort_, 1);
     buttons->addWidget(release_, 1);
     body()->addWidget(stateText_);
@@ -123,13 +129,15 @@ void AtemPanel::showList()
         reason->setVisible(used);
         if (!used) continue;
         const Precondition& condition = preconditions[row];
-        static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Bad};
-        static const QString kMarks[]{QStringLiteral("✔"), QStringLiteral("!"),
+        static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Doubt, Tone::Bad};
+        static const QString kMarks[]{QStringLiteral("✔"), QStringLiteral("!"), QStringLiteral("!"),
                                       QStringLiteral("✘")};
-        static const QString kSpoken[]{tr("met"), tr("doubtful"), tr("missing")};
+        static const QString kSpoken[]{tr("met"), tr("overridden"), tr("doubtful"), tr("missing")};
         const auto level = static_cast<std::size_t>(condition.level);
         mark->setText(kMarks[level]);
-        reason->setText(condition.text);
+        reason->setText(condition.level == Precondition::Level::Overridden
+                            ? tr("%1 (overridden)").arg(condition.text)
+                            : condition.text);
         reason->setAccessibleName(kSpoken[level] + QStringLiteral(": ") + condition.text);
         setTone(*mark, kTones[level]);
         setTone(*reason, condition.level == Precondition::Level::Met ? Tone::Plain : kTones[level]);
@@ -139,9 +147,11 @@ void AtemPanel::showList()
 
 void AtemPanel::showButtons()
 {
-    QStringList missing;
-    for (const Precondition& condition : preconditions_)
+    QStringList missing, doubtful;
+    for (const Precondition& condition : preconditions_) {
         if (condition.level == Precondition::Level::Missing) missing << condition.text;
+        if (condition.level == Precondition::Level::Doubtful) doubtful << condition.text;
+    }
     const bool busy = exploring(state_.phase);
     const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
     const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting;
@@ -149,11 +159,15 @@ void AtemPanel::showButtons()
     request_->setVisible(!stopped);
     abort_->setVisible(!stopped);
     release_->setVisible(stopped);
-    request_->setEnabled(!busy && !stopped && missing.isEmpty());
+    request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
+    override_->setVisible(!busy && !stopped && missing.isEmpty() && !doubtful.isEmpty());
     if (busy && !state_.followed)
         request_->setToolTip(tr("An exploration is running: end it with Esc first"));
     else if (!missing.isEmpty())
         request_->setToolTip(tr("Not possible now: %1").arg(missing.join(QStringLiteral("; "))));
+    else if (!doubtful.isEmpty())
+        request_->setToolTip(
+            tr("Doubtful, override it first (O): %1").arg(doubtful.join(QStringLiteral("; "))));
     else
         request_->setToolTip(
             tr("Halts the robot, presses the front flippers down and estimates the terrain"));

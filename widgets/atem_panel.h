@@ -16,7 +16,8 @@ class HoldToConfirmButton;
 
 /// One condition of a command, with its reason in words.
 struct Precondition {
-    enum class Level : std::uint8_t { Met, Doubtful, Missing };  ///< ✔, !, ✘
+    /// ✔, ! overridden by the operator, ! to be overridden first, ✘ cannot be overridden
+    enum class Level : std::uint8_t { Met, Overridden, Doubtful, Missing };
     Level level = Level::Met;
     QString text;
     bool operator==(const Precondition&) const = default;
@@ -31,18 +32,20 @@ public:
 
     /// timeLeft: [s] until the phase runs out; empty where it does not.
     void setState(const AtemState& state, std::optional<double> timeLeft);
-    /// The request is possible unless one is Missing.  While an exploration runs, those that are met are not
+    /// The request is possible unless one is Missing or Doubtful.  While an exploration runs, those that are met are not
     /// shown: their room is the probe's.
     void setPreconditions(const QList<Precondition>& preconditions);
 
     QPushButton* requestButton() const { return request_; }
     QPushButton* abortButton() const { return abort_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
+    QPushButton* overrideButton() const { return override_; }
 
 signals:
     void requested();
     void aborted();
     void stopReleased();
+    void overrideWanted();
 
 private:
     void showList();
@@ -55,6 +58,7 @@ private:
     QGridLayout* list_ = nullptr;
     QPushButton* request_ = nullptr;
     QPushButton* abort_ = nullptr;
+    QPushButton* override_ = nullptr;
     HoldToConfirmButton* release_ = nullptr;
 };
 

@@ -29,6 +29,10 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     link_ = chip(tr("Link"));
     robot_ = chip(tr("What the robot does"));
     model_ = chip(tr("Model"));
+    overridden_ = chip(tr("Checks overridden"));
+    overridden_->setText(tr("! CHECK OVERRIDDEN"));
+    setTone(*overridden_, Tone::Doubt);
+    overridden_->hide();
     alarms_ = new QPushButton(this);
     alarms_->setProperty("role", "quiet");
     alarms_->setFocusPolicy(Qt::TabFocus);
@@ -59,7 +63,8 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     row->setSpacing(8);
     row->addWidget(source_);
     row->addSpacing(6);
-    for (QLabel* label : {link_, robot_, model_}) row->addWidget(label, 0, Qt::AlignVCenter);
+    for (QLabel* label : {overridden_, link_, robot_, model_})
+        row->addWidget(label, 0, Qt::AlignVCenter);
     row->addWidget(arming_, 0, Qt::AlignVCenter);
     row->addStretch(1);
     row->addWidget(alarms_, 0, Qt::AlignVCenter);
@@ -98,6 +103,12 @@ void StatusHeader::setRobot(const QString& text, Tone tone)
 {
     robot_->setText(text);
     setTone(*robot_, tone);
+}
+
+void StatusHeader::setOverridden(const QString& what)
+{
+    overridden_->setVisible(!what.isEmpty());
+    overridden_->setToolTip(what);
 }
 
 void StatusHeader::setModel(const QString& text, Tone tone, const QString& details)

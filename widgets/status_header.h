@@ -21,6 +21,8 @@ public:
     void setLink(const QString& text, Tone tone, const QString& details = {});
     /// unseen: how many of all nobody has acknowledged.
     void setAlarms(int unseen, int all);
+    void
+    setOverridden(const QString& what);  ///< a badge as long as a check is overridden; empty: none
     void setRobot(const QString& text, Tone tone);
     void setModel(const QString& text, Tone tone, const QString& details = {});
     /// The menu of what an estimate may cost.  names: one word each; lines: the same with cost and error.
@@ -54,6 +56,7 @@ private:
     QLabel* source_ = nullptr;
     QLabel* link_ = nullptr;
     QLabel* robot_ = nullptr;
+    QLabel* overridden_ = nullptr;
     QLabel* model_ = nullptr;
     QPushButton* alarms_ = nullptr;
     QPushButton* quality_ = nullptr;

@@ -484,7 +484,15 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     telemetry.roll = 0.2;
     tick();
     EXPECT_EQ(level("roll"), static_cast<int>(Level::Doubtful));
+    exploration->overrideDoubts();
+    EXPECT_EQ(level("roll"), static_cast<int>(Level::Overridden));
+    EXPECT_TRUE(exploration->overridden().contains("roll"));
+    EXPECT_TRUE(events.filter("overridden by the operator").size() == 1) << "it is logged";
     telemetry.roll = 0.0;
+    tick();
+    EXPECT_TRUE(exploration->overridden().isEmpty()) << "an override must not outlive its reason";
+    exploration->overrideDoubts();
+    EXPECT_TRUE(exploration->overridden().isEmpty()) << "nor come before it";
     telemetry.rearLeft = 0.4;
     tick();
     EXPECT_EQ(level("flippers differ"), static_cast<int>(Level::Doubtful));

@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 
 #include "tests/support/gui.h"
 #include "widgets/held_button.h"
@@ -60,10 +61,24 @@ TEST_F(Atem, saysThatItFollowsAndOffersNothingThatMovesTheRobot)
 
 TEST_F(Atem, requestsWhenNothingIsMissing)
 {
-    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Doubtful, "roll 7°"}});
+    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Overridden, "roll 7°"}});
     QTest::mouseClick(panel.requestButton(), Qt::LeftButton);
     EXPECT_EQ(said, QStringList{"request"});
-    EXPECT_TRUE(shows(QStringLiteral("✔")) && shows("!") && shows("roll 7°"));
+    EXPECT_TRUE(shows(QStringLiteral("✔")) && shows("!") && shows("roll 7° (overridden)"));
+}
+
+TEST_F(Atem, whatIsDoubtfulHasToBeOverriddenFirst)
+{
+    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    EXPECT_FALSE(panel.overrideButton()->isVisible()) << "there is nothing to override";
+    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Doubtful, "roll 7°"}});
+    EXPECT_FALSE(panel.requestButton()->isEnabled());
+    EXPECT_TRUE(panel.requestButton()->toolTip().contains("roll 7°"));
+    QSignalSpy wanted(&panel, &AtemPanel::overrideWanted);
+    QTest::mouseClick(panel.overrideButton(), Qt::LeftButton);
+    EXPECT_EQ(wanted.size(), 1);
+    panel.setPreconditions({{Level::Missing, "no telemetry"}, {Level::Doubtful, "roll 7°"}});
+    EXPECT_FALSE(panel.overrideButton()->isVisible()) << "what is missing cannot be overridden";
 }
 
 TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
