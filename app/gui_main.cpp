@@ -197,8 +197,9 @@ int run(int argc, char** argv, const Arguments& arguments)
     QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
     applyLook(application);
 
-    options.model = modelFileLoader(
-        arguments.model.empty() ? resourcePath("models/default.ttm") : arguments.model, *robot);
+    options.modelPath =
+        arguments.model.empty() ? resourcePath("models/default.ttm") : arguments.model;
+    options.model = modelFileLoader(options.modelPath, *robot);
     options.exploration.settings = withQuality(options.exploration.settings, Quality::Balanced);
     options.exploration.settings.seed = arguments.seed;
     options.presets = presetsOf(arguments.model);

@@ -17,6 +17,7 @@
 
 #include "app/numbers_page.h"
 #include "app/page.h"
+#include "app/training_page.h"
 #include "core/terrain/body_ceiling.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -78,6 +79,15 @@ bool takesText(const QWidget* widget)
         || widget->inherits("QComboBox");
 }
 
+/// The quality that these settings are of; balanced where they are none's.
+Quality qualityOf(const Settings& settings)
+{
+    const auto found = std::find_if(kQualities.begin(), kQualities.end(), [&](Quality quality) {
+        return withQuality(settings, quality) == settings;
+    });
+    return found == kQualities.end() ? Quality::Balanced : *found;
+}
+
 bool isFunctionKey(int key)
 {
     return key >= Qt::Key_F1 && key <= Qt::Key_F12;
@@ -96,6 +106,7 @@ MainWindow::MainWindow(Options options)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
     setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
     build();
+    addTraining(options);
     connectAll();
     offerQualities(options.presets);
     offerViews();
@@ -220,6 +231,25 @@ QWidget* MainWindow::terrainPage()
     return page;
 }
 
+void MainWindow::addTraining(const Options& options)
+{
+    training_ = new TrainingPage(*exploration_,
+                                 {.robot = robot_,
+                                  .model = QString::fromStdString(options.modelPath),
+                                  .load = options.training},
+                                 this);
+    addPage(training_, tr("Training"), Qt::Key_F6,
+            tr("Train a model, compare it with the one in use, adopt it"));
+    connect(training_, &TrainingPage::adopted, this, [this](const QString& path) {
+        worker_->load(modelFileLoader(path.toStdString(), robot_));
+    });
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, training_, &TrainingPage::adoptionDone);
+    for (const auto failed : {&EstimatorWorker::modelKept, &EstimatorWorker::modelFailed})
+        connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
+    // Nobody has measured what the presets cost with another model.
+    connect(training_, &TrainingPage::adoptionFinished, this, [this] { offerQualities({}); });
+}
+
 void MainWindow::offerViews()
 {
     auto* menu = new QMenu(view_);
@@ -257,7 +287,8 @@ void MainWindow::offerQualities(const std::vector<PresetCost>& presets)
                             .arg(names.back(), words::number(cost->milliseconds, 1),
                                  words::number(cost->offMm, 1), words::number(cost->errorMm, 0)));
     }
-    header_->setQualities(names, lines, static_cast<int>(Quality::Balanced));
+    header_->setQualities(names, lines,
+                          static_cast<int>(qualityOf(exploration_->options().settings)));
 }
 
 void MainWindow::connectAll()
@@ -293,6 +324,7 @@ void MainWindow::connectAll()
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
             [this](const QString& name, const QString& details) {
+                modelTrouble_.clear();
                 header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
             });
     connect(worker_.get(), &EstimatorWorker::modelFailed, header_, [this](const QString& why) {

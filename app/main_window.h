@@ -8,6 +8,7 @@
 #include "app/acquisition.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
+#include "app/model_trainer.h"
 #include "app/panel_control.h"
 #include "core/eval/tradeoff.h"
 
@@ -30,6 +31,7 @@ class ProbeCard;
 class RobotReadout;
 class StatusHeader;
 class NumbersPage;
+class TrainingPage;
 class TerrainProfileView;
 class VerdictStrip;
 
@@ -44,6 +46,8 @@ public:
         CanSource* link = nullptr;             ///< the source again, where it is a bus
         std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
         ModelLoader model;
+        std::string modelPath;  ///< what `model` loads, for the page that compares models
+        TrainingLoad training = politeLoad();
         Exploration::Options exploration;
         std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
     };
@@ -68,6 +72,7 @@ public:
     EstimateStrip* strip() const { return strip_; }
     NavigationRail* rail() const { return rail_; }
     NumbersPage* numbers() const { return numbers_; }
+    TrainingPage* training() const { return training_; }
     VerdictStrip* verdict() const { return verdict_; }
     QPushButton* viewButton() const { return view_; }
 
@@ -91,6 +96,7 @@ private:
     void showTerrain(const std::optional<Received>& latest);
     void showVerdict();
     void showProbe();
+    void addTraining(const Options& options);
     void offerViews();
     void showHelp();
     void offerQualities(const std::vector<PresetCost>& presets);
@@ -116,6 +122,7 @@ private:
     QLabel* help_ = nullptr;
     VerdictStrip* verdict_ = nullptr;
     NumbersPage* numbers_ = nullptr;
+    TrainingPage* training_ = nullptr;
     QPushButton* view_ = nullptr;
     QAction* drawsAction_ = nullptr;
     EstimateStrip* strip_ = nullptr;

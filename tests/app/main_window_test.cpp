@@ -14,6 +14,7 @@
 #include <ctime>
 #include <functional>
 #include <optional>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -267,11 +268,15 @@ TEST_F(Console, aSecondMethodIsEstimatedBesideTheFirst)
 TEST_F(Console, thePagesAreReachedByTheirKeys)
 {
     open(fastRobot(robot, 2.1));
-    for (int page = 0; page < window->rail()->pages(); ++page) {
-        QTest::keyClick(window.get(), static_cast<Qt::Key>(Qt::Key_F2 + page));
-        EXPECT_EQ(window->rail()->chosen(), page);
+    std::set<int> reached;
+    for (int key = Qt::Key_F2; key <= Qt::Key_F8; ++key) {
+        if (window->rail()->pageOf(key) < 0) continue;
+        QTest::keyClick(window.get(), static_cast<Qt::Key>(key));
+        EXPECT_EQ(window->rail()->chosen(), window->rail()->pageOf(key));
         EXPECT_TRUE(window->header()->stopButton()->isVisible());
+        reached.insert(window->rail()->chosen());
     }
+    EXPECT_EQ(static_cast<int>(reached.size()), window->rail()->pages());
     QTest::keyClick(window.get(), Qt::Key_F3);
     EXPECT_TRUE(window->numbers()->isVisible());
     EXPECT_FALSE(window->terrain()->isVisible());
