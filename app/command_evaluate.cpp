@@ -29,8 +29,6 @@ namespace terratact {
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
-
 /// What is evaluated: the scenes of one part.
 struct Workload {
     std::vector<Scene> scenes;
@@ -172,10 +170,7 @@ std::vector<EvaluatedScene> evaluatedScenes(const Workload& work,
 
 Result<std::string> hashOfFile(const std::string& path)
 {
-    if (path.empty()) return std::string("(none)");
-    const auto bytes = readFile(path, kMostBytes);
-    if (!bytes) return bytes.error();
-    return sha256Hex(*bytes);
+    return path.empty() ? std::string("(none)") : sha256OfFile(path);
 }
 
 /// What parts must agree in to be put together.

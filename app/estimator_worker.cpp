@@ -44,7 +44,9 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
 {
     thread_.setObjectName(QStringLiteral("estimator"));
     moveToThread(&thread_);
-    connect(&thread_, &QThread::started, this, &EstimatorWorker::load);
+    connect(&thread_, &QThread::started, this, [this] { take(load_); });
+    connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::take,
+            Qt::QueuedConnection);
     connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
 }
 
@@ -80,20 +82,32 @@ std::optional<double> EstimatorWorker::progress() const
     return share < 0.0 ? std::nullopt : std::optional(share);
 }
 
-void EstimatorWorker::load()
+void EstimatorWorker::load(ModelLoader load)
 {
+    cancel();
+    emit loadRequested(load);
+}
+
+void EstimatorWorker::take(const ModelLoader& load)
+{
+    QString why;
     try {
-        auto model = load_();
+        auto model = load();
         if (model) {
             estimate_ = model->estimate;
             emit modelLoaded(model->name, model->details);
             return;
         }
-        trouble_ = QString::fromStdString(model.error().text);
+        why = QString::fromStdString(model.error().text);
     } catch (const std::exception& error) {
-        trouble_ = QString::fromUtf8(error.what());
+        why = QString::fromUtf8(error.what());
     }
-    emit modelFailed(trouble_);
+    if (estimate_) {
+        emit modelKept(why);
+        return;
+    }
+    trouble_ = why;
+    emit modelFailed(why);
 }
 
 void EstimatorWorker::run(int job, const EstimateRequest& request)

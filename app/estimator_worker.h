@@ -43,7 +43,8 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot);
 
 /// Estimates in its own thread, where it also loads the model first.  The newest request wins: it
 /// cancels the one in flight.  Every request ends in exactly one of estimated, failed or, when a newer
-/// one or cancel() overtook it, nothing.  request(), cancel() and progress() may be called from any thread.
+/// one, cancel() or load() overtook it, nothing.  request(), cancel(), load() and progress() may be called from
+/// any thread.
 class EstimatorWorker final : public QObject {
     Q_OBJECT
 public:
@@ -51,6 +52,9 @@ public:
     ~EstimatorWorker() override;
 
     void start();  ///< loads the model; call once, when everybody listens
+    /// Another model for the requests that follow; cancels the one in flight.  Ends in modelLoaded or, where it
+    /// cannot be loaded, in modelKept or modelFailed.
+    void load(ModelLoader load);
 
     int request(const EstimateRequest& request);  ///< the job's number
     void cancel();
@@ -59,15 +63,17 @@ public:
 
 signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
+    void loadRequested(const terratact::ModelLoader& load);              ///< likewise
     void modelLoaded(const QString& name, const QString& details);
-    void modelFailed(const QString& why);
+    void modelFailed(const QString& why);  ///< there is none
+    void modelKept(const QString& why);    ///< the one before stays
     /// seconds: the estimate took.  advice: what the request's prober should touch, and what that buys.
     void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds,
                    const terratact::ProbeAdvice& advice);
     void failed(int job, const QString& why);
 
 private:
-    void load();
+    void take(const ModelLoader& load);
     void run(int job, const EstimateRequest& request);
 
     ModelLoader load_;

@@ -31,11 +31,17 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
             [this](const QString& name, const QString& details) {
                 modelName_ = name;
                 modelDetails_ = details;
+                modelTrouble_.clear();
+                // What is shown rests on the model before.
+                if (estimate_ && !exploring(state_.phase)) pending_.aborted = true;
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
             });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         modelTrouble_ = why;
         emit happened(why, Weight::Bad);
+    });
+    connect(&worker_, &EstimatorWorker::modelKept, this, [this](const QString& why) {
+        emit happened(tr("model %1 stays in use: %2").arg(modelName_, why), Weight::Bad);
     });
     connect(&worker_, &EstimatorWorker::estimated, this,
             [this](int job, const TerrainEstimate& estimate, double seconds,

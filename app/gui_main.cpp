@@ -328,6 +328,7 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     installLanguage(*application, preferences.language);
     applyLook(*application, preferences.theme, preferences.fontScale);
 
+    options.modelPath = model;
     options.model = modelFileLoader(model, *robot);
     options.exploration.settings = withPreferences(options.exploration.settings, preferences);
     options.exploration.settings.seed = arguments.seed;

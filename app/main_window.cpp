@@ -20,8 +20,10 @@
 #include "app/alarms_page.h"
 #include "app/numbers_page.h"
 #include "app/page.h"
+#include "app/resources.h"
 #include "app/settings_page.h"
 #include "app/signals_page.h"
+#include "app/training_page.h"
 #include "app/view_menu.h"
 #include "core/terrain/body_ceiling.h"
 #include "widgets/alarm_table.h"
@@ -102,8 +104,8 @@ QString followedProbe(const AtemState& state)
 MainWindow::MainWindow(Options options)
     : preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      presets_(std::move(options.presets)), robot_(std::move(options.robot)),
-      source_(std::move(options.source)), link_(options.link),
+      presets_(std::move(options.presets)), modelAtStart_(preferences_->current().model),
+      robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
@@ -115,7 +117,7 @@ MainWindow::MainWindow(Options options)
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
     setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
-    build();
+    build(options);
     connectAll();
     offerQualities();
     offerViews();
@@ -136,7 +138,7 @@ MainWindow::MainWindow(Options options)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::build()
+void MainWindow::build(const Options& options)
 {
     setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
     resize(1440, 900);
@@ -157,7 +159,7 @@ void MainWindow::build()
     numbers_ = new NumbersPage(*exploration_, this);
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
     connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
-    addPages();
+    addPages(options);
     auto* view = new QPushButton(tr("View"), rail_);
     view->setAccessibleName(view->text());
     view->setToolTip(tr("Layout, colours and size of the letters"));
@@ -184,7 +186,7 @@ void MainWindow::addPage(Page* page, const QString& name, Qt::Key key, const QSt
     rail_->addPage(name, key, tip);
 }
 
-void MainWindow::addPages()
+void MainWindow::addPages(const Options& options)
 {
     alarms_->setSoundOn(preferences_->current().sound);
     alarmsPage_ = new AlarmsPage(*alarms_, this);
@@ -195,6 +197,7 @@ void MainWindow::addPages()
     signalsPage_ = new SignalsPage(*acquisition_, link_, this);
     addPage(signalsPage_, tr("Signals"), Qt::Key_F5,
             tr("Every signal on the bus, and its newest frames"));
+    addTraining(options);
     settings_ = new SettingsPage(*preferences_, presets_, this);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
@@ -268,6 +271,23 @@ QWidget* MainWindow::terrainPage()
     return page;
 }
 
+void MainWindow::addTraining(const Options& options)
+{
+    training_ = new TrainingPage(*exploration_,
+                                 {.robot = robot_,
+                                  .model = QString::fromStdString(options.modelPath),
+                                  .load = options.training},
+                                 this);
+    addPage(training_, tr("Training"), Qt::Key_F6,
+            tr("Train a model, compare it with the one in use, adopt it"));
+    connect(training_, &TrainingPage::adopted, this, [this](const QString& path) {
+        preferences_->change([path](Preferences& p) { p.model = path; });
+    });
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, training_, &TrainingPage::adoptionDone);
+    for (const auto failed : {&EstimatorWorker::modelKept, &EstimatorWorker::modelFailed})
+        connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
+}
+
 void MainWindow::offerViews()
 {
     auto* menu = new QMenu(view_);
@@ -335,6 +355,12 @@ void MainWindow::applyPreferences(const Preferences& before)
         offerQualities();
     }
     if (now.robot != before.robot) emit reopenWanted();
+    if (now.model != before.model) {
+        const std::string path =
+            now.model.isEmpty() ? resourcePath("models/default.ttm") : now.model.toStdString();
+        worker_->load(modelFileLoader(path, robot_));
+        offerQualities();
+    }
     if (now.sound != before.sound) {
         alarms_->setSoundOn(now.sound);
         alarmsPage_->table()->setSoundOn(now.sound);
@@ -368,13 +394,15 @@ void MainWindow::showCards()
 void MainWindow::offerQualities()
 {
     const Method method = exploration_->options().settings.method;
+    // Nobody has measured what the presets cost with another model.
+    const bool measured = preferences_->current().model == modelAtStart_;
     QStringList names, lines;
     for (const Quality quality : kQualities) {
         names << words::sentence(name(quality));
         const auto cost = std::find_if(presets_.begin(), presets_.end(), [&](const PresetCost& p) {
             return p.method == method && p.quality == quality;
         });
-        lines << (cost == presets_.end()
+        lines << (!measured || cost == presets_.end()
                       ? tr("%1: not measured (terratact tradeoff)").arg(names.back())
                       : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
                             .arg(names.back(), words::number(cost->milliseconds, 1),
@@ -428,6 +456,7 @@ void MainWindow::connectAll()
             [this](const QString& name, const QString& details) {
                 modelName_ = name;
                 modelDetails_ = details;
+                modelTrouble_.clear();
                 header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
                 if (link_) link_->begin();  // a replay, so that no press comes too early
             });

@@ -12,6 +12,7 @@
 #include "app/exploration.h"
 #include "app/key_table.h"
 #include "app/loop_meter.h"
+#include "app/model_trainer.h"
 #include "app/panel_control.h"
 #include "app/preference_store.h"
 #include "core/eval/tradeoff.h"
@@ -40,6 +41,7 @@ class SettingsPage;
 class SignalsPage;
 class StatusHeader;
 class NumbersPage;
+class TrainingPage;
 class TerrainProfileView;
 class VerdictStrip;
 
@@ -55,6 +57,8 @@ public:
         CanSource* link = nullptr;             ///< the source again, where it is a bus
         std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
         ModelLoader model;
+        std::string modelPath;  ///< what `model` loads, for the page that compares models
+        TrainingLoad training = politeLoad();
         Exploration::Options exploration;
         std::unique_ptr<Sounder> sounder = desktopBeep();
         std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
@@ -84,6 +88,7 @@ public:
     NavigationRail* rail() const { return rail_; }
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
+    TrainingPage* training() const { return training_; }
     VerdictStrip* verdict() const { return verdict_; }
     QPushButton* viewButton() const { return view_; }
     ConsoleAlarms& alarms() { return *alarms_; }
@@ -102,8 +107,8 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void build();
-    void addPages();
+    void build(const Options& options);
+    void addPages(const Options& options);
     AlarmSight alarmSight(double now) const;
     void showAlarms(double now);
     QString linkDetails(const CanView& view) const;
@@ -122,6 +127,7 @@ private:
     void showTerrain(const std::optional<Received>& latest);
     void showVerdict();
     void showProbe();
+    void addTraining(const Options& options);
     void offerViews();
     void showHelp();
     void defineKeys();
@@ -132,7 +138,8 @@ private:
     void offerQualities();
 
     std::unique_ptr<PreferenceStore> preferences_;
-    std::vector<PresetCost> presets_;
+    std::vector<PresetCost> presets_;  ///< of the model at the start
+    QString modelAtStart_;
     KeyTable keys_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
@@ -160,6 +167,7 @@ private:
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     QLabel* threshold_ = nullptr;
+    TrainingPage* training_ = nullptr;
     QPushButton* view_ = nullptr;
     QAction* drawsAction_ = nullptr;
     Card* terrainCard_ = nullptr;

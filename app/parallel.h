@@ -19,10 +19,11 @@ inline int processors()
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// Calls work(0) … work(count − 1), each once, on as many threads as there are processors().  The first
-/// exception ends the rest and is thrown again here.
+/// Calls work(0) … work(count − 1), each once, on at most `most` threads, of which the caller's is one; 0: on as
+/// many as there are processors().  The others have the caller's priority.  The first exception ends the rest
+/// and is thrown again here.
 template <class Work>
-void parallelFor(int count, Work work)
+void parallelFor(int count, Work work, int most = 0)
 {
     std::atomic<int> next{0};
     std::mutex mutex;
@@ -38,7 +39,7 @@ void parallelFor(int count, Work work)
             }
         }
     };
-    const int threads = std::min(count, processors());
+    const int threads = std::min(count, most > 0 ? most : processors());
     {
         std::vector<std::jthread> pool;
         for (int t = 1; t < threads; ++t) pool.emplace_back(run);

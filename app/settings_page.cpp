@@ -64,12 +64,13 @@ SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> prese
     defaults_ = new QPushButton(tr("All back to the defaults"), look);
     defaults_->setToolTip(tr("Everything on this page, and the shipped model and robot"));
     look->body()->addWidget(defaults_);
-    connect(defaults_, &QPushButton::clicked, this,
-            [this] { store_.change([](Preferences& p) {
+    connect(defaults_, &QPushButton::clicked, this, [this] {
+        store_.change([](Preferences& p) {
             Preferences plain;
             plain.window = p.window;
             p = plain;
-        }); });
+        });
+    });
 
     auto* columns = new QHBoxLayout;
     columns->setSpacing(10);

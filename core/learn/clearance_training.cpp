@@ -168,7 +168,8 @@ void prepareClearance(ModelData& model, const Eigen::MatrixXd& ceilings)
 }
 
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                            bool covered, const TrainingOptions& options)
+                            bool covered, const TrainingOptions& options,
+                            const std::function<bool()>& cancelled)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
     if (std::ssize(rows) < kFewestTrainingRows)
@@ -186,9 +187,9 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
     search.seed += static_cast<std::uint64_t>(bin);
     search.fullEvaluations = 0;
     const double sd = std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
-    trained.process.hyper =
-        maximiseLikelihood(X, y, searchStart(X.cols(), sd), search, {.mostNoise = kMostNoise})
-            .hyper;
+    trained.process.hyper = maximiseLikelihood(X, y, searchStart(X.cols(), sd), search,
+                                               {.mostNoise = kMostNoise}, cancelled)
+                                .hyper;
     ProjectedProcess projected =
         projectProcess(X, y, inducingPositions(rows.size()), trained.process.hyper);
     trained.process.weights = std::move(projected.weights);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "core/learn/model.h"
@@ -26,8 +27,10 @@ struct TrainedSurface {
 
 /// Hyper-parameters from at most options.subset rows (log marginal likelihood), the weights from all.
 /// With fewer than kFewestTrainingRows rows: mean and sd of the bin's height (open) or of every covered bin's y (covered).
+/// cancelled: as for maximiseLikelihood.
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                            bool covered, const TrainingOptions& options);
+                            bool covered, const TrainingOptions& options,
+                            const std::function<bool()>& cancelled = {});
 
 /// Puts a trained bin into the model.  Not safe to call from several threads at once.
 void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered);

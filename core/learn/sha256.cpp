@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "core/file_read.h"
+
 namespace terratact {
 
 std::string sha256Hex(std::string_view bytes)
@@ -15,6 +17,14 @@ std::string sha256Hex(std::string_view bytes)
     std::array<char, 2 * crypto_hash_sha256_BYTES + 1> hex{};
     sodium_bin2hex(hex.data(), hex.size(), hash.data(), hash.size());
     return hex.data();
+}
+
+Result<std::string> sha256OfFile(const std::string& path)
+{
+    constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
+    const auto bytes = readFile(path, kMostBytes);
+    if (!bytes) return bytes.error();
+    return sha256Hex(*bytes);
 }
 
 }  // namespace terratact

@@ -170,6 +170,61 @@ TEST(Worker, aMissingModelFileIsNamed)
     EXPECT_TRUE(heard.noModel.front().contains("/nowhere/none.ttm"));
 }
 
+TEST(Worker, anotherModelCancelsTheJobAndServesTheNext)
+{
+    Gate before, after;
+    after.open = true;
+    EstimatorWorker worker(loaderOf(before.estimator()));
+    Listener heard(worker);
+    worker.start();
+    worker.request(withSeed(1));
+    ASSERT_TRUE(gui::eventually([&] { return before.started == 1; }));
+    worker.load([&]() -> Result<LoadedModel> {
+        return LoadedModel{.estimate = after.estimator(), .name = "next.ttm", .details = {}};
+    });
+    const int job = worker.request(withSeed(2));
+    ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
+    EXPECT_EQ(before.cancelled, 1);
+    EXPECT_EQ(heard.estimated, QList<int>{job});
+    EXPECT_EQ(after.started, 1);
+    EXPECT_EQ(heard.loaded, (QStringList{"fake.ttm", "next.ttm"}));
+}
+
+TEST(Worker, keepsTheModelWhenTheNextCannotBeLoaded)
+{
+    Gate gate;
+    gate.open = true;
+    EstimatorWorker worker(loaderOf(gate.estimator()));
+    Listener heard(worker);
+    QStringList kept;
+    QObject::connect(&worker, &EstimatorWorker::modelKept, &heard,
+                     [&](const QString& why) { kept << why; });
+    worker.start();
+    worker.load(modelFileLoader("/nowhere/none.ttm", RobotModel{}));
+    worker.load([]() -> Result<LoadedModel> { throw std::runtime_error("out of memory"); });
+    const int job = worker.request(withSeed(3));
+    ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
+    EXPECT_EQ(heard.estimated, QList<int>{job});
+    ASSERT_EQ(kept.size(), 2);
+    EXPECT_TRUE(kept[0].contains("/nowhere/none.ttm"));
+    EXPECT_EQ(kept[1], "out of memory");
+    EXPECT_TRUE(heard.noModel.isEmpty());
+    EXPECT_EQ(heard.loaded, QStringList{"fake.ttm"});
+}
+
+TEST(Worker, aModelMayComeAfterOneThatFailed)
+{
+    Gate gate;
+    gate.open = true;
+    EstimatorWorker worker(modelFileLoader("/nowhere/none.ttm", RobotModel{}));
+    Listener heard(worker);
+    worker.start();
+    worker.load(loaderOf(gate.estimator()));
+    worker.request(withSeed(4));
+    ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
+    EXPECT_EQ(heard.noModel.size(), 1);
+}
+
 TEST(Worker, endsPromptlyInTheMiddleOfAJob)
 {
     Gate gate;
