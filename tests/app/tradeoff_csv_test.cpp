@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <stdexcept>
+#include <tuple>
+
+#include "app/tradeoff_figure.h"
+#include "tests/support/picture.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
@@ -57,6 +63,115 @@ TEST(PresetsCsv, refusesWhatItIsNot)
     EXPECT_TRUE(refuses(header + "local,best,1,2,3\n", {"line 2", "quality"}));
     EXPECT_TRUE(refuses(header + "best,fast,1,2,3\n", {"line 2", "method"}));
     EXPECT_TRUE(refuses(header + "local,fast,1,x,3\n", {"line 2", "field 4"}));
+}
+
+// app/tradeoff_figure.cpp and app/method_look.cpp.
+constexpr int kLeft = 96, kRight = 856, kTop = 110, kBottom = 620, kSecondLeft = 990;
+constexpr unsigned kPafc = 0x12804a, kJoint = 0x0b7f8c, kLocal = 0xb01e4f;
+
+TradePoint marker(Method method, double ms, double quantileMm, double errorMm)
+{
+    TradePoint p = point("draws", std::nullopt, 1e-3 * ms, 1e-3 * quantileMm);
+    p.setting.settings.method = method;
+    p.error = 1e-3 * errorMm;
+    return p;
+}
+
+class TradeoffFigure : public testing::Test {
+protected:
+    Picture drawn(const std::vector<TradePoint>& points)
+    {
+        const std::string path = directory_.file("tradeoff.png");
+        EXPECT_TRUE(writeTradeoffFigure(path, points));
+        return readPng(path);
+    }
+
+    /// The panel that begins at this column, without the key and the other panel.
+    static Picture panel(const Picture& picture, int left)
+    {
+        Picture part = picture;
+        for (int y = 0; y < part.height; ++y)
+            for (int x = 0; x < part.width; ++x)
+                if (y > kBottom + 20 || x < left - 20 || x > left + kRight - kLeft + 20)
+                    part.pixels[static_cast<std::size_t>(y * part.width + x)] = 0xffffffU;
+        return part;
+    }
+
+    static std::array<double, 2> centre(const Picture& picture, unsigned colour)
+    {
+        const auto [left, right, top, bottom] = picture.extent(colour);
+        EXPECT_GT(right, left);
+        return {0.5 * (left + right), 0.5 * (top + bottom)};
+    }
+
+    TemporaryDirectory directory_;
+};
+
+TEST_F(TradeoffFigure, placesEachSettingByTheLogarithmsOfItsTimeAndItsErrors)
+{
+    const Picture picture =
+        drawn({marker(Method::Pafc, 1.0, 100.0, 1.0), marker(Method::Joint, 10.0, 10.0, 10.0),
+               marker(Method::Local, 100.0, 1.0, 100.0)});
+    EXPECT_EQ(picture.width, 1800);
+    EXPECT_EQ(picture.height, 760);
+    const double middle = 0.5 * (kTop + kBottom), half = 0.5 * (kRight - kLeft);
+    for (const auto& [left, first, last] :
+         {std::tuple(kLeft, kTop, kBottom), std::tuple(kSecondLeft, kBottom, kTop)}) {
+        const Picture part = panel(picture, left);
+        const auto pafc = centre(part, kPafc), joint = centre(part, kJoint),
+                   local = centre(part, kLocal);
+        EXPECT_NEAR(pafc[0], left, 1.5);
+        EXPECT_NEAR(joint[0], left + half, 1.5);
+        EXPECT_NEAR(local[0], left + 2.0 * half, 1.5);
+        EXPECT_NEAR(pafc[1], first, 1.5);
+        EXPECT_NEAR(joint[1], middle, 1.5);
+        EXPECT_NEAR(local[1], last, 1.5);
+    }
+}
+
+TEST_F(TradeoffFigure, drawsPresetsLargerThanOtherSettings)
+{
+    TradePoint preset = marker(Method::Joint, 10.0, 10.0, 10.0);
+    const int plain = panel(drawn({preset}), kLeft).extent(kJoint)[3];
+    preset.setting.preset = Quality::Balanced;
+    EXPECT_GE(panel(drawn({preset}), kLeft).extent(kJoint)[3], plain + 2);  // its name is above
+}
+
+TEST_F(TradeoffFigure, drawsTheFrontThroughWhatNoOtherBeatsOnly)
+{
+    // From corner to corner, through the panel's centre; or no line, where one of the two is beaten.
+    const auto darkPixels = [&](double firstMm, double secondMm) {
+        const Picture picture = drawn({marker(Method::Pafc, 1.0, firstMm, 10.0),
+                                       marker(Method::Pafc, 100.0, secondMm, 10.0)});
+        int dark = 0;
+        for (int y = (kTop + kBottom) / 2 - 10; y < (kTop + kBottom) / 2 + 10; ++y)
+            for (int x = (kLeft + kRight) / 2 - 10; x < (kLeft + kRight) / 2 + 10; ++x)
+                if ((picture.at(x, y) >> 16U) < 0xa0U) ++dark;
+        return dark;
+    };
+    EXPECT_GT(darkPixels(100.0, 1.0), 10);
+    EXPECT_EQ(darkPixels(1.0, 100.0), 0);
+}
+
+TEST_F(TradeoffFigure, staysInItsFrameWhateverTheNumbers)
+{
+    for (const double mm : {0.0, 1e-12, 1e-3, 1.0, 9.99, 1e6}) {
+        const Picture part = panel(drawn({marker(Method::Joint, mm, mm, mm)}), kLeft);
+        EXPECT_GT(part.count(kJoint), 30) << mm;
+        const auto [left, right, top, bottom] = part.extent(kJoint);
+        EXPECT_GE(left, kLeft - 15) << mm;
+        EXPECT_LE(right, kRight + 15) << mm;
+        EXPECT_GE(top, kTop - 15) << mm;
+        EXPECT_LE(bottom, kBottom + 15) << mm;
+    }
+}
+
+TEST_F(TradeoffFigure, refusesNoPointsAndAnotherEnding)
+{
+    const std::string other = directory_.file("tradeoff.bmp");
+    EXPECT_THROW((void)writeTradeoffFigure(other, {}), std::invalid_argument);
+    EXPECT_TRUE(refused(writeTradeoffFigure(other, kPoints), other, {".png or .svg"}));
+    EXPECT_TRUE(directory_.entries().empty());
 }
 
 }  // namespace
