@@ -9,12 +9,15 @@
 
 #include "core/file_write.h"
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef __has_feature  // clang
+#if __has_feature(address_sanitizer)
 /// The leak check's own hook: fontconfig keeps its configuration and patterns until the process ends.
-extern "C" const char* __lsan_default_suppressions()  // NOLINT(bugprone-reserved-identifier)
+extern "C" const char*
+__lsan_default_suppressions()  // NOLINT(clang-diagnostic-reserved-identifier)
 {
     return "leak:libfontconfig\n";
 }
+#endif
 #endif
 
 namespace terratact {

@@ -7,7 +7,7 @@
 
 #include "core/result.h"
 
-struct _cairo;  // NOLINT(bugprone-reserved-identifier): the library's own name of cairo_t
+struct _cairo;  // NOLINT(clang-diagnostic-reserved-identifier): the library's own name of cairo_t
 
 namespace terratact {
 

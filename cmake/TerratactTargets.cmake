@@ -34,13 +34,31 @@ function(terratact_missing name)
     "which installs all that is missing.")
 endfunction()
 
+# terratact_library(<target> [APART source...] [ALONE source...]), after its sources are named: its headers are
+# compiled alone (below), and with CMAKE_UNITY_BUILD the sources of one directory are joined and compiled as one,
+# for presets whose cost is the parsing of headers. APART: joined with each other instead, since they have a name
+# of their own that another source of that directory has, too. ALONE: joined with none. (What has compile options
+# of its own is compiled alone anyway.) A source that is told of a name defined twice goes to one of these lists.
+function(terratact_library target)
+  cmake_parse_arguments(library "" "" "APART;ALONE" ${ARGN})
+  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(directory "${source}" DIRECTORY)
+    set_property(SOURCE "${source}" PROPERTY UNITY_GROUP "${target}_${directory}")
+  endforeach()
+  set_property(SOURCE ${library_APART} PROPERTY UNITY_GROUP "${target}_apart")
+  set_property(SOURCE ${library_ALONE} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # Compiles every header of every FILE_SET alone, as part of the default build: a header that
 # leans on its includer, or on a library that its target does not link, does not get in.
 function(terratact_check_headers)
   if(CMAKE_CXX_CLANG_TIDY)
     # Generated sources (moc, resources) lie in the build tree and are not ours to tidy.
     file(WRITE ${PROJECT_BINARY_DIR}/.clang-tidy "Checks: '-*,misc-definitions-in-headers'\n")
-  else()
+  endif()
+  if(NOT CMAKE_UNITY_BUILD)
     add_custom_target(header_check ALL)
     add_dependencies(header_check all_verify_interface_header_sets)
   endif()

@@ -28,7 +28,7 @@ declare -A packages=(
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           python3-can sqlite3 parallel xvfb xauth xdotool
           appstream desktop-file-utils man-db groff-base dpkg-dev file"
-  [tidy]="clang clang-tidy clang-format libclang-rt-14-dev git"
+  [tidy]="clang clang-tidy clang-format libclang-rt-14-dev lld git"
   [package]="dpkg-dev file debootstrap debian-archive-keyring lintian"
   [kernel]="linux-source-6.1 gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
 )
