@@ -245,7 +245,7 @@ QWidget* TrainingPage::compareCard()
     setTone(*reason_, Tone::Muted);
     adopt_ = makeButton(tr("Adopt"), tr("Use the new model from now on"), card);
     adopt_->setProperty("role", "primary");
-    discard_ = new HoldToConfirmButton(tr("Discard (hold)"), theme().doubt, card);
+    discard_ = new HoldToConfirmButton(tr("Discard (hold)"), &Theme::caution, card);
     discard_->setAccessibleName(tr("Discard the new model"));
     discard_->setFocusPolicy(Qt::TabFocus);
     discard_->setToolTip(tr("Delete the new model's file"));
