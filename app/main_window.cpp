@@ -90,6 +90,17 @@ bool belongsTo(const QWidget& widget, int key)
     return moves && qobject_cast<const QAbstractItemView*>(&widget);
 }
 
+QString shippedModel()
+{
+    return QString::fromStdString(resourcePath("models/default.ttm"));
+}
+
+/// The file that is preferred.
+QString modelOf(const Preferences& preferences)
+{
+    return preferences.model.isEmpty() ? shippedModel() : preferences.model;
+}
+
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)
 {
@@ -280,12 +291,35 @@ void MainWindow::addTraining(const Options& options)
                                  this);
     addPage(training_, tr("Training"), Qt::Key_F6,
             tr("Train a model, compare it with the one in use, adopt it"));
-    connect(training_, &TrainingPage::adopted, this, [this](const QString& path) {
-        preferences_->change([path](Preferences& p) { p.model = path; });
+    modelInUse_ = QString::fromStdString(options.modelPath);
+    connect(training_, &TrainingPage::adopted, this, &MainWindow::loadModel);
+    // A model is preferred once it is in use; one that cannot be loaded is not preferred any more.
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, this, [this] {
+        if (!modelWanted_.isEmpty()) modelInUse_ = std::exchange(modelWanted_, QString());
+        training_->setModelInUse(modelInUse_);
+        preferModelInUse();
+    });
+    connect(worker_.get(), &EstimatorWorker::modelKept, this, [this] {
+        modelWanted_.clear();
+        preferModelInUse();
     });
     connect(worker_.get(), &EstimatorWorker::modelLoaded, training_, &TrainingPage::adoptionDone);
     for (const auto failed : {&EstimatorWorker::modelKept, &EstimatorWorker::modelFailed})
         connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
+}
+
+void MainWindow::loadModel(const QString& path)
+{
+    modelWanted_ = path;
+    worker_->load(modelFileLoader(path.toStdString(), robot_));
+}
+
+void MainWindow::preferModelInUse()
+{
+    if (modelInUse_.isEmpty() || modelOf(preferences_->current()) == modelInUse_) return;
+    preferences_->change([this](Preferences& p) {
+        p.model = modelInUse_ == shippedModel() ? QString() : modelInUse_;
+    });
 }
 
 void MainWindow::offerViews()
@@ -356,9 +390,7 @@ void MainWindow::applyPreferences(const Preferences& before)
     }
     if (now.robot != before.robot) emit reopenWanted();
     if (now.model != before.model) {
-        const std::string path =
-            now.model.isEmpty() ? resourcePath("models/default.ttm") : now.model.toStdString();
-        worker_->load(modelFileLoader(path, robot_));
+        if (const QString wanted = modelOf(now); wanted != modelInUse_) loadModel(wanted);
         offerQualities();
     }
     if (now.sound != before.sound) {

@@ -128,6 +128,8 @@ private:
     void showVerdict();
     void showProbe();
     void addTraining(const Options& options);
+    void loadModel(const QString& path);
+    void preferModelInUse();
     void offerViews();
     void showHelp();
     void defineKeys();
@@ -140,6 +142,7 @@ private:
     std::unique_ptr<PreferenceStore> preferences_;
     std::vector<PresetCost> presets_;  ///< of the model at the start
     QString modelAtStart_;
+    QString modelInUse_, modelWanted_;  ///< files; wanted: being loaded, empty: none
     KeyTable keys_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;

@@ -56,6 +56,7 @@ public:
     QTableWidget* bins() const { return bins_; }
     QTableWidget* comparison() const { return comparison_; }
     const QString& modelInUse() const { return options_.model; }
+    void setModelInUse(const QString& path) { options_.model = path; }
 
 public slots:
     void adoptionDone();                      ///< the console has loaded a model
