@@ -428,6 +428,50 @@
         <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
         <translation>model bodu %1 m je singulární: %2 jeho rozptylu přidáno jako šum</translation>
     </message>
+    <message>
+        <source>following: nothing is explored</source>
+        <translation>sledování: nic se nezkoumá</translation>
+    </message>
+    <message>
+        <source>following: flippers go down</source>
+        <translation>sledování: flippery jdou dolů</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, estimating the terrain</source>
+        <translation>sledování: flippery přitlačeny, odhaduje terén</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, arm is probing</source>
+        <translation>sledování: flippery přitlačeny, rameno sonduje</translation>
+    </message>
+    <message>
+        <source>following: estimating again with the arm&apos;s height</source>
+        <translation>sledování: odhaduje znovu s výškou z ramene</translation>
+    </message>
+    <message>
+        <source>following: estimate stands</source>
+        <translation>sledování: odhad platí</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>sledování: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>following: no estimate</source>
+        <translation>sledování: bez odhadu</translation>
+    </message>
+    <message>
+        <source>wire broken</source>
+        <translation>přerušený vodič</translation>
+    </message>
+    <message>
+        <source>short circuit</source>
+        <translation>zkrat</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>nasycen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -2174,6 +2218,22 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>%1: %2 ms, error %3 mm</source>
         <translation>%1: %2 ms, chyba %3 mm</translation>
+    </message>
+    <message>
+        <source>Use this file from now on</source>
+        <translation>Od teď používat tento soubor</translation>
+    </message>
+    <message>
+        <source>Back to what came with the program; grey while that is in use</source>
+        <translation>Zpět k tomu, co přišlo s programem; šedé, když se právě používá</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Off: alarms are only seen</source>
+        <translation>Vypnuto: alarmy jsou jen vidět</translation>
     </message>
 </context>
 <context>

@@ -428,6 +428,50 @@
         <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
         <translation>das Modell von Feld %1 m ist singulär: %2 seiner Varianz wurde als Rauschen zugegeben</translation>
     </message>
+    <message>
+        <source>following: nothing is explored</source>
+        <translation>mitverfolgt: keine Erkundung</translation>
+    </message>
+    <message>
+        <source>following: flippers go down</source>
+        <translation>mitverfolgt: Flipper gehen nach unten</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, estimating the terrain</source>
+        <translation>mitverfolgt: Flipper angedrückt, schätzt das Gelände</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, arm is probing</source>
+        <translation>mitverfolgt: Flipper angedrückt, Arm sondiert</translation>
+    </message>
+    <message>
+        <source>following: estimating again with the arm&apos;s height</source>
+        <translation>mitverfolgt: schätzt neu mit der Höhe des Arms</translation>
+    </message>
+    <message>
+        <source>following: estimate stands</source>
+        <translation>mitverfolgt: Schätzung steht</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>mitverfolgt: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>following: no estimate</source>
+        <translation>mitverfolgt: keine Schätzung</translation>
+    </message>
+    <message>
+        <source>wire broken</source>
+        <translation>Drahtbruch</translation>
+    </message>
+    <message>
+        <source>short circuit</source>
+        <translation>Kurzschluss</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>gesättigt</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -2174,6 +2218,22 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>%1: %2 ms, error %3 mm</source>
         <translation>%1: %2 ms, Fehler %3 mm</translation>
+    </message>
+    <message>
+        <source>Use this file from now on</source>
+        <translation>Ab jetzt diese Datei verwenden</translation>
+    </message>
+    <message>
+        <source>Back to what came with the program; grey while that is in use</source>
+        <translation>Zurück zu dem, was mitgeliefert ist; grau, solange es in Gebrauch ist</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Off: alarms are only seen</source>
+        <translation>Aus: Alarme sind nur zu sehen</translation>
     </message>
 </context>
 <context>
