@@ -38,7 +38,7 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | "model show:--csv") return 1 ;;
+      *:--summary | *:--transmit | *:--safe-mode | "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
     *:--model) _terratact_files ttm ;;
     *:--data | *:--classes | *:--csv) _terratact_files csv ;;
