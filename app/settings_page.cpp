@@ -298,8 +298,8 @@ void SettingsPage::setModelCard(const QString& card)
 void SettingsPage::setRobotCard(const QString& card, const QString& robotBlocked)
 {
     if (robot_->text() != card) robot_->setText(card);
-    for (QPushButton* button : {chooseRobot_, shippedRobot_})
-        button->setEnabled(robotBlocked.isEmpty());
+    chooseRobot_->setEnabled(robotBlocked.isEmpty());
+    shippedRobot_->setEnabled(robotBlocked.isEmpty() && !store_.current().robot.isEmpty());
     chooseRobot_->setToolTip(robotBlocked.isEmpty() ? chooseTip() : robotBlocked);
     shippedRobot_->setToolTip(robotBlocked.isEmpty() ? shippedTip() : robotBlocked);
 }

@@ -227,7 +227,8 @@ QWidget* TrainingPage::trainCard()
     for (int column = 0; column < tips.size(); ++column)
         bins_->horizontalHeaderItem(column)->setToolTip(tips[column]);
     for (int bin = 0; bin < kBins; ++bin) bins_->item(bin, 0)->setText(words::binName(bin));
-    bins_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const int wide : {0, 3, 4, 5, 6})  // whose names are
+        bins_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     card->body()->addWidget(bins_, 1);
     return card;
 }
@@ -245,7 +246,8 @@ QWidget* TrainingPage::compareCard()
     comparison_ = makeTable(static_cast<int>(rows.size()),
                             {tr("error"), tr("old"), tr("new"), tr("new − old")},
                             tr("Old and new model"), card);
-    comparison_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const int wide : {0, kColumnDifference})
+        comparison_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     for (int row = 0; row < rows.size(); ++row) comparison_->item(row, 0)->setText(rows[row].what);
     card->body()->addWidget(comparison_, 1);
     verdict_ = makeSentence(tr("Outcome"), card);

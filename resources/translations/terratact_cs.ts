@@ -2272,7 +2272,7 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Last 12 s</source>
-        <translation>Posledních 12 s</translation>
+        <translation>Za 12 s</translation>
     </message>
     <message>
         <source>history of %1</source>
@@ -2650,7 +2650,7 @@ sil</translation>
         <source>surface
 below robot</source>
         <translation>povrch
-pod robotem</translation>
+pod tělem</translation>
     </message>
     <message>
         <source>surface
@@ -2662,7 +2662,7 @@ vpředu</translation>
         <source>clearance
 below robot</source>
         <translation>mezera
-pod robotem</translation>
+pod tělem</translation>
     </message>
     <message>
         <source>clearance
@@ -2740,7 +2740,7 @@ vpředu</translation>
     </message>
     <message>
         <source>new − old</source>
-        <translation>nový − starý</translation>
+        <translation>rozdíl</translation>
     </message>
     <message>
         <source>Old and new model</source>

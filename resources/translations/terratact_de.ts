@@ -1720,7 +1720,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>ceiling [m]</source>
-        <translation>Obergrenze [m]</translation>
+        <translation>max. [m]</translation>
     </message>
     <message>
         <source>from</source>
@@ -1728,7 +1728,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>step to next</source>
-        <translation>Stufe zum nächsten</translation>
+        <translation>Stufe danach</translation>
     </message>
     <message>
         <source>R-hat</source>
@@ -2650,7 +2650,7 @@ Kräfte</translation>
         <source>surface
 below robot</source>
         <translation>Fläche
-unter Robot.</translation>
+darunter</translation>
     </message>
     <message>
         <source>surface
@@ -2662,7 +2662,7 @@ voraus</translation>
         <source>clearance
 below robot</source>
         <translation>Abstand
-unter Robot.</translation>
+darunter</translation>
     </message>
     <message>
         <source>clearance

@@ -291,7 +291,7 @@ TEST_F(Look, nothingIsCutInLargeLetters)
 
 TEST_F(Look, nothingIsCutInAnyLanguage)
 {
-    for (const char* language : {"cs", "de"}) {
+    for (const char* language : {"en", "cs", "de"}) {
         window.reset();
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
@@ -306,7 +306,7 @@ TEST_F(Look, nothingIsCutInAnyLanguage)
                     << window->rail()->chosen();
             });
         }
-        EXPECT_FALSE(window->keys().html().contains("drive back"));
+        EXPECT_EQ(window->keys().html().contains("drive back"), language == std::string_view("en"));
     }
     installLanguage(*qApp, "en");
 }
