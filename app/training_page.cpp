@@ -126,7 +126,7 @@ TrainingPage::TrainingPage(const Exploration& exploration, Options options, QWid
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 10, 12, 10);
     row->setSpacing(10);
-    row->addWidget(trainCard(), 13);
+    row->addWidget(trainCard(), 14);
     row->addWidget(compareCard(), 10);
     connectTrainer();
     connect(start_, &QPushButton::clicked, this, &TrainingPage::start);
@@ -227,7 +227,7 @@ QWidget* TrainingPage::trainCard()
     for (int column = 0; column < tips.size(); ++column)
         bins_->horizontalHeaderItem(column)->setToolTip(tips[column]);
     for (int bin = 0; bin < kBins; ++bin) bins_->item(bin, 0)->setText(words::binName(bin));
-    for (const int wide : {0, 3, 4, 5, 6})  // whose names are
+    for (const int wide : {0, 3, 5, 6})  // whose names are
         bins_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     card->body()->addWidget(bins_, 1);
     return card;
