@@ -31,7 +31,7 @@ QString unsoundElements(const ElementForces& forces)
                 unsound << QStringLiteral("%1 %2 %3")
                                .arg(name)
                                .arg(i + 1)
-                               .arg(words::text(describe(side[i]->state)));
+                               .arg(words::sentence(describe(side[i]->state)));
     };
     look(forces.left, ConsoleAlarms::tr("left"));
     look(forces.right, ConsoleAlarms::tr("right"));

@@ -574,7 +574,7 @@ AlarmSight MainWindow::alarmSight(double now) const
         sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
     const AtemState& state = exploration_->state();
     if (state.phase == AtemPhase::Failed)
-        sight.failedExploration = QString::fromStdString(describe(state.failure));
+        sight.failedExploration = words::sentence(describe(state.failure));
     sight.isStopped = latest_ && latest_->sample.measurement.activity == RobotActivity::Stopped;
     return sight;
 }

@@ -42,6 +42,16 @@ int indexOf(const Range& range, const Value& value)
     return found == std::end(range) ? 0 : static_cast<int>(found - std::begin(range));
 }
 
+QString chooseTip()
+{
+    return SettingsPage::tr("Use this file from now on");
+}
+
+QString shippedTip()
+{
+    return SettingsPage::tr("Back to what came with the program; grey while that is in use");
+}
+
 }  // namespace
 
 SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> presets, QWidget* parent)
@@ -84,6 +94,7 @@ SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> prese
     all->addWidget(buildFiles());
     all->addStretch(1);
     auto* scroll = new QScrollArea(this);
+    scroll->setAccessibleName(tr("Settings"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setWidget(inside);
@@ -168,6 +179,7 @@ void SettingsPage::buildLook(QFormLayout* form)
                      tr("What the terrain page makes large"));
     sound_ = new QCheckBox(tr("Alarms may be heard"), this);
     sound_->setMinimumHeight(kTarget);
+    sound_->setToolTip(tr("Off: alarms are only seen"));
     form->addRow(QString(), sound_);
     connect(sound_, &QCheckBox::toggled, this, &SettingsPage::take);
 }
@@ -186,8 +198,10 @@ QWidget* SettingsPage::buildFiles()
         text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         choose = new QPushButton(tr("Choose a file …"), card);
         choose->setAccessibleName(tr("Choose a file: %1").arg(name));
+        choose->setToolTip(chooseTip());
         shipped = new QPushButton(tr("The shipped one"), card);
         shipped->setAccessibleName(tr("The shipped one: %1").arg(name));
+        shipped->setToolTip(shippedTip());
         grid->addWidget(text, row, 0);
         grid->addWidget(choose, row, 1, Qt::AlignTop);
         grid->addWidget(shipped, row, 2, Qt::AlignTop);
@@ -284,10 +298,10 @@ void SettingsPage::setModelCard(const QString& card)
 void SettingsPage::setRobotCard(const QString& card, const QString& robotBlocked)
 {
     if (robot_->text() != card) robot_->setText(card);
-    for (QPushButton* button : {chooseRobot_, shippedRobot_}) {
-        button->setEnabled(robotBlocked.isEmpty());
-        button->setToolTip(robotBlocked);
-    }
+    chooseRobot_->setEnabled(robotBlocked.isEmpty());
+    shippedRobot_->setEnabled(robotBlocked.isEmpty() && !store_.current().robot.isEmpty());
+    chooseRobot_->setToolTip(robotBlocked.isEmpty() ? chooseTip() : robotBlocked);
+    shippedRobot_->setToolTip(robotBlocked.isEmpty() ? shippedTip() : robotBlocked);
 }
 
 QString SettingsPage::modelCard() const

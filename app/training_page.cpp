@@ -1,6 +1,7 @@
 #include "app/training_page.h"
 
 #include <QDir>
+#include <QEvent>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -91,6 +92,16 @@ QLabel* makeSentence(const QString& name, QWidget* parent)
     return label;
 }
 
+QString startTip()
+{
+    return TrainingPage::tr("Train the model, beside everything else");
+}
+
+QString adoptTip()
+{
+    return TrainingPage::tr("Use the new model from now on");
+}
+
 /// The first name that no model has.
 QString freeName(const QString& directory)
 {
@@ -115,7 +126,7 @@ TrainingPage::TrainingPage(const Exploration& exploration, Options options, QWid
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 10, 12, 10);
     row->setSpacing(10);
-    row->addWidget(trainCard(), 13);
+    row->addWidget(trainCard(), 14);
     row->addWidget(compareCard(), 10);
     connectTrainer();
     connect(start_, &QPushButton::clicked, this, &TrainingPage::start);
@@ -172,7 +183,7 @@ QWidget* TrainingPage::trainCard()
     seed_->setMinimumHeight(kTarget);
     seed_->setAccessibleName(tr("Seed of the search"));
     seed_->setToolTip(tr("Same scenes and seed: the same model"));
-    start_ = makeButton(tr("Start"), tr("Train the model, beside everything else"), card);
+    start_ = makeButton(tr("Start"), startTip(), card);
     start_->setProperty("role", "primary");
     cancel_ = makeButton(tr("Cancel"), tr("End what runs; nothing is written"), card);
     auto* what = new QHBoxLayout;
@@ -216,7 +227,8 @@ QWidget* TrainingPage::trainCard()
     for (int column = 0; column < tips.size(); ++column)
         bins_->horizontalHeaderItem(column)->setToolTip(tips[column]);
     for (int bin = 0; bin < kBins; ++bin) bins_->item(bin, 0)->setText(words::binName(bin));
-    bins_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const int wide : {0, 3, 5, 6})  // whose names are
+        bins_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     card->body()->addWidget(bins_, 1);
     return card;
 }
@@ -234,7 +246,8 @@ QWidget* TrainingPage::compareCard()
     comparison_ = makeTable(static_cast<int>(rows.size()),
                             {tr("error"), tr("old"), tr("new"), tr("new − old")},
                             tr("Old and new model"), card);
-    comparison_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const int wide : {0, kColumnDifference})
+        comparison_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     for (int row = 0; row < rows.size(); ++row) comparison_->item(row, 0)->setText(rows[row].what);
     card->body()->addWidget(comparison_, 1);
     verdict_ = makeSentence(tr("Outcome"), card);
@@ -243,7 +256,7 @@ QWidget* TrainingPage::compareCard()
     setTone(*caution_, Tone::Doubt);
     reason_ = makeSentence(tr("Why not"), card);
     setTone(*reason_, Tone::Muted);
-    adopt_ = makeButton(tr("Adopt"), tr("Use the new model from now on"), card);
+    adopt_ = makeButton(tr("Adopt"), adoptTip(), card);
     adopt_->setProperty("role", "primary");
     discard_ = new HoldToConfirmButton(tr("Discard (hold)"), &Theme::caution, card);
     discard_->setAccessibleName(tr("Discard the new model"));
@@ -416,6 +429,7 @@ void TrainingPage::showButtons()
     const bool idle = !busy && phase_ != Phase::Adopting;
     const QString whyNot = whyNotStart();
     start_->setEnabled(idle && whyNot.isEmpty());
+    start_->setToolTip(whyNot.isEmpty() ? startTip() : whyNot);
     if (phase_ == Phase::Idle && !whyNot.isEmpty() && !scenes_->text().isEmpty()) say(whyNot);
     if (phase_ == Phase::Idle && status_->text().isEmpty()) say(whyNot);
     cancel_->setEnabled(busy);
@@ -426,6 +440,7 @@ void TrainingPage::showButtons()
     compare_->setEnabled(idle && !trained_.isEmpty() && !test_->text().isEmpty());
     const QString why = whyNotAdopt();
     adopt_->setEnabled(phase_ == Phase::Compared && why.isEmpty());
+    adopt_->setToolTip(why.isEmpty() ? adoptTip() : why);
     discard_->setEnabled(idle && !trained_.isEmpty());
     if (reason_->text() != why) reason_->setText(why);
     reason_->setVisible(!why.isEmpty());
@@ -435,6 +450,12 @@ void TrainingPage::refresh(double /*now*/)
 {
     if (trainer_.busy()) showProgress();
     showButtons();
+}
+
+void TrainingPage::changeEvent(QEvent* event)
+{
+    Page::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && bins_) showBins(trainer_.progress());
 }
 
 void TrainingPage::showProgress()
@@ -468,13 +489,14 @@ void TrainingPage::showBins(const TrainingProgress& progress)
             const auto& cell = progress.cells[static_cast<std::size_t>(bin)][kind];
             QTableWidgetItem* item = bins_->item(bin, 1 + static_cast<int>(kind));
             const QString text = cellText(cell);
-            if (item->text() == text) continue;
+            const QColor colour =
+                cell.state == TrainingProgress::State::Waiting ? theme().muted : theme().text;
+            if (item->text() == text && item->foreground().color() == colour) continue;
             item->setText(text);
             QFont font = bins_->font();
             font.setBold(cell.state == TrainingProgress::State::Running);
             item->setFont(font);
-            item->setForeground(cell.state == TrainingProgress::State::Waiting ? theme().muted
-                                                                               : theme().text);
+            item->setForeground(colour);
         }
 }
 

@@ -36,6 +36,7 @@ public:
     ~TrainingPage() override;
 
     void refresh(double now) override;
+    void changeEvent(QEvent* event) override;
 
     QLineEdit* scenesField() const { return scenes_; }
     QLineEdit* testField() const { return test_; }
@@ -96,7 +97,6 @@ private:
     ModelTrainer trainer_;
     Phase phase_ = Phase::Idle;
     QString trained_;  ///< the new model's file; empty: there is none
-    TrainingProgress shown_;
 
     QLineEdit *scenes_ = nullptr, *name_ = nullptr, *test_ = nullptr;
     QSpinBox* seed_ = nullptr;

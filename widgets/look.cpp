@@ -108,15 +108,12 @@ QProgressBar::chunk { background: @doneArea; border-radius: 3px; }
 QTableView { background: @card; alternate-background-color: @window; border: none; color: @text; gridline-color: @border; }
 QTableView::item { padding: 0 6px; }
 QHeaderView { background: @card; }
-QHeaderView::section { background: @buttonArea; color: @buttonText; border: none; border-right: 1px solid @border; padding: 4px 6px; }
+QHeaderView::section { background: @buttonArea; color: @buttonText; border: 1px solid @border; padding: 4px; }
+QTableCornerButton::section { background: @buttonArea; border: 1px solid @border; }
 QLineEdit { background: @card; color: @text; border: 1px solid @muted; border-radius: 4px; padding: 2px 8px; }
 QLineEdit:focus { border: 2px solid @focus; padding: 1px 7px; }
 QListWidget { background: @card; border: none; color: @text; }
 QListWidget::item { padding: 2px 0; }
-QTableView { background: @card; color: @text; border: none; gridline-color: @border; }
-QHeaderView { background: @card; }
-QHeaderView::section { background: @buttonArea; color: @buttonText; border: 1px solid @border; padding: 4px; }
-QTableCornerButton::section { background: @buttonArea; border: 1px solid @border; }
 )");
     const Theme& t = current;
     QHash<QString, QColor> colours{

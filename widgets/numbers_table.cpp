@@ -20,7 +20,8 @@ NumbersTable::NumbersTable(QWidget* parent) : QTableWidget(kBins, kColumns, pare
                                tr("R-hat"), tr("ESS"), tr("two heights")});
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    horizontalHeader()->setSectionResizeMode(TwoHeaps, QHeaderView::ResizeToContents);
+    for (const Column wide : {Step, TwoHeaps})
+        horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     horizontalHeader()->setHighlightSections(false);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);

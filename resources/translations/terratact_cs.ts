@@ -2,6 +2,81 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="cs" sourcelanguage="en">
 <context>
+    <name>ComparisonWords</name>
+    <message>
+        <source>median error near [mm]</source>
+        <translation>medián chyby blízko [mm]</translation>
+    </message>
+    <message>
+        <source>mean error near [mm]</source>
+        <translation>průměrná chyba blízko [mm]</translation>
+    </message>
+    <message>
+        <source>CRPS near [mm]</source>
+        <translation>CRPS blízko [mm]</translation>
+    </message>
+    <message>
+        <source>80 % band near holds [%]</source>
+        <translation>v pásmu 80 % blízko [%]</translation>
+    </message>
+    <message>
+        <source>median error, all bins [mm]</source>
+        <translation>medián chyby, vše [mm]</translation>
+    </message>
+    <message>
+        <source>mean error, all bins [mm]</source>
+        <translation>průměrná chyba, vše [mm]</translation>
+    </message>
+    <message>
+        <source>CRPS, all bins [mm]</source>
+        <translation>CRPS, vše [mm]</translation>
+    </message>
+    <message>
+        <source>80 % band, all bins holds [%]</source>
+        <translation>v pásmu 80 %, vše [%]</translation>
+    </message>
+    <message>
+        <source>The new model errs as much as the old one near the robot on %1 scenes</source>
+        <translation>Nový model se blízko robota mýlí stejně jako starý (scén: %1)</translation>
+    </message>
+    <message>
+        <source>The new model errs %1 % less near the robot on %2 scenes</source>
+        <translation>Nový model se blízko robota mýlí o %1 % méně (scén: %2)</translation>
+    </message>
+    <message>
+        <source>The new model errs %1 % more near the robot on %2 scenes</source>
+        <translation>Nový model se blízko robota mýlí o %1 % více (scén: %2)</translation>
+    </message>
+    <message>
+        <source>%1; its 80 % bands there hold %2 % of the truths, the old one&apos;s %3 %.</source>
+        <translation>%1; v jeho pásmech 80 % tam leží %2 % skutečných výšek, u starého %3 %.</translation>
+    </message>
+    <message>
+        <source>The new model has learnt from this very file, which flatters it: choose scenes it has not seen.</source>
+        <translation>Nový model se učil právě z tohoto souboru, což mu lichotí: vyberte scény, které neviděl.</translation>
+    </message>
+    <message>
+        <source>The old model has learnt from this very file, which flatters it.</source>
+        <translation>Starý model se učil právě z tohoto souboru, což mu lichotí.</translation>
+    </message>
+    <message>
+        <source>Too few drives to tell whether the difference is chance.</source>
+        <translation>Příliš málo jízd: nelze říci, zda rozdíl není náhoda.</translation>
+    </message>
+    <message>
+        <source>The difference may be chance: 95 % interval %1 … %2 mm.</source>
+        <translation>Rozdíl může být náhoda: interval 95 % %1 … %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1 of the file&apos;s %2 scenes, evenly picked.</source>
+        <translation>%1 z %2 scén souboru, vybráno rovnoměrně.</translation>
+    </message>
+    <message>
+        <source>%1 scenes left out that only one model or none could estimate (only the old %2, only the new %3): %4.</source>
+        <translation>Vynecháno scén: %1, odhadl je jen jeden model, nebo žádný (jen starý %2, jen nový %3): %4.</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -353,6 +428,50 @@
         <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
         <translation>model bodu %1 m je singulární: %2 jeho rozptylu přidáno jako šum</translation>
     </message>
+    <message>
+        <source>following: nothing is explored</source>
+        <translation>sledování: nic se nezkoumá</translation>
+    </message>
+    <message>
+        <source>following: flippers go down</source>
+        <translation>sledování: flippery jdou dolů</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, estimating the terrain</source>
+        <translation>sledování: flippery přitlačeny, odhaduje terén</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, arm is probing</source>
+        <translation>sledování: flippery přitlačeny, rameno sonduje</translation>
+    </message>
+    <message>
+        <source>following: estimating again with the arm&apos;s height</source>
+        <translation>sledování: odhaduje znovu s výškou z ramene</translation>
+    </message>
+    <message>
+        <source>following: estimate stands</source>
+        <translation>sledování: odhad platí</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>sledování: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>following: no estimate</source>
+        <translation>sledování: bez odhadu</translation>
+    </message>
+    <message>
+        <source>wire broken</source>
+        <translation>přerušený vodič</translation>
+    </message>
+    <message>
+        <source>short circuit</source>
+        <translation>zkrat</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>nasycen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -598,6 +717,26 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>No exploration is running</source>
         <translation>Žádný průzkum neběží</translation>
+    </message>
+    <message>
+        <source>Override (O)</source>
+        <translation>Přesto (O)</translation>
+    </message>
+    <message>
+        <source>Explore in spite of what is doubtful; it is noted, and stays on the screen</source>
+        <translation>Prozkoumat navzdory pochybnostem; zapíše se to a zůstane na obrazovce</translation>
+    </message>
+    <message>
+        <source>overridden</source>
+        <translation>přebito</translation>
+    </message>
+    <message>
+        <source>%1 (overridden)</source>
+        <translation>%1 (přebito)</translation>
+    </message>
+    <message>
+        <source>Doubtful, override it first (O): %1</source>
+        <translation>Sporné, nejdřív přebít (O): %1</translation>
     </message>
 </context>
 <context>
@@ -865,10 +1004,6 @@ Poslední deaktivace: %1</translation>
         <translation>STOP uvolnil operátor</translation>
     </message>
     <message>
-        <source>quality of the next estimate: %1</source>
-        <translation>kvalita příštího odhadu: %1</translation>
-    </message>
-    <message>
         <source>command not sent: %1</source>
         <translation>povel neodeslán: %1</translation>
     </message>
@@ -1059,6 +1194,22 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>the log has ended</source>
         <translation>záznam skončil</translation>
+    </message>
+    <message>
+        <source>model %1 stays in use: %2</source>
+        <translation>dál se používá model %1: %2</translation>
+    </message>
+    <message>
+        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
+        <translation>příští odhad: %1, %2 vzorků, kontakty nad %3 N</translation>
+    </message>
+    <message>
+        <source>the override has ended: left and right agree again</source>
+        <translation>přebití skončilo: vlevo a vpravo zase souhlasí</translation>
+    </message>
+    <message>
+        <source>overridden by the operator: %1</source>
+        <translation>operátor přebil: %1</translation>
     </message>
 </context>
 <context>
@@ -1478,6 +1629,38 @@ Poslední deaktivace: %1</translation>
         <source> · %1 dropped</source>
         <translation> · %1 ztraceno</translation>
     </message>
+    <message>
+        <source>Settings</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Method, limits, look, model and robot</source>
+        <translation>Metoda, meze, vzhled, model a robot</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Trénink</translation>
+    </message>
+    <message>
+        <source>Train a model, compare it with the one in use, adopt it</source>
+        <translation>Natrénovat model, porovnat s používaným, převzít</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>bez modelu: %1</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Běží průzkum: nejdřív ho ukončete klávesou Esc</translation>
+    </message>
+    <message>
+        <source>The robot is armed: disarm it first (M)</source>
+        <translation>Robot je aktivní: nejdřív deaktivovat (M)</translation>
+    </message>
+    <message>
+        <source>override what is doubtful about exploring</source>
+        <translation>přebít, co je na průzkumu sporné</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -1847,6 +2030,213 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SettingsPage</name>
+    <message>
+        <source>Estimate</source>
+        <translation>Odhad</translation>
+    </message>
+    <message>
+        <source>Look and sound</source>
+        <translation>Vzhled a zvuk</translation>
+    </message>
+    <message>
+        <source>All back to the defaults</source>
+        <translation>Vše na výchozí</translation>
+    </message>
+    <message>
+        <source>Everything on this page, and the shipped model and robot</source>
+        <translation>Vše na této stránce i dodaný model a robot</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>local and joint are closed formulas; the others draw chains of samples</source>
+        <translation>local a joint jsou uzavřené vzorce; ostatní losují řetězce vzorků</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Kvalita</translation>
+    </message>
+    <message>
+        <source>Time against accuracy, as terratact tradeoff has measured them</source>
+        <translation>Čas proti přesnosti, jak je naměřil terratact tradeoff</translation>
+    </message>
+    <message>
+        <source>An obstacle is a step of more than</source>
+        <translation>Překážka je schod nad</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>The verdict&apos;s question (PgUp, PgDown)</source>
+        <translation>Otázka verdiktu (PgUp, PgDown)</translation>
+    </message>
+    <message>
+        <source>An element is a contact above</source>
+        <translation>Kontakt je prvek nad</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Weaker forces are noise</source>
+        <translation>Slabší síly jsou šum</translation>
+    </message>
+    <message>
+        <source>The arm is offered above a sd of</source>
+        <translation>Rameno se nabízí od sd</translation>
+    </message>
+    <message>
+        <source>A bin less certain than this asks for a probe</source>
+        <translation>Méně jistý bod žádá sondu</translation>
+    </message>
+    <message>
+        <source>The verdict is withheld above a roll of</source>
+        <translation>Verdikt se zadrží od náklonu</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Then left and right ground differ</source>
+        <translation>Pak se terén vlevo a vpravo liší</translation>
+    </message>
+    <message>
+        <source>… or left and right flippers apart by</source>
+        <translation>… nebo od rozdílu flipperů</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Barvy</translation>
+    </message>
+    <message>
+        <source>day</source>
+        <translation>den</translation>
+    </message>
+    <message>
+        <source>night, red</source>
+        <translation>noc, červená</translation>
+    </message>
+    <message>
+        <source>high contrast</source>
+        <translation>vysoký kontrast</translation>
+    </message>
+    <message>
+        <source>Night, red: keeps the eyes used to the dark</source>
+        <translation>Noc, červená: oči zůstanou přivyklé tmě</translation>
+    </message>
+    <message>
+        <source>Size of text</source>
+        <translation>Velikost písma</translation>
+    </message>
+    <message>
+        <source>Ctrl + and Ctrl −</source>
+        <translation>Ctrl + a Ctrl −</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Jazyk</translation>
+    </message>
+    <message>
+        <source>the system&apos;s</source>
+        <translation>podle systému</translation>
+    </message>
+    <message>
+        <source>Takes effect at the next start</source>
+        <translation>Platí od příštího spuštění</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Rozvržení</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Jízda</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonda</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Přehled</translation>
+    </message>
+    <message>
+        <source>What the terrain page makes large</source>
+        <translation>Co je na stránce Terén velké</translation>
+    </message>
+    <message>
+        <source>Alarms may be heard</source>
+        <translation>Alarmy smějí znít</translation>
+    </message>
+    <message>
+        <source>Model and robot</source>
+        <translation>Model a robot</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Vybrat soubor …</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Vybrat soubor: %1</translation>
+    </message>
+    <message>
+        <source>The shipped one</source>
+        <translation>Dodaný</translation>
+    </message>
+    <message>
+        <source>The shipped one: %1</source>
+        <translation>Dodaný: %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Models (*.ttm)</source>
+        <translation>Modely (*.ttm)</translation>
+    </message>
+    <message>
+        <source>Robots (*.toml)</source>
+        <translation>Roboti (*.toml)</translation>
+    </message>
+    <message>
+        <source>%1: not measured</source>
+        <translation>%1: neměřeno</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, error %3 mm</source>
+        <translation>%1: %2 ms, chyba %3 mm</translation>
+    </message>
+    <message>
+        <source>Use this file from now on</source>
+        <translation>Od teď používat tento soubor</translation>
+    </message>
+    <message>
+        <source>Back to what came with the program; grey while that is in use</source>
+        <translation>Zpět k tomu, co přišlo s programem; šedé, když se právě používá</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Off: alarms are only seen</source>
+        <translation>Vypnuto: alarmy jsou jen vidět</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SignalTable</name>
     <message>
         <source>Frame</source>
@@ -1882,7 +2272,7 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Last 12 s</source>
-        <translation>Posledních 12 s</translation>
+        <translation>Za 12 s</translation>
     </message>
     <message>
         <source>history of %1</source>
@@ -2054,6 +2444,14 @@ F1</translation>
         <source>%1, %2 not acknowledged</source>
         <translation>%1, nepotvrzeno %2</translation>
     </message>
+    <message>
+        <source>Checks overridden</source>
+        <translation>Přebité kontroly</translation>
+    </message>
+    <message>
+        <source>! CHECK OVERRIDDEN</source>
+        <translation>! KONTROLA PŘEBITA</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -2136,6 +2534,361 @@ F1</translation>
     <message>
         <source>or %1 m (%2 %)</source>
         <translation>nebo %1 m (%2 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TrainingPage</name>
+    <message>
+        <source>waiting</source>
+        <translation>čeká</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>běží</translation>
+    </message>
+    <message>
+        <source>too few</source>
+        <translation>málo</translation>
+    </message>
+    <message>
+        <source>done %1</source>
+        <translation>hotovo %1</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hotovo</translation>
+    </message>
+    <message>
+        <source>scenes as CSV, with heights</source>
+        <translation>scény CSV s výškami</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Vybrat …</translation>
+    </message>
+    <message>
+        <source>1  Train a new model</source>
+        <translation>1  Natrénovat nový model</translation>
+    </message>
+    <message>
+        <source>robot: the one in use</source>
+        <translation>robot: používaný</translation>
+    </message>
+    <message>
+        <source>Learn from</source>
+        <translation>Učit z</translation>
+    </message>
+    <message>
+        <source>Choose the scenes to learn from</source>
+        <translation>Vybrat scény k učení</translation>
+    </message>
+    <message>
+        <source>Name of the new model</source>
+        <translation>Název nového modelu</translation>
+    </message>
+    <message>
+        <source>Letters, digits, - _ and .; the file is %1/NAME.ttm</source>
+        <translation>Písmena, číslice, - _ a .; soubor je %1/NAME.ttm</translation>
+    </message>
+    <message>
+        <source>Seed of the search</source>
+        <translation>Semínko hledání</translation>
+    </message>
+    <message>
+        <source>Same scenes and seed: the same model</source>
+        <translation>Stejné scény a semínko: stejný model</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Train the model, beside everything else</source>
+        <translation>Trénovat model; vše ostatní běží dál</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>End what runs; nothing is written</source>
+        <translation>Ukončí, co běží; nic se nezapíše</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Název</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semínko</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Průběh</translation>
+    </message>
+    <message>
+        <source>State of the training</source>
+        <translation>Stav tréninku</translation>
+    </message>
+    <message>
+        <source>bin</source>
+        <translation>bod</translation>
+    </message>
+    <message>
+        <source>with
+forces</source>
+        <translation>se
+silami</translation>
+    </message>
+    <message>
+        <source>without
+forces</source>
+        <translation>bez
+sil</translation>
+    </message>
+    <message>
+        <source>surface
+below robot</source>
+        <translation>povrch
+pod tělem</translation>
+    </message>
+    <message>
+        <source>surface
+ahead</source>
+        <translation>povrch
+vpředu</translation>
+    </message>
+    <message>
+        <source>clearance
+below robot</source>
+        <translation>mezera
+pod tělem</translation>
+    </message>
+    <message>
+        <source>clearance
+ahead</source>
+        <translation>mezera
+vpředu</translation>
+    </message>
+    <message>
+        <source>Training, bin by bin</source>
+        <translation>Trénink po bodech</translation>
+    </message>
+    <message>
+        <source>Centre of the bin</source>
+        <translation>Střed bodu</translation>
+    </message>
+    <message>
+        <source>Gaussian process given pose, currents and forces, and its log likelihood</source>
+        <translation>Gaussovský proces z polohy, proudů a sil, a jeho log-věrohodnost</translation>
+    </message>
+    <message>
+        <source>Gaussian process given the pose alone, and its log likelihood</source>
+        <translation>Gaussovský proces jen z polohy, a jeho log-věrohodnost</translation>
+    </message>
+    <message>
+        <source>Surface where the robot is above the bin</source>
+        <translation>Povrch, kde je robot nad bodem</translation>
+    </message>
+    <message>
+        <source>Surface elsewhere</source>
+        <translation>Povrch jinde</translation>
+    </message>
+    <message>
+        <source>Clearance given the other bins, where the robot is above the bin; log likelihood</source>
+        <translation>Mezera podle ostatních bodů, kde je robot nad bodem; log-věrohodnost</translation>
+    </message>
+    <message>
+        <source>The same elsewhere</source>
+        <translation>Totéž jinde</translation>
+    </message>
+    <message>
+        <source>2  Compare it with the one in use, then adopt it</source>
+        <translation>2  Porovnat s používaným, pak převzít</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>Modely</translation>
+    </message>
+    <message>
+        <source>Test on</source>
+        <translation>Zkusit na</translation>
+    </message>
+    <message>
+        <source>Choose the scenes to test on</source>
+        <translation>Vybrat scény ke zkoušce</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Porovnat</translation>
+    </message>
+    <message>
+        <source>Estimate the test scenes with both models</source>
+        <translation>Odhadnout zkušební scény oběma modely</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>chyba</translation>
+    </message>
+    <message>
+        <source>old</source>
+        <translation>starý</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nový</translation>
+    </message>
+    <message>
+        <source>new − old</source>
+        <translation>rozdíl</translation>
+    </message>
+    <message>
+        <source>Old and new model</source>
+        <translation>Starý a nový model</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Výsledek</translation>
+    </message>
+    <message>
+        <source>What to keep in mind</source>
+        <translation>Na co pamatovat</translation>
+    </message>
+    <message>
+        <source>Why not</source>
+        <translation>Proč ne</translation>
+    </message>
+    <message>
+        <source>Adopt</source>
+        <translation>Převzít</translation>
+    </message>
+    <message>
+        <source>Use the new model from now on</source>
+        <translation>Od teď používat nový model</translation>
+    </message>
+    <message>
+        <source>Discard (hold)</source>
+        <translation>Zahodit (držet)</translation>
+    </message>
+    <message>
+        <source>Discard the new model</source>
+        <translation>Zahodit nový model</translation>
+    </message>
+    <message>
+        <source>Delete the new model&apos;s file</source>
+        <translation>Smazat soubor nového modelu</translation>
+    </message>
+    <message>
+        <source>Trained on %1 scenes: %2</source>
+        <translation>Natrénováno, scén %1: %2</translation>
+    </message>
+    <message>
+        <source>%1. Nothing was written: put that right and start again.</source>
+        <translation>%1. Nic se nezapsalo: napravte to a spusťte znovu.</translation>
+    </message>
+    <message>
+        <source>%1. Choose another file, or discard the new model.</source>
+        <translation>%1. Vyberte jiný soubor, nebo nový model zahoďte.</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written</source>
+        <translation>Zrušeno: nic se nezapsalo</translation>
+    </message>
+    <message>
+        <source>Comparison cancelled</source>
+        <translation>Porovnání zrušeno</translation>
+    </message>
+    <message>
+        <source>Scenes (*.csv);;All files (*)</source>
+        <translation>Scény (*.csv);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Choose a file of scenes to learn from.</source>
+        <translation>Vyberte soubor scén k učení.</translation>
+    </message>
+    <message>
+        <source>Give the new model a name.</source>
+        <translation>Pojmenujte nový model.</translation>
+    </message>
+    <message>
+        <source>%1 exists already: choose another name.</source>
+        <translation>%1 už existuje: zvolte jiný název.</translation>
+    </message>
+    <message>
+        <source>Loading the new model …</source>
+        <translation>Načítá se nový model …</translation>
+    </message>
+    <message>
+        <source>Train a model first.</source>
+        <translation>Nejdřív natrénujte model.</translation>
+    </message>
+    <message>
+        <source>Compare the new model before it is adopted.</source>
+        <translation>Nový model před převzetím porovnejte.</translation>
+    </message>
+    <message>
+        <source>An exploration is running: the model stays until it has ended (Esc ends it).</source>
+        <translation>Běží průzkum: model zůstane, dokud neskončí (ukončí ho Esc).</translation>
+    </message>
+    <message>
+        <source>Training on %1; the robot goes on meanwhile</source>
+        <translation>Trénuje se na %1; robot zatím pracuje dál</translation>
+    </message>
+    <message>
+        <source>%1 is in use now</source>
+        <translation>%1 se teď používá</translation>
+    </message>
+    <message>
+        <source>Not adopted, the model in use stays: %1</source>
+        <translation>Nepřevzato, zůstává dosavadní model: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be deleted: delete it by hand</source>
+        <translation>%1 nelze smazat: smažte ručně</translation>
+    </message>
+    <message>
+        <source>%1 discarded</source>
+        <translation>%1 zahozen</translation>
+    </message>
+    <message>
+        <source>in use: %1; no new model yet</source>
+        <translation>používá se: %1; nový model zatím není</translation>
+    </message>
+    <message>
+        <source>in use: %1; new: %2</source>
+        <translation>používá se: %1; nový: %2</translation>
+    </message>
+    <message>
+        <source>comparing: %1 %</source>
+        <translation>porovnává: %1 %</translation>
+    </message>
+    <message>
+        <source>training: %1 %</source>
+        <translation>trénuje: %1 %</translation>
+    </message>
+    <message>
+        <source>, about %1 left</source>
+        <translation>, zbývá asi %1</translation>
+    </message>
+    <message>
+        <source>, time left not known yet</source>
+        <translation>, zbývající čas zatím neznámý</translation>
+    </message>
+    <message>
+        <source>trained</source>
+        <translation>natrénováno</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>porovnáno</translation>
+    </message>
+    <message>
+        <source>nothing runs</source>
+        <translation>nic neběží</translation>
+    </message>
+    <message>
+        <source>Compared on %1 scenes</source>
+        <translation>Porovnáno, scén: %1</translation>
     </message>
 </context>
 <context>

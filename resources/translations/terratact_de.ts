@@ -2,6 +2,81 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>ComparisonWords</name>
+    <message>
+        <source>median error near [mm]</source>
+        <translation>Medianfehler nah [mm]</translation>
+    </message>
+    <message>
+        <source>mean error near [mm]</source>
+        <translation>mittlerer Fehler nah [mm]</translation>
+    </message>
+    <message>
+        <source>CRPS near [mm]</source>
+        <translation>CRPS nah [mm]</translation>
+    </message>
+    <message>
+        <source>80 % band near holds [%]</source>
+        <translation>im 80-%-Band nah [%]</translation>
+    </message>
+    <message>
+        <source>median error, all bins [mm]</source>
+        <translation>Medianfehler, alle [mm]</translation>
+    </message>
+    <message>
+        <source>mean error, all bins [mm]</source>
+        <translation>mittlerer Fehler, alle [mm]</translation>
+    </message>
+    <message>
+        <source>CRPS, all bins [mm]</source>
+        <translation>CRPS, alle [mm]</translation>
+    </message>
+    <message>
+        <source>80 % band, all bins holds [%]</source>
+        <translation>im 80-%-Band, alle [%]</translation>
+    </message>
+    <message>
+        <source>The new model errs as much as the old one near the robot on %1 scenes</source>
+        <translation>Das neue Modell irrt nahe am Roboter so stark wie das alte (%1 Szenen)</translation>
+    </message>
+    <message>
+        <source>The new model errs %1 % less near the robot on %2 scenes</source>
+        <translation>Das neue Modell irrt nahe am Roboter %1 % weniger (%2 Szenen)</translation>
+    </message>
+    <message>
+        <source>The new model errs %1 % more near the robot on %2 scenes</source>
+        <translation>Das neue Modell irrt nahe am Roboter %1 % mehr (%2 Szenen)</translation>
+    </message>
+    <message>
+        <source>%1; its 80 % bands there hold %2 % of the truths, the old one&apos;s %3 %.</source>
+        <translation>%1; seine 80-%-Bänder enthalten dort %2 % der wahren Höhen, die des alten %3 %.</translation>
+    </message>
+    <message>
+        <source>The new model has learnt from this very file, which flatters it: choose scenes it has not seen.</source>
+        <translation>Das neue Modell hat aus genau dieser Datei gelernt, das schmeichelt ihm: Szenen wählen, die es nicht kennt.</translation>
+    </message>
+    <message>
+        <source>The old model has learnt from this very file, which flatters it.</source>
+        <translation>Das alte Modell hat aus genau dieser Datei gelernt, das schmeichelt ihm.</translation>
+    </message>
+    <message>
+        <source>Too few drives to tell whether the difference is chance.</source>
+        <translation>Zu wenige Fahrten, um zu sagen, ob der Unterschied Zufall ist.</translation>
+    </message>
+    <message>
+        <source>The difference may be chance: 95 % interval %1 … %2 mm.</source>
+        <translation>Der Unterschied kann Zufall sein: 95-%-Intervall %1 … %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1 of the file&apos;s %2 scenes, evenly picked.</source>
+        <translation>%1 von %2 Szenen der Datei, gleichmäßig gewählt.</translation>
+    </message>
+    <message>
+        <source>%1 scenes left out that only one model or none could estimate (only the old %2, only the new %3): %4.</source>
+        <translation>%1 Szenen ausgelassen, die nur ein Modell oder keines schätzen konnte (nur das alte %2, nur das neue %3): %4.</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -353,6 +428,50 @@
         <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
         <translation>das Modell von Feld %1 m ist singulär: %2 seiner Varianz wurde als Rauschen zugegeben</translation>
     </message>
+    <message>
+        <source>following: nothing is explored</source>
+        <translation>mitverfolgt: keine Erkundung</translation>
+    </message>
+    <message>
+        <source>following: flippers go down</source>
+        <translation>mitverfolgt: Flipper gehen nach unten</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, estimating the terrain</source>
+        <translation>mitverfolgt: Flipper angedrückt, schätzt das Gelände</translation>
+    </message>
+    <message>
+        <source>following: flippers pressed, arm is probing</source>
+        <translation>mitverfolgt: Flipper angedrückt, Arm sondiert</translation>
+    </message>
+    <message>
+        <source>following: estimating again with the arm&apos;s height</source>
+        <translation>mitverfolgt: schätzt neu mit der Höhe des Arms</translation>
+    </message>
+    <message>
+        <source>following: estimate stands</source>
+        <translation>mitverfolgt: Schätzung steht</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>mitverfolgt: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>following: no estimate</source>
+        <translation>mitverfolgt: keine Schätzung</translation>
+    </message>
+    <message>
+        <source>wire broken</source>
+        <translation>Drahtbruch</translation>
+    </message>
+    <message>
+        <source>short circuit</source>
+        <translation>Kurzschluss</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>gesättigt</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -598,6 +717,26 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>No exploration is running</source>
         <translation>Es läuft keine Erkundung</translation>
+    </message>
+    <message>
+        <source>Override (O)</source>
+        <translation>Trotzdem (O)</translation>
+    </message>
+    <message>
+        <source>Explore in spite of what is doubtful; it is noted, and stays on the screen</source>
+        <translation>Trotz der Zweifel erkunden; es wird vermerkt und bleibt auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>overridden</source>
+        <translation>übergangen</translation>
+    </message>
+    <message>
+        <source>%1 (overridden)</source>
+        <translation>%1 (übergangen)</translation>
+    </message>
+    <message>
+        <source>Doubtful, override it first (O): %1</source>
+        <translation>Zweifelhaft, erst übergehen (O): %1</translation>
     </message>
 </context>
 <context>
@@ -865,10 +1004,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>STOP vom Bediener gelöst</translation>
     </message>
     <message>
-        <source>quality of the next estimate: %1</source>
-        <translation>Güte der nächsten Schätzung: %1</translation>
-    </message>
-    <message>
         <source>command not sent: %1</source>
         <translation>Befehl nicht gesendet: %1</translation>
     </message>
@@ -1059,6 +1194,22 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>the log has ended</source>
         <translation>das Log ist zu Ende</translation>
+    </message>
+    <message>
+        <source>model %1 stays in use: %2</source>
+        <translation>Modell %1 bleibt in Gebrauch: %2</translation>
+    </message>
+    <message>
+        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
+        <translation>nächste Schätzung: %1, %2 Ziehungen, Kontakte über %3 N</translation>
+    </message>
+    <message>
+        <source>the override has ended: left and right agree again</source>
+        <translation>Übergehen beendet: links und rechts stimmen wieder überein</translation>
+    </message>
+    <message>
+        <source>overridden by the operator: %1</source>
+        <translation>vom Bediener übergangen: %1</translation>
     </message>
 </context>
 <context>
@@ -1478,6 +1629,38 @@ Zuletzt gesperrt: %1</translation>
         <source> · %1 dropped</source>
         <translation> · %1 verloren</translation>
     </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Method, limits, look, model and robot</source>
+        <translation>Methode, Grenzen, Aussehen, Modell und Roboter</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>Train a model, compare it with the one in use, adopt it</source>
+        <translation>Modell trainieren, mit dem aktuellen vergleichen, übernehmen</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>kein Modell: %1</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
+    </message>
+    <message>
+        <source>The robot is armed: disarm it first (M)</source>
+        <translation>Der Roboter ist freigegeben: erst sperren (M)</translation>
+    </message>
+    <message>
+        <source>override what is doubtful about exploring</source>
+        <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -1537,7 +1720,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>ceiling [m]</source>
-        <translation>Obergrenze [m]</translation>
+        <translation>max. [m]</translation>
     </message>
     <message>
         <source>from</source>
@@ -1545,7 +1728,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>step to next</source>
-        <translation>Stufe zum nächsten</translation>
+        <translation>Stufe danach</translation>
     </message>
     <message>
         <source>R-hat</source>
@@ -1847,6 +2030,213 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SettingsPage</name>
+    <message>
+        <source>Estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>Look and sound</source>
+        <translation>Aussehen und Ton</translation>
+    </message>
+    <message>
+        <source>All back to the defaults</source>
+        <translation>Alles auf Standard</translation>
+    </message>
+    <message>
+        <source>Everything on this page, and the shipped model and robot</source>
+        <translation>Alles auf dieser Seite, dazu das mitgelieferte Modell und der Roboter</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>local and joint are closed formulas; the others draw chains of samples</source>
+        <translation>local und joint sind geschlossene Formeln; die anderen ziehen Ketten von Stichproben</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Time against accuracy, as terratact tradeoff has measured them</source>
+        <translation>Zeit gegen Genauigkeit, wie von terratact tradeoff gemessen</translation>
+    </message>
+    <message>
+        <source>An obstacle is a step of more than</source>
+        <translation>Hindernis ist eine Stufe über</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>The verdict&apos;s question (PgUp, PgDown)</source>
+        <translation>Die Frage des Urteils (PgUp, PgDown)</translation>
+    </message>
+    <message>
+        <source>An element is a contact above</source>
+        <translation>Kontakt ist ein Element über</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Weaker forces are noise</source>
+        <translation>Schwächere Kräfte sind Rauschen</translation>
+    </message>
+    <message>
+        <source>The arm is offered above a sd of</source>
+        <translation>Arm wird angeboten ab sd</translation>
+    </message>
+    <message>
+        <source>A bin less certain than this asks for a probe</source>
+        <translation>Ein unsichereres Feld verlangt eine Sondierung</translation>
+    </message>
+    <message>
+        <source>The verdict is withheld above a roll of</source>
+        <translation>Kein Urteil ab Rollen von</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Then left and right ground differ</source>
+        <translation>Dann ist der Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>… or left and right flippers apart by</source>
+        <translation>… oder Flipper links/rechts um</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>day</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>night, red</source>
+        <translation>Nacht, rot</translation>
+    </message>
+    <message>
+        <source>high contrast</source>
+        <translation>hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Night, red: keeps the eyes used to the dark</source>
+        <translation>Nacht, rot: die Augen bleiben an das Dunkel gewöhnt</translation>
+    </message>
+    <message>
+        <source>Size of text</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Ctrl + and Ctrl −</source>
+        <translation>Ctrl + und Ctrl −</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>the system&apos;s</source>
+        <translation>wie das System</translation>
+    </message>
+    <message>
+        <source>Takes effect at the next start</source>
+        <translation>Gilt ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sondieren</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Auswerten</translation>
+    </message>
+    <message>
+        <source>What the terrain page makes large</source>
+        <translation>Was die Seite Gelände groß zeigt</translation>
+    </message>
+    <message>
+        <source>Alarms may be heard</source>
+        <translation>Alarme dürfen ertönen</translation>
+    </message>
+    <message>
+        <source>Model and robot</source>
+        <translation>Modell und Roboter</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Datei wählen: %1</translation>
+    </message>
+    <message>
+        <source>The shipped one</source>
+        <translation>Mitgeliefert</translation>
+    </message>
+    <message>
+        <source>The shipped one: %1</source>
+        <translation>Mitgeliefert: %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Models (*.ttm)</source>
+        <translation>Modelle (*.ttm)</translation>
+    </message>
+    <message>
+        <source>Robots (*.toml)</source>
+        <translation>Roboter (*.toml)</translation>
+    </message>
+    <message>
+        <source>%1: not measured</source>
+        <translation>%1: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, error %3 mm</source>
+        <translation>%1: %2 ms, Fehler %3 mm</translation>
+    </message>
+    <message>
+        <source>Use this file from now on</source>
+        <translation>Ab jetzt diese Datei verwenden</translation>
+    </message>
+    <message>
+        <source>Back to what came with the program; grey while that is in use</source>
+        <translation>Zurück zu dem, was mitgeliefert ist; grau, solange es in Gebrauch ist</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Off: alarms are only seen</source>
+        <translation>Aus: Alarme sind nur zu sehen</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SignalTable</name>
     <message>
         <source>Frame</source>
@@ -2054,6 +2444,14 @@ F1</translation>
         <source>%1, %2 not acknowledged</source>
         <translation>%1, %2 nicht quittiert</translation>
     </message>
+    <message>
+        <source>Checks overridden</source>
+        <translation>Übergangene Prüfungen</translation>
+    </message>
+    <message>
+        <source>! CHECK OVERRIDDEN</source>
+        <translation>! PRÜFUNG ÜBERGANGEN</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -2136,6 +2534,361 @@ F1</translation>
     <message>
         <source>or %1 m (%2 %)</source>
         <translation>oder %1 m (%2 %)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TrainingPage</name>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>too few</source>
+        <translation>zu wenig</translation>
+    </message>
+    <message>
+        <source>done %1</source>
+        <translation>fertig %1</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>scenes as CSV, with heights</source>
+        <translation>Szenen als CSV, mit Höhen</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>1  Train a new model</source>
+        <translation>1  Neues Modell trainieren</translation>
+    </message>
+    <message>
+        <source>robot: the one in use</source>
+        <translation>Roboter: der aktuelle</translation>
+    </message>
+    <message>
+        <source>Learn from</source>
+        <translation>Lernen aus</translation>
+    </message>
+    <message>
+        <source>Choose the scenes to learn from</source>
+        <translation>Szenen zum Lernen wählen</translation>
+    </message>
+    <message>
+        <source>Name of the new model</source>
+        <translation>Name des neuen Modells</translation>
+    </message>
+    <message>
+        <source>Letters, digits, - _ and .; the file is %1/NAME.ttm</source>
+        <translation>Buchstaben, Ziffern, - _ und .; die Datei ist %1/NAME.ttm</translation>
+    </message>
+    <message>
+        <source>Seed of the search</source>
+        <translation>Startwert der Suche</translation>
+    </message>
+    <message>
+        <source>Same scenes and seed: the same model</source>
+        <translation>Gleiche Szenen und gleicher Startwert: gleiches Modell</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Train the model, beside everything else</source>
+        <translation>Modell trainieren; alles andere läuft weiter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
+    </message>
+    <message>
+        <source>End what runs; nothing is written</source>
+        <translation>Beendet, was läuft; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>State of the training</source>
+        <translation>Stand des Trainings</translation>
+    </message>
+    <message>
+        <source>bin</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>with
+forces</source>
+        <translation>mit
+Kräften</translation>
+    </message>
+    <message>
+        <source>without
+forces</source>
+        <translation>ohne
+Kräfte</translation>
+    </message>
+    <message>
+        <source>surface
+below robot</source>
+        <translation>Fläche
+darunter</translation>
+    </message>
+    <message>
+        <source>surface
+ahead</source>
+        <translation>Fläche
+voraus</translation>
+    </message>
+    <message>
+        <source>clearance
+below robot</source>
+        <translation>Abstand
+darunter</translation>
+    </message>
+    <message>
+        <source>clearance
+ahead</source>
+        <translation>Abstand
+voraus</translation>
+    </message>
+    <message>
+        <source>Training, bin by bin</source>
+        <translation>Training, Feld für Feld</translation>
+    </message>
+    <message>
+        <source>Centre of the bin</source>
+        <translation>Mitte des Feldes</translation>
+    </message>
+    <message>
+        <source>Gaussian process given pose, currents and forces, and its log likelihood</source>
+        <translation>Gauß-Prozess aus Lage, Strömen und Kräften, und seine Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Gaussian process given the pose alone, and its log likelihood</source>
+        <translation>Gauß-Prozess nur aus der Lage, und seine Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Surface where the robot is above the bin</source>
+        <translation>Fläche, wo der Roboter über dem Feld steht</translation>
+    </message>
+    <message>
+        <source>Surface elsewhere</source>
+        <translation>Fläche anderswo</translation>
+    </message>
+    <message>
+        <source>Clearance given the other bins, where the robot is above the bin; log likelihood</source>
+        <translation>Abstand aus den anderen Feldern, wo der Roboter über dem Feld steht; Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>The same elsewhere</source>
+        <translation>Dasselbe anderswo</translation>
+    </message>
+    <message>
+        <source>2  Compare it with the one in use, then adopt it</source>
+        <translation>2  Mit dem aktuellen vergleichen, dann übernehmen</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>Modelle</translation>
+    </message>
+    <message>
+        <source>Test on</source>
+        <translation>Prüfen mit</translation>
+    </message>
+    <message>
+        <source>Choose the scenes to test on</source>
+        <translation>Szenen zum Prüfen wählen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Estimate the test scenes with both models</source>
+        <translation>Die Prüfszenen mit beiden Modellen schätzen</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>old</source>
+        <translation>alt</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>new − old</source>
+        <translation>neu − alt</translation>
+    </message>
+    <message>
+        <source>Old and new model</source>
+        <translation>Altes und neues Modell</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>What to keep in mind</source>
+        <translation>Was zu bedenken ist</translation>
+    </message>
+    <message>
+        <source>Why not</source>
+        <translation>Warum nicht</translation>
+    </message>
+    <message>
+        <source>Adopt</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Use the new model from now on</source>
+        <translation>Ab jetzt das neue Modell verwenden</translation>
+    </message>
+    <message>
+        <source>Discard (hold)</source>
+        <translation>Verwerfen (halten)</translation>
+    </message>
+    <message>
+        <source>Discard the new model</source>
+        <translation>Neues Modell verwerfen</translation>
+    </message>
+    <message>
+        <source>Delete the new model&apos;s file</source>
+        <translation>Datei des neuen Modells löschen</translation>
+    </message>
+    <message>
+        <source>Trained on %1 scenes: %2</source>
+        <translation>Mit %1 Szenen trainiert: %2</translation>
+    </message>
+    <message>
+        <source>%1. Nothing was written: put that right and start again.</source>
+        <translation>%1. Nichts wurde geschrieben: beheben und neu starten.</translation>
+    </message>
+    <message>
+        <source>%1. Choose another file, or discard the new model.</source>
+        <translation>%1. Andere Datei wählen oder das neue Modell verwerfen.</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written</source>
+        <translation>Abgebrochen: nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>Comparison cancelled</source>
+        <translation>Vergleich abgebrochen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.csv);;All files (*)</source>
+        <translation>Szenen (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a file of scenes to learn from.</source>
+        <translation>Eine Datei mit Szenen zum Lernen wählen.</translation>
+    </message>
+    <message>
+        <source>Give the new model a name.</source>
+        <translation>Dem neuen Modell einen Namen geben.</translation>
+    </message>
+    <message>
+        <source>%1 exists already: choose another name.</source>
+        <translation>%1 gibt es schon: anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Loading the new model …</source>
+        <translation>Das neue Modell wird geladen …</translation>
+    </message>
+    <message>
+        <source>Train a model first.</source>
+        <translation>Erst ein Modell trainieren.</translation>
+    </message>
+    <message>
+        <source>Compare the new model before it is adopted.</source>
+        <translation>Das neue Modell vor dem Übernehmen vergleichen.</translation>
+    </message>
+    <message>
+        <source>An exploration is running: the model stays until it has ended (Esc ends it).</source>
+        <translation>Eine Erkundung läuft: das Modell bleibt, bis sie endet (Esc beendet sie).</translation>
+    </message>
+    <message>
+        <source>Training on %1; the robot goes on meanwhile</source>
+        <translation>Training mit %1; der Roboter arbeitet derweil weiter</translation>
+    </message>
+    <message>
+        <source>%1 is in use now</source>
+        <translation>%1 ist jetzt in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Not adopted, the model in use stays: %1</source>
+        <translation>Nicht übernommen, das bisherige Modell bleibt: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be deleted: delete it by hand</source>
+        <translation>%1 ließ sich nicht löschen: von Hand löschen</translation>
+    </message>
+    <message>
+        <source>%1 discarded</source>
+        <translation>%1 verworfen</translation>
+    </message>
+    <message>
+        <source>in use: %1; no new model yet</source>
+        <translation>in Gebrauch: %1; noch kein neues Modell</translation>
+    </message>
+    <message>
+        <source>in use: %1; new: %2</source>
+        <translation>in Gebrauch: %1; neu: %2</translation>
+    </message>
+    <message>
+        <source>comparing: %1 %</source>
+        <translation>vergleicht: %1 %</translation>
+    </message>
+    <message>
+        <source>training: %1 %</source>
+        <translation>trainiert: %1 %</translation>
+    </message>
+    <message>
+        <source>, about %1 left</source>
+        <translation>, noch etwa %1</translation>
+    </message>
+    <message>
+        <source>, time left not known yet</source>
+        <translation>, Restzeit noch unbekannt</translation>
+    </message>
+    <message>
+        <source>trained</source>
+        <translation>trainiert</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>verglichen</translation>
+    </message>
+    <message>
+        <source>nothing runs</source>
+        <translation>nichts läuft</translation>
+    </message>
+    <message>
+        <source>Compared on %1 scenes</source>
+        <translation>Mit %1 Szenen verglichen</translation>
     </message>
 </context>
 <context>

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QHeaderView>
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QTableView>
 #include <QTest>
 #include <QWidget>
 #include <array>
@@ -38,7 +40,9 @@ inline void showActive(QWidget& widget)
     (void)QTest::qWaitForWindowActive(&widget);
 }
 
-/// The texts of visible labels and buttons that have less room than they need.
+inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border
+
+/// The texts of visible labels, buttons and columns' names that have less room than they need.
 inline std::vector<std::string> cutText(const QWidget& window)
 {
     std::vector<std::string> cut;
@@ -53,6 +57,16 @@ inline std::vector<std::string> cutText(const QWidget& window)
                                : label->sizeHint());
     for (const QPushButton* button : window.findChildren<QPushButton*>())
         look(*button, button->text(), button->minimumSizeHint());
+    for (const QTableView* table : window.findChildren<QTableView*>()) {
+        const QHeaderView& header = *table->horizontalHeader();
+        for (int column = 0; table->isVisible() && column < header.count(); ++column) {
+            const QString text = table->model()->headerData(column, Qt::Horizontal).toString();
+            const QSize needed = header.fontMetrics().size(0, text);
+            if (!header.isSectionHidden(column)
+                && header.sectionSize(column) < needed.width() + kHeaderFrame)
+                cut.push_back(text.toStdString());
+        }
+    }
     return cut;
 }
 
