@@ -8,7 +8,7 @@ all=$(mktemp -d)
 trap 'rm -rf "$all"' EXIT
 export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8
 
-small() { convert "$1" -colors 200 -strip "$2"; }
+small() { convert "$1" +dither -colors 200 -strip "$2"; }
 
 build/release/app/terratact-console --screenshot "$all/console.png"
 TERRATACT_PICTURES="$all" build/release/tests/app.screens_test

@@ -38,15 +38,14 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | "model show:--csv") return 1 ;;
+      *:--summary | *:--transmit | *:--safe-mode | "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
     *:--model) _terratact_files ttm ;;
     *:--data | *:--classes | *:--csv) _terratact_files csv ;;
     simulate:--out | reconstruct:--out) _terratact_files csv ;;
     train:--out | merge:--out) _terratact_files ttm ttp ;;
     *:--out) _terratact_files ;;
-    console:--terrain) _terratact_files csv ;;
-    robot:--terrain) _terratact_files csv && _terratact_words varied ;;
+    console:--terrain | robot:--terrain) _terratact_files csv && _terratact_words varied ;;
     *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
     *:--replay) _terratact_files log ;;
     *:--screenshot) _terratact_files png ;;
@@ -76,8 +75,8 @@ _terratact_options() {
   local estimates="--ceiling --contacts --threshold --sweeps --chains --burn-in --inducing --precision --quality
     --full --seconds --scan --seed"
   case $1 in
-    console) echo --version --model --robot --terrain --can --transmit --replay --speed --panel --seed --screenshot \
-      --size --theme --layout --font-scale --language --safe-mode ;;
+    console) echo --version --model --robot --terrain --fault --can --transmit --replay --speed --panel --seed \
+      --screenshot --size --theme --layout --font-scale --language --safe-mode ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;
