@@ -58,24 +58,20 @@ void KeyTable::release(int key) const
 
 QString KeyTable::html() const
 {
-    // One table, not two in the cells of a third: of those QLabel gets the width wrong, and cuts them.
-    const QString nothing = QStringLiteral("<td></td><td></td>");
-    QStringList columns[2];
+    QString columns[2];
     for (qsizetype g = 0; g < groups_.size(); ++g) {
         const qsizetype end = g + 1 < groups_.size() ? groups_[g + 1].begin : entries_.size();
-        QStringList& column = columns[g % 2];
-        if (!column.isEmpty()) column << nothing;
-        column << QStringLiteral("<td colspan=2><big><b>%1</b></big></td>")
-                      .arg(groups_[g].name.toHtmlEscaped());
+        QString& column = columns[g % 2];
+        column +=
+            QStringLiteral("<h3>%1</h3><table cellpadding=3>").arg(groups_[g].name.toHtmlEscaped());
         for (qsizetype i = groups_[g].begin; i < end; ++i)
-            column << QStringLiteral("<td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td>")
+            column += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
                           .arg(namesOf(entries_[i]), entries_[i].meaning.toHtmlEscaped());
+        column += QStringLiteral("</table>");
     }
-    QString rows;
-    for (qsizetype i = 0; i < std::max(columns[0].size(), columns[1].size()); ++i)
-        rows += QStringLiteral("<tr>%1<td width=40></td>%2</tr>")
-                    .arg(columns[0].value(i, nothing), columns[1].value(i, nothing));
-    return QStringLiteral("<table cellpadding=3>%1</table>").arg(rows);
+    return QStringLiteral("<table><tr><td valign=top>%1</td><td width=40></td><td "
+                          "valign=top>%2</td></tr></table>")
+        .arg(columns[0], columns[1]);
 }
 
 }  // namespace terratact
