@@ -835,7 +835,7 @@ void MainWindow::showHelp()
                         "(http://qwt.sf.net).")
                          .arg(QApplication::applicationVersion())
                    + QStringLiteral("</p>"));
-    help_->adjustSize();
+    help_->resize(help_->sizeHint());  // adjustSize() ends at two thirds of the screen and cuts
     help_->show();
     help_->raise();
 }

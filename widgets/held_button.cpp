@@ -135,7 +135,8 @@ void HoldToConfirmButton::advance()
 
 QSize HoldToConfirmButton::sizeHint() const
 {
-    return {fontMetrics().horizontalAdvance(text()) + scaled(36), scaled(42)};
+    // Not higher than STOP beside it, so that the header does not change its height.
+    return {fontMetrics().horizontalAdvance(text()) + scaled(36), scaled(40)};
 }
 
 void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)

@@ -61,6 +61,8 @@ struct Screens : testing::Test {
         options.link = source.get();
         options.source = std::move(source);
         options.model = std::move(loader);
+        options.modelPath = resourcePath("models/default.ttm");
+        options.robotDetails = QStringLiteral("robots/absolem.toml");
         options.exploration.linkLostAfter = 3.0;
         options.exploration.driveSpeed = 0.03;
         options.exploration.settings.probeAbove = 0.03;
