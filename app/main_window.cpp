@@ -387,6 +387,7 @@ void MainWindow::arrange()
     lower_->itemAt(2)->widget()->setVisible(shares.events > 0);
     drive_->setProminent(layout == Layout::Drive);
     drive_->setVisible(layout != Layout::Review);
+    showThreshold();
 }
 
 void MainWindow::applyPreferences(const Preferences& before)
@@ -397,7 +398,6 @@ void MainWindow::applyPreferences(const Preferences& before)
     const Settings& set = exploration_->options().settings;
     if (const Settings wanted = withPreferences(set, now); wanted != set) {
         exploration_->setSettings(wanted);
-        showThreshold();
         offerQualities();
     }
     if (now.robot != before.robot) emit reopenWanted();
@@ -421,8 +421,12 @@ void MainWindow::showThreshold()
     const double threshold = exploration_->options().settings.forceThreshold;
     forces_->setThreshold(threshold);
     const bool raw = forces_->unit() == ForceBars::Unit::Volts;
-    threshold_->setText(raw ? tr("raw voltages")
-                            : tr("- - threshold %1 N").arg(words::number(threshold, 1)));
+    const QString value = words::number(threshold, 1);
+    const bool large = preferences_->current().fontScale > 100;  // no room for a word
+    if (large)
+        threshold_->setText(raw ? QString() : tr("- - %1 N").arg(value));
+    else
+        threshold_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
     setTone(*threshold_, raw ? Tone::Muted : Tone::Bad);
 }
 

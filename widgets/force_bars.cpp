@@ -64,32 +64,38 @@ public:
     {
         const auto index =
             static_cast<std::size_t>(std::clamp(std::lround(value), 0L, kForceElements - 1L));
-        const QString name = nameOf(static_cast<int>(index) + 1);
-        if (drifts_[index].isEmpty()) return name;
-        QwtText text(name + QLatin1Char('\n') + drifts_[index]);
+        if (notes_[index].isEmpty()) return nameOf(static_cast<int>(index) + 1);
+        QwtText text(notes_[index]);
         text.setColor(theme().doubt);
         return text;
     }
-    void setDrifts(const std::array<QString, kForceElements>& drifts)
+    /// What stands instead of an element's name; empty: the name.
+    void setNotes(const std::array<QString, kForceElements>& notes)
     {
-        drifts_ = drifts;
+        notes_ = notes;
         invalidateCache();
     }
-    bool shows(const std::array<QString, kForceElements>& drifts) const
-    {
-        return drifts == drifts_;
-    }
-    using QwtScaleDraw::invalidateCache;
-
-private:
+    const std::array<QString, kForceElements>& notes() const { return notes_; }
     static QString nameOf(int element)
     {
         if (element == 1) return ForceBars::tr("1 pivot");
         if (element == kForceElements) return ForceBars::tr("%1 tip").arg(element);
         return QString::number(element);
     }
+    using QwtScaleDraw::invalidateCache;
 
-    std::array<QString, kForceElements> drifts_;
+protected:
+    // Qwt's own would set the lines of a note flush left.
+    void drawLabel(QPainter* painter, double value) const override
+    {
+        QwtText text = label(value);
+        text.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
+        const QSizeF size = text.textSize(painter->font());
+        text.draw(painter, {labelPosition(value) - QPointF(size.width() / 2.0, 0.0), size});
+    }
+
+private:
+    std::array<QString, kForceElements> notes_;
 };
 
 /// Says the unit beside its highest tick.
@@ -245,7 +251,6 @@ void ForceBars::restyle()
         colours.setColor(QPalette::WindowText, theme().cardBorder);
         axisWidget(axis)->setPalette(colours);
     }
-    axisScaleDraw(QwtPlot::xBottom)->setMinimumExtent(scaled(24));
     axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(34));
     elementScale_->invalidateCache();  // it holds colours
     grid_->setMajorPen(theme().grid, 1.0);
@@ -504,14 +509,22 @@ void ForceBars::showNumbers()
 void ForceBars::showDrifts()
 {
     const QFontMetricsF metrics(axisFont(QwtPlot::xBottom));
-    std::array<QString, kForceElements> drifts;
+    std::array<QString, kForceElements> notes;
     for (int element = 0; element < kForceElements; ++element) {
-        QString text = driftText(element);
-        if (metrics.horizontalAdvance(text) > groupWidth()) text = text.section(u' ', 1);
-        drifts[static_cast<std::size_t>(element)] = text;
+        const QString drift = driftText(element);
+        if (drift.isEmpty()) continue;
+        const bool fits = metrics.horizontalAdvance(drift) < groupWidth();
+        notes[static_cast<std::size_t>(element)] =
+            fits ? ElementScale::nameOf(element + 1) + QLatin1Char('\n') + drift
+                 : QStringLiteral("%1 %2\n%3")
+                       .arg(element + 1)
+                       .arg(drift.section(u' ', 0, 0), drift.section(u' ', 1));
     }
-    if (elementScale_->shows(drifts)) return;
-    elementScale_->setDrifts(drifts);
+    const bool second = std::any_of(notes.begin(), notes.end(),
+                                    [](const QString& note) { return !note.isEmpty(); });
+    elementScale_->setMinimumExtent(scaled(24) + (second ? std::ceil(metrics.lineSpacing()) : 0.0));
+    if (notes == elementScale_->notes()) return;
+    elementScale_->setNotes(notes);
     updateLayout();
     axisWidget(QwtPlot::xBottom)->update();
 }

@@ -1513,6 +1513,10 @@ Poslední deaktivace: %1</translation>
         <source>raw voltages</source>
         <translation>surová napětí</translation>
     </message>
+    <message>
+        <source>- - %1 N</source>
+        <translation>- - %1 N</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>

@@ -203,7 +203,7 @@ TEST_F(BusConsole, showsTheForcesOfBothArraysTheirVoltagesAndADriftedBias)
     EXPECT_EQ(bars.numberText(1, 0), "0.0") << "less than nothing is not felt";
     window->resize(1200, 680);
     picture("forces");
-    EXPECT_TRUE(gui::cutText(*window).empty());
+    EXPECT_TRUE(gui::cutText(*bars.parentWidget()).empty());
     window->forceUnitButton()->click();
     EXPECT_EQ(bars.unit(), ForceBars::Unit::Volts);
     picture("force-voltages");
