@@ -173,6 +173,7 @@ CanView CanSource::view() const
             .bus = bus_->state(),
             .frames = bus_->counters(),
             .telemetry = link_.telemetry().counters(),
+            .line = link_.telemetry().line(),
             .forces = link_.telemetry().forces(),
             .transmits = options_.mode == Mode::Transmit,
             .whyNotTransmitting = whyNotTransmitting(),

@@ -21,7 +21,8 @@ struct CanView {
     BusState bus = BusState::Up;
     BusCounters frames;
     TelemetryCounters telemetry;
-    ElementForces forces;  ///< of the newest line
+    std::optional<SensorLine> line;  ///< the newest whole one
+    ElementForces forces;            ///< of that line
     bool transmits = false;
     std::string whyNotTransmitting;  ///< in words; empty where it transmits
     bool ended = false;              ///< a replay that has come to its end

@@ -122,7 +122,7 @@ MainWindow::MainWindow(Options options)
       exploration_(
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
       alarms_(std::make_unique<ConsoleAlarms>(std::move(options.sounder))),
-      meter_(std::chrono::duration<double>(kLook).count()),
+      meter_(std::chrono::duration<double>(kLook).count()), forceArrays_(robot_),
       robotDetails_(std::move(options.robotDetails))
 {
     if (options.panel)
@@ -238,10 +238,22 @@ QWidget* MainWindow::terrainPage()
     atem_ = new AtemPanel(page);
     probe_ = new ProbeCard(page);
 
-    auto* forceCard = new Card(tr("Front forces [N]"), page);
+    auto* forceCard = new Card(tr("Front forces"), page);
     forces_ = new ForceBars(forceCard);
+    forceLegend_ = new QLabel(forceCard);
+    setTone(*forceLegend_, Tone::Muted);
+    forceUnit_ = new QPushButton(tr("N / V"), forceCard);
+    forceUnit_->setCheckable(true);
+    forceUnit_->setFocusPolicy(Qt::TabFocus);
+    forceUnit_->setAccessibleName(tr("Raw voltages of the force elements"));
+    forceUnit_->setToolTip(tr("Raw voltages instead of calibrated forces"));
+    connect(forceUnit_, &QPushButton::toggled, this, [this](bool raw) {
+        forces_->setUnit(raw ? ForceBars::Unit::Volts : ForceBars::Unit::Newtons);
+        showThreshold();
+    });
+    forceCard->titleRow()->insertWidget(1, forceLegend_);
+    forceCard->titleRow()->addWidget(forceUnit_);
     threshold_ = forceCard->note();
-    setTone(*threshold_, Tone::Bad);
     showThreshold();
     forceCard->body()->addWidget(forces_, 1);
 
@@ -375,6 +387,7 @@ void MainWindow::arrange()
     lower_->itemAt(2)->widget()->setVisible(shares.events > 0);
     drive_->setProminent(layout == Layout::Drive);
     drive_->setVisible(layout != Layout::Review);
+    showThreshold();
 }
 
 void MainWindow::applyPreferences(const Preferences& before)
@@ -385,7 +398,6 @@ void MainWindow::applyPreferences(const Preferences& before)
     const Settings& set = exploration_->options().settings;
     if (const Settings wanted = withPreferences(set, now); wanted != set) {
         exploration_->setSettings(wanted);
-        showThreshold();
         offerQualities();
     }
     if (now.robot != before.robot) emit reopenWanted();
@@ -408,7 +420,14 @@ void MainWindow::showThreshold()
 {
     const double threshold = exploration_->options().settings.forceThreshold;
     forces_->setThreshold(threshold);
-    threshold_->setText(tr("- - threshold %1 N").arg(words::number(threshold, 1)));
+    const bool raw = forces_->unit() == ForceBars::Unit::Volts;
+    const QString value = words::number(threshold, 1);
+    const bool large = preferences_->current().fontScale > 100;  // no room for a word
+    if (large)
+        threshold_->setText(raw ? QString() : tr("- - %1 N").arg(value));
+    else
+        threshold_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
+    setTone(*threshold_, raw ? Tone::Muted : Tone::Bad);
 }
 
 void MainWindow::showCards()
@@ -701,14 +720,20 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
     robotAge_->setText(ended ? tr("the log has ended") : tr("%1 old").arg(words::age(age)));
     setTone(*robotAge_, fresh || ended ? Tone::Muted : Tone::Bad);
     if (fresh) {
-        std::array<std::optional<double>, kForceElements> forces;
-        std::copy(m.force.begin(), m.force.end(), forces.begin());
-        if (latest->count != shownCount_) forces_->setForces(forces);
+        if (latest->count != shownCount_) showForces(now, m);
         header_->setRobot(glance(m.activity), toneOf(m.activity));
     } else {
         forces_->clearForces();
         header_->setRobot(tr("robot: --"), Tone::Doubt);
     }
+}
+
+void MainWindow::showForces(double now, const Measurement& measurement)
+{
+    const auto line = link_ ? link_->view().line : std::nullopt;
+    const double threshold = exploration_->options().settings.forceThreshold;
+    forces_->setForces(forceArrays_.of(measurement, line, threshold), now);
+    forceLegend_->setText(forces_->legend());
 }
 
 void MainWindow::showArming(double now)

@@ -10,6 +10,7 @@
 #include "app/diagnostics_page.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
+#include "app/force_arrays.h"
 #include "app/key_table.h"
 #include "app/loop_meter.h"
 #include "app/model_trainer.h"
@@ -80,6 +81,7 @@ public:
     DrivePad* drivePad() const { return drive_; }
     EventList* events() const { return events_; }
     ForceBars* forces() const { return forces_; }
+    QPushButton* forceUnitButton() const { return forceUnit_; }
     ProbeCard* probeCard() const { return probe_; }
     RobotReadout* readout() const { return readout_; }
     StatusHeader* header() const { return header_; }
@@ -119,6 +121,7 @@ private:
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
     void showLink(double now, const std::optional<Received>& latest);
+    void showForces(double now, const Measurement& measurement);
     void showArming(double now);
     QString
     panelForbids(double now) const;  ///< why nothing may be set in motion; empty: it does not
@@ -179,6 +182,8 @@ private:
     AtemPanel* atem_ = nullptr;
     ProbeCard* probe_ = nullptr;
     ForceBars* forces_ = nullptr;
+    QLabel* forceLegend_ = nullptr;
+    QPushButton* forceUnit_ = nullptr;
     RobotReadout* readout_ = nullptr;
     QLabel* robotAge_ = nullptr;
     DrivePad* drive_ = nullptr;
@@ -200,6 +205,7 @@ private:
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     double linkShownAt_ = 0.0;
     double worstAge_ = 0.0;
+    ForceArrays forceArrays_;
     QString modelTrouble_, modelName_, modelDetails_, robotDetails_;
 };
 

@@ -1,9 +1,8 @@
 #include "widgets/force_bars.h"
 
-#include <qwt_column_symbol.h>
-#include <qwt_plot_barchart.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
+#include <qwt_plot_item.h>
 #include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
 #include <qwt_scale_draw.h>
@@ -12,37 +11,47 @@
 #include <qwt_text.h>
 
 #include <QEvent>
+#include <QFontMetricsF>
 #include <QPainter>
+#include <QPolygonF>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
 
+#include "core/robot/force_drift.h"
 #include "widgets/palette.h"
 #include "widgets/words.h"
 
 namespace terratact {
 namespace {
 
-/// A bar in one colour, hatched where it touches.
-class ForceColumn final : public QwtColumnSymbol {
-public:
-    explicit ForceColumn(bool touching) : QwtColumnSymbol(QwtColumnSymbol::Box), touching_(touching)
-    {
-    }
-    void draw(QPainter* painter, const QwtColumnRect& column) const override
-    {
-        const QRectF bar = column.toRect().normalized();
-        painter->save();
-        painter->fillRect(bar, touching_ ? theme().contact : theme().force);
-        QColor hatch = theme().card;
-        hatch.setAlpha(110);
-        if (touching_) painter->fillRect(bar, QBrush(hatch, Qt::BDiagPattern));
-        painter->restore();
-    }
+constexpr double kGroup = 0.76;  // of an element's width
+constexpr double kGap = 0.06;    // between the bars of a group
 
-private:
-    bool touching_;
+struct Span {
+    double left, right;  // on the axis of the elements
 };
+
+Span spanOf(int element, int array, int arrays)
+{
+    const double width = (kGroup - kGap * (arrays - 1)) / arrays;
+    const double left = element - kGroup / 2.0 + array * (width + kGap);
+    return {left, left + width};
+}
+
+QRectF rectOf(Span span, double value, const QwtScaleMap& x, const QwtScaleMap& y)
+{
+    return QRectF(QPointF(x.transform(span.left), y.transform(std::max(0.0, value))),
+                  QPointF(x.transform(span.right), y.transform(0.0)))
+        .normalized();
+}
+
+void keepWithin(std::optional<double>& value, double limit)
+{
+    if (value && !(std::isfinite(*value) && std::abs(*value) <= limit)) value.reset();
+}
+
+}  // namespace
 
 class ElementScale final : public QwtScaleDraw {
 public:
@@ -53,32 +62,141 @@ public:
     }
     QwtText label(double value) const override
     {
-        const int element = static_cast<int>(std::lround(value)) + 1;
+        const auto index =
+            static_cast<std::size_t>(std::clamp(std::lround(value), 0L, kForceElements - 1L));
+        if (notes_[index].isEmpty()) return nameOf(static_cast<int>(index) + 1);
+        QwtText text(notes_[index]);
+        text.setColor(theme().doubt);
+        return text;
+    }
+    /// What stands instead of an element's name; empty: the name.
+    void setNotes(const std::array<QString, kForceElements>& notes)
+    {
+        notes_ = notes;
+        invalidateCache();
+    }
+    const std::array<QString, kForceElements>& notes() const { return notes_; }
+    static QString nameOf(int element)
+    {
         if (element == 1) return ForceBars::tr("1 pivot");
         if (element == kForceElements) return ForceBars::tr("%1 tip").arg(element);
         return QString::number(element);
     }
+    using QwtScaleDraw::invalidateCache;
+
+protected:
+    // Qwt's own would set the lines of a note flush left.
+    void drawLabel(QPainter* painter, double value) const override
+    {
+        QwtText text = label(value);
+        text.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
+        const QSizeF size = text.textSize(painter->font());
+        text.draw(painter, {labelPosition(value) - QPointF(size.width() / 2.0, 0.0), size});
+    }
+
+private:
+    std::array<QString, kForceElements> notes_;
 };
 
-}  // namespace
-
-class ForceChart final : public QwtPlotBarChart {
+/// Says the unit beside its highest tick.
+class UnitScale final : public QwtScaleDraw {
 public:
-    ForceChart()
+    UnitScale()
     {
-        setLayoutPolicy(QwtPlotAbstractBarChart::AutoAdjustSamples);
-        setSpacing(18);
-        setMargin(8);
+        enableComponent(QwtAbstractScaleDraw::Backbone, false);
+        enableComponent(QwtAbstractScaleDraw::Ticks, false);
     }
-    std::array<bool, kForceElements> touching{};
-
-    QwtColumnSymbol* specialSymbol(int index, const QPointF& /*sample*/) const override
+    QwtText label(double value) const override
     {
-        return new ForceColumn(touching[static_cast<std::size_t>(index)]);
+        const QList<double> ticks = scaleDiv().ticks(QwtScaleDiv::MajorTick);
+        const QString number = QString::number(value);
+        const bool isHighest = !ticks.isEmpty() && value >= ticks.last();
+        return isHighest ? number + QLatin1Char(' ') + unit_ : number;
+    }
+    void setUnit(const QString& unit)
+    {
+        unit_ = unit;
+        invalidateCache();
+    }
+
+private:
+    QString unit_ = QStringLiteral("N");
+};
+
+/// All bars with their peaks.
+class ForceChart final : public QwtPlotItem {
+public:
+    struct Bar {
+        Span span;
+        double value;
+        std::optional<double> peak;
+        bool touching, outlined, saturated;
+    };
+    std::vector<Bar> bars;
+
+    void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+              const QRectF& /*canvas*/) const override
+    {
+        for (const Bar& bar : bars) {
+            const QRectF rect = rectOf(bar.span, bar.value, xMap, yMap);
+            fill(*painter, rect, bar);
+            if (bar.saturated) mark(*painter, rect);
+            if (!bar.peak) continue;
+            const double y = yMap.transform(*bar.peak);
+            painter->setPen(QPen(theme().text, 1.5));
+            painter->drawLine(QPointF(rect.left(), y), QPointF(rect.right(), y));
+        }
+    }
+
+private:
+    static void fill(QPainter& painter, const QRectF& rect, const Bar& bar)
+    {
+        const QColor colour = bar.touching ? theme().contact : theme().force;
+        QColor hatch = bar.outlined ? colour : theme().card;
+        hatch.setAlpha(bar.outlined ? 200 : 110);
+        painter.fillRect(rect, bar.outlined ? theme().card : colour);
+        if (bar.touching) painter.fillRect(rect, QBrush(hatch, Qt::BDiagPattern));
+        if (!bar.outlined) return;
+        constexpr double kPen = 2.0;
+        painter.setPen(QPen(colour, kPen));
+        painter.setBrush(Qt::NoBrush);
+        if (rect.height() > 2.0 * kPen)
+            painter.drawRect(rect.adjusted(kPen / 2, kPen / 2, -kPen / 2, -kPen / 2));
+        else
+            painter.fillRect(rect, colour);
+    }
+    static void mark(QPainter& painter, const QRectF& rect)
+    {
+        const double half = std::min(5.0, rect.width() / 2.0 - 1.0);
+        const QPointF top(rect.center().x(), rect.top() + 3.0);
+        painter.setPen(QPen(theme().card, 1.0));
+        painter.setBrush(theme().text);
+        painter.drawPolygon(
+            QPolygonF({top, top + QPointF(-half, 2.0 * half), top + QPointF(half, 2.0 * half)}));
     }
 };
 
-ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
+void PeakHold::take(double time, double value)
+{
+    if (!falling_.empty() && time < falling_.back().first) falling_.clear();
+    while (!falling_.empty() && falling_.back().second <= value) falling_.pop_back();
+    falling_.emplace_back(time, value);
+    constexpr std::size_t kMost = 512;  // of a fast source only the largest stand
+    if (falling_.size() > kMost) falling_.pop_back();
+    forget(time);
+}
+
+void PeakHold::forget(double time)
+{
+    while (!falling_.empty() && time - falling_.front().first > kHold) falling_.pop_front();
+}
+
+std::optional<double> PeakHold::peak() const
+{
+    return falling_.empty() ? std::nullopt : std::optional(falling_.front().second);
+}
+
+ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
 {
     setAccessibleName(tr("Forces on the front flippers"));
     setAutoReplot(false);
@@ -88,13 +206,13 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent)
     setCanvas(frame);
     plotLayout()->setAlignCanvasToScales(true);
     plotLayout()->setCanvasMargin(0);
-    setAxisScaleDraw(QwtPlot::xBottom, new ElementScale);
-    setAxisScale(QwtPlot::xBottom, -0.5, kForceElements - 0.5, 1.0);
+    elementScale_ = new ElementScale;
+    setAxisScaleDraw(QwtPlot::xBottom, elementScale_);
+    unitScale_ = new UnitScale;
+    setAxisScaleDraw(QwtPlot::yLeft, unitScale_);
     QList<double> elements;
     for (int i = 0; i < kForceElements; ++i) elements << i;
     setAxisScaleDiv(QwtPlot::xBottom, QwtScaleDiv(-0.5, kForceElements - 0.5, {}, {}, elements));
-    axisScaleDraw(QwtPlot::yLeft)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
-    axisScaleDraw(QwtPlot::yLeft)->enableComponent(QwtAbstractScaleDraw::Ticks, false);
     for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)})
         axisWidget(axis)->setMargin(0);
 
@@ -133,8 +251,8 @@ void ForceBars::restyle()
         colours.setColor(QPalette::WindowText, theme().cardBorder);
         axisWidget(axis)->setPalette(colours);
     }
-    axisScaleDraw(QwtPlot::xBottom)->setMinimumExtent(scaled(24));
-    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(26));
+    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(34));
+    elementScale_->invalidateCache();  // it holds colours
     grid_->setMajorPen(theme().grid, 1.0);
     thresholdLine_->setLinePen(theme().bad, 1.5, Qt::DashLine);
     show();
@@ -147,18 +265,36 @@ void ForceBars::changeEvent(QEvent* event)
     if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
 }
 
-void ForceBars::setForces(const std::array<std::optional<double>, kForceElements>& newtons)
+void ForceBars::resizeEvent(QResizeEvent* event)
 {
-    force_ = newtons;
-    for (auto& force : force_) {
-        if (force && !(std::isfinite(*force) && std::abs(*force) <= 1000.0)) force.reset();
-    }
+    QwtPlot::resizeEvent(event);
+    show();
+}
+
+void ForceBars::setForces(std::vector<ForceArray> arrays, double time)
+{
+    arrays.resize(std::clamp<std::size_t>(arrays.size(), 1, kArrays));
+    arrays_ = std::move(arrays);
+    peaks_.resize(arrays_.size());
+    for (std::size_t a = 0; a < arrays_.size(); ++a)
+        for (std::size_t e = 0; e < kForceElements; ++e) {
+            ForceElement& element = arrays_[a].elements[e];
+            for (auto* value : {&element.newtons, &element.volts, &element.drift})
+                keepWithin(*value, 1000.0);
+            Peaks& peaks = peaks_[a][e];
+            if (!std::isfinite(time)) continue;
+            peaks.newtons.forget(time);
+            peaks.volts.forget(time);
+            if (element.newtons) peaks.newtons.take(time, *element.newtons);
+            if (element.volts) peaks.volts.take(time, *element.volts);
+        }
     show();
 }
 
 void ForceBars::clearForces()
 {
-    force_.fill(std::nullopt);
+    for (ForceArray& array : arrays_) array.elements = {};
+    for (auto& peaks : peaks_) peaks = {};
     show();
 }
 
@@ -169,36 +305,170 @@ void ForceBars::setThreshold(double newtons)
     show();
 }
 
+void ForceBars::setUnit(Unit unit)
+{
+    if (unit == unit_) return;
+    unit_ = unit;
+    unitScale_->setUnit(unitText());
+    fullScale_ = 0.0;  // anew
+    show();
+}
+
+QString ForceBars::unitText() const
+{
+    return unit_ == Unit::Newtons ? QStringLiteral("N") : QStringLiteral("V");
+}
+
+QString ForceBars::legend() const
+{
+    if (arrays() < 2) return {};
+    QStringList names;
+    for (std::size_t a = 0; a < arrays_.size(); ++a)
+        names << (a % 2 == 0 ? QStringLiteral("■ ") : QStringLiteral("□ ")) + arrays_[a].name;
+    return names.join(QStringLiteral("  "));
+}
+
+const ForceElement& ForceBars::at(int element, int array) const
+{
+    return arrays_.at(static_cast<std::size_t>(array))
+        .elements.at(static_cast<std::size_t>(element));
+}
+
+std::optional<double> ForceBars::shown(int element, int array) const
+{
+    const ForceElement& e = at(element, array);
+    return unit_ == Unit::Newtons ? e.newtons : e.volts;
+}
+
 bool ForceBars::touching(int element) const
 {
-    const auto& force = force_.at(static_cast<std::size_t>(element));
-    return force && *force > threshold_;
+    double sum = 0.0;
+    int count = 0;
+    for (int a = 0; a < arrays(); ++a)
+        if (const auto& force = at(element, a).newtons) {
+            sum += *force;
+            ++count;
+        }
+    return count > 0 && sum / count > threshold_;
 }
 
-QString ForceBars::numberText(int element) const
+QString ForceBars::numberText(int element, int array) const
 {
-    const auto& force = force_.at(static_cast<std::size_t>(element));
-    return force ? words::number(*force, 1) : words::kNothing;
+    const auto value = shown(element, array);
+    if (!value) return words::kNothing;
+    if (unit_ == Unit::Volts) return words::number(*value, 2);
+    if (at(element, array).saturated)
+        return QLatin1Char('>') + words::number(std::floor(*value), 0);
+    const bool isLarge = arrays() > 1 && *value >= 9.95;  // two numbers share the room
+    return words::number(*value, isLarge ? 0 : 1);
 }
 
-double ForceBars::pixelOf(double newtons) const
+QString ForceBars::driftText(int element) const
 {
-    return canvasMap(QwtPlot::yLeft).transform(newtons);
+    double largest = 0.0;
+    for (int a = 0; a < arrays(); ++a) {
+        const double drift = at(element, a).drift.value_or(0.0);
+        if (std::abs(drift) > std::abs(largest)) largest = drift;
+    }
+    if (!(std::abs(largest) > ForceDrift::kNotable)) return {};
+    return tr("bias %1 N").arg(words::signedNumber(largest, 1));
 }
 
-void ForceBars::show()
+std::optional<double> ForceBars::peak(int element, int array) const
 {
-    double largest = threshold_;
-    for (const auto& force : force_) largest = std::max(largest, force.value_or(0.0));
-    // The scale grows at once and shrinks late, so that the bars do not jump.
-    constexpr std::array kScales{5.0,   10.0,  20.0,  30.0,  40.0,  50.0,   80.0,
-                                 100.0, 150.0, 200.0, 400.0, 800.0, 1000.0, 1400.0};
-    const auto fits = [&](double share) {
+    const Peaks& peaks =
+        peaks_.at(static_cast<std::size_t>(array)).at(static_cast<std::size_t>(element));
+    return unit_ == Unit::Newtons ? peaks.newtons.peak() : peaks.volts.peak();
+}
+
+QRectF ForceBars::barRect(int element, int array) const
+{
+    return rectOf(spanOf(element, array, arrays()), shown(element, array).value_or(0.0),
+                  canvasMap(QwtPlot::xBottom), canvasMap(QwtPlot::yLeft));
+}
+
+double ForceBars::pixelOf(double value) const
+{
+    return canvasMap(QwtPlot::yLeft).transform(value);
+}
+
+double ForceBars::groupWidth() const
+{
+    return canvas()->width() / static_cast<double>(kForceElements);
+}
+
+QFont ForceBars::labelFont(bool bold) const
+{
+    QFont face = font();
+    face.setPixelSize(scaled(13));
+    face.setBold(bold);
+    return face;
+}
+
+double ForceBars::top(int element) const
+{
+    double top = unit_ == Unit::Newtons ? threshold_ : 0.0;
+    for (int a = 0; a < arrays(); ++a)
+        top = std::max({top, shown(element, a).value_or(0.0), peak(element, a).value_or(0.0)});
+    return top;
+}
+
+QString ForceBars::labelText(int element) const
+{
+    QStringList numbers;
+    bool saturated = false;
+    for (int a = 0; a < arrays(); ++a) {
+        numbers << numberText(element, a);
+        saturated = saturated || at(element, a).saturated;
+    }
+    const QFontMetricsF metrics(labelFont(touching(element)));
+    const QString row = numbers.join(QStringLiteral("  "));
+    const bool fits = metrics.horizontalAdvance(row) < groupWidth();
+    QString text = fits ? row : numbers.join(QLatin1Char('\n'));
+    if (saturated)
+        text += QLatin1Char('\n') + tr("▲ sat.");
+    else if (touching(element))
+        text += QLatin1Char('\n') + tr("contact");
+    return text;
+}
+
+QString ForceBars::spoken(int element) const
+{
+    QStringList parts;
+    for (int a = 0; a < arrays(); ++a) {
+        const QString& name = arrays_[static_cast<std::size_t>(a)].name;
+        QString text = numberText(element, a) + QLatin1Char(' ') + unitText();
+        if (!name.isEmpty()) text.prepend(name + QLatin1Char(' '));
+        if (at(element, a).saturated) text += QLatin1Char(' ') + tr("saturated");
+        parts << text;
+    }
+    if (touching(element)) parts << tr("contact");
+    if (const QString drift = driftText(element); !drift.isEmpty()) parts << drift;
+    return tr("element %1: %2").arg(element + 1).arg(parts.join(QStringLiteral(", ")));
+}
+
+// The scale grows at once and shrinks late, so that the bars do not jump; above each bar stays room for its
+// numbers.
+void ForceBars::fitScale()
+{
+    const double line = QFontMetricsF(labelFont(true)).height();
+    const double height = std::max(1, canvas()->height());
+    double needed = 0.0;
+    for (int element = 0; element < kForceElements; ++element) {
+        const auto rows = labelText(element).count(QLatin1Char('\n')) + 1;
+        const double share =
+            std::clamp(1.0 - (4.0 + line * static_cast<double>(rows)) / height, 0.3, 0.8);
+        needed = std::max(needed, top(element) / share);
+    }
+    constexpr std::array kScales{5.0,  6.0,   8.0,   10.0,  20.0,  30.0,  40.0,   50.0,
+                                 80.0, 100.0, 150.0, 200.0, 400.0, 800.0, 1000.0, 1400.0};
+    const auto scaleFor = [&](double value) {
         return *std::find_if(kScales.begin(), kScales.end() - 1,
-                             [&](double scale) { return largest <= share * scale; });
+                             [=](double scale) { return value <= scale; });
     };
-    if (largest > 0.75 * fullScale_) fullScale_ = fits(0.75);
-    if (largest < 0.3 * fullScale_) fullScale_ = std::max(10.0, fits(0.6));
+    const double least = unit_ == Unit::Newtons ? 10.0 : 5.0;
+    if (needed > fullScale_) fullScale_ = std::max(least, scaleFor(needed));
+    if (needed < 0.4 * fullScale_) fullScale_ = std::max(least, scaleFor(1.25 * needed));
 
     constexpr std::array kSteps{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0};
     const double step = *std::find_if(kSteps.begin(), kSteps.end() - 1,
@@ -207,32 +477,70 @@ void ForceBars::show()
     const int count = static_cast<int>(std::floor(fullScale_ / step + 1e-9));
     for (int i = 0; i <= count; ++i) ticks << i * step;
     setAxisScaleDiv(QwtPlot::yLeft, QwtScaleDiv(0.0, fullScale_, {}, {}, ticks));
+}
 
-    QVector<QPointF> bars;
-    QStringList spoken;
+void ForceBars::showBars()
+{
+    chart_->bars.clear();
+    for (int element = 0; element < kForceElements; ++element)
+        for (int a = 0; a < arrays(); ++a)
+            chart_->bars.push_back({.span = spanOf(element, a, arrays()),
+                                    .value = shown(element, a).value_or(0.0),
+                                    .peak = peak(element, a),
+                                    .touching = touching(element),
+                                    .outlined = a % 2 == 1,
+                                    .saturated = at(element, a).saturated});
+}
+
+void ForceBars::showNumbers()
+{
     for (int element = 0; element < kForceElements; ++element) {
-        const auto i = static_cast<std::size_t>(element);
-        const double height = std::max(0.0, force_[i].value_or(0.0));
-        bars << QPointF(element, height);
-        chart_->touching[i] = touching(element);
-        QwtText label(touching(element) ? numberText(element) + QLatin1Char('\n') + tr("contact")
-                                        : numberText(element));
-        QFont face = font();
-        face.setPixelSize(scaled(13));
-        face.setBold(touching(element));
-        label.setFont(face);
+        QwtText label(labelText(element));
+        label.setFont(labelFont(touching(element)));
         label.setColor(touching(element) ? theme().contact : theme().muted);
         // Above the threshold line too, which would strike it out.
         label.setBackgroundBrush(theme().card);
-        numbers_[i]->setValue(element, std::max(height, threshold_));
-        numbers_[i]->setLabel(label);
-        spoken << tr("element %1: %2 N%3")
-                      .arg(element + 1)
-                      .arg(numberText(element), touching(element) ? tr(", contact") : QString());
+        auto* number = numbers_[static_cast<std::size_t>(element)];
+        number->setValue(element, top(element));
+        number->setLabel(label);
     }
-    chart_->setSamples(bars);
+}
+
+void ForceBars::showDrifts()
+{
+    const QFontMetricsF metrics(axisFont(QwtPlot::xBottom));
+    std::array<QString, kForceElements> notes;
+    for (int element = 0; element < kForceElements; ++element) {
+        const QString drift = driftText(element);
+        if (drift.isEmpty()) continue;
+        const bool fits = metrics.horizontalAdvance(drift) < groupWidth();
+        notes[static_cast<std::size_t>(element)] =
+            fits ? ElementScale::nameOf(element + 1) + QLatin1Char('\n') + drift
+                 : QStringLiteral("%1 %2\n%3")
+                       .arg(element + 1)
+                       .arg(drift.section(u' ', 0, 0), drift.section(u' ', 1));
+    }
+    const bool second = std::any_of(notes.begin(), notes.end(),
+                                    [](const QString& note) { return !note.isEmpty(); });
+    elementScale_->setMinimumExtent(scaled(24) + (second ? std::ceil(metrics.lineSpacing()) : 0.0));
+    if (notes == elementScale_->notes()) return;
+    elementScale_->setNotes(notes);
+    updateLayout();
+    axisWidget(QwtPlot::xBottom)->update();
+}
+
+void ForceBars::show()
+{
+    showDrifts();
+    fitScale();
+    showBars();
+    showNumbers();
     thresholdLine_->setYValue(threshold_);
-    setAccessibleDescription(spoken.join(QLatin1Char('\n')));
+    thresholdLine_->setVisible(unit_ == Unit::Newtons);
+    QStringList lines;
+    for (int element = 0; element < kForceElements; ++element) lines << spoken(element);
+    setAccessibleDescription(lines.join(QLatin1Char('\n')));
+    setToolTip(accessibleDescription());
     replot();
 }
 

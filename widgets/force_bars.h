@@ -2,8 +2,13 @@
 
 #include <qwt_plot.h>
 
+#include <QRectF>
 #include <array>
+#include <cstddef>
+#include <deque>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/robot/measurement.h"
 
@@ -12,37 +17,106 @@ class QwtPlotMarker;
 
 namespace terratact {
 
+class ElementScale;
 class ForceChart;
+class UnitScale;
 
-/// Six live bars with their numbers, element 1 at the pivot and 6 at the tip, and the threshold line.
-/// A bar above the threshold is blue, hatched and says "contact".  An element without a value reads "--".
+/// One force-sensing element as it is shown; an empty optional was not measured.
+struct ForceElement {
+    std::optional<double> newtons;  ///< [N] calibrated
+    std::optional<double> volts;    ///< [V] raw
+    bool saturated = false;         ///< feels more than `newtons`
+    std::optional<double> drift;    ///< [N] of its bias
+};
+
+/// A row of elements, number 1 at the pivot and 6 at the tip.
+struct ForceArray {
+    QString name;  ///< "L"; empty where there is no other array
+    std::array<ForceElement, kForceElements> elements{};
+};
+
+/// The largest value of the last kHold seconds.
+class PeakHold {
+public:
+    static constexpr double kHold = 3.0;  ///< [s]
+
+    /// `time` [s] must not be NaN; a clock that jumps back begins anew.
+    void take(double time, double value);
+    void forget(double time);  ///< what is older than kHold
+    std::optional<double> peak() const;
+
+private:
+    std::deque<std::pair<double, double>>
+        falling_;  // (time, value): each value above those after it
+};
+
+/// The forces of every array as six groups of live bars with their numbers, calibrated [N] or raw [V].
+/// A bar of the first array is solid, of the second outlined.  An element whose mean over the arrays is
+/// above the threshold is in contact, as for the estimate: blue and hatched, and it says so.  A saturated
+/// element reads ">19" and wears a triangle; a thin line stands at each bar's peak of the last 3 s; a bias
+/// that drifted by more than ForceDrift::kNotable stands below its element.  No value reads "--".
 class ForceBars final : public QwtPlot {
     Q_OBJECT
 public:
+    enum class Unit { Newtons, Volts };
+
     explicit ForceBars(QWidget* parent = nullptr);
 
-    void setForces(const std::array<std::optional<double>, kForceElements>& newtons);
-    void clearForces();  ///< nothing measured: every element reads "--"
+    /// At most kArrays of them count.  `time` [s], on any one clock, is for the peaks alone.
+    void setForces(std::vector<ForceArray> arrays, double time);
+    void clearForces();  ///< nothing measured: every element reads "--", and no peak stands
     void setThreshold(double newtons);
+    void setUnit(Unit unit);
+    Unit unit() const { return unit_; }
 
-    bool touching(int element) const;                ///< index 0 … 5
-    QString numberText(int element) const;           ///< as shown above the bar
-    double pixelOf(double newtons) const;            ///< canvas y
-    double fullScale() const { return fullScale_; }  ///< [N]
+    static constexpr std::size_t kArrays = 4;
+    int arrays() const { return static_cast<int>(arrays_.size()); }  ///< at least 1
+    /// "■ L  □ R"; empty where there is one array.
+    QString legend() const;
+
+    // Elements are 0 … 5, arrays from 0.
+    bool touching(int element) const;
+    QString numberText(int element, int array = 0) const;  ///< as shown above the bar
+    QString driftText(int element) const;                  ///< as shown below it; empty: no drift
+    std::optional<double> peak(int element, int array = 0) const;  ///< in unit()
+    QRectF barRect(int element, int array = 0) const;              ///< on the canvas [px]
+    double pixelOf(double value) const;              ///< canvas y of a value in unit()
+    double fullScale() const { return fullScale_; }  ///< in unit()
 
     QSize sizeHint() const override { return {380, 140}; }
-    QSize minimumSizeHint() const override { return {260, 120}; }
+    QSize minimumSizeHint() const override { return {260, 106}; }
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    struct Peaks {
+        PeakHold newtons, volts;
+    };
+
     void restyle();  ///< in theme and font as they are now
     void show();
+    void showBars();
+    void showNumbers();
+    void showDrifts();
+    void fitScale();
+    const ForceElement& at(int element, int array) const;
+    std::optional<double> shown(int element, int array) const;  ///< in unit()
+    double top(int element) const;  ///< of bars, peaks and threshold line: numbers stand above
+    QString labelText(int element) const;
+    QString spoken(int element) const;
+    QString unitText() const;
+    QFont labelFont(bool bold) const;
+    double groupWidth() const;  ///< [px]
 
-    std::array<std::optional<double>, kForceElements> force_{};
+    std::vector<ForceArray> arrays_;
+    std::vector<std::array<Peaks, kForceElements>> peaks_;  // of every array
+    Unit unit_ = Unit::Newtons;
     double threshold_ = 2.0;   // [N]
-    double fullScale_ = 10.0;  // [N]
+    double fullScale_ = 10.0;  // in unit_
+    ElementScale* elementScale_ = nullptr;
+    UnitScale* unitScale_ = nullptr;
     ForceChart* chart_ = nullptr;
     QwtPlotGrid* grid_ = nullptr;
     QwtPlotMarker* thresholdLine_ = nullptr;

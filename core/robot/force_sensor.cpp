@@ -87,4 +87,12 @@ ElementForce elementForce(double voltage, Side side, int element, const ForceCal
     return {force, saturated ? ElementState::Saturated : ElementState::Sound};
 }
 
+std::optional<double> signedForce(double voltage, Side side, int element, const ForceCalibration& c,
+                                  double saturation)
+{
+    if (elementForce(voltage, side, element, c, saturation).state != ElementState::Sound)
+        return std::nullopt;
+    return curveForce(elementResistance(voltage, c), c) - biasOf(c, side, element);
+}
+
 }  // namespace terratact

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,9 @@ double curveForce(double resistance, const ForceCalibration& calibration);
 /// element exists.
 ElementForce elementForce(double voltage, Side side, int element,
                           const ForceCalibration& calibration, double saturation);
+
+/// The same for a Sound element, but negative where it feels less than its bias [N]; empty for any other.
+std::optional<double> signedForce(double voltage, Side side, int element,
+                                  const ForceCalibration& calibration, double saturation);
 
 }  // namespace terratact

@@ -1213,6 +1213,17 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ForceArrays</name>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>P</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ForceBars</name>
     <message>
         <source>1 pivot</source>
@@ -1231,12 +1242,20 @@ Poslední deaktivace: %1</translation>
         <translation>kontakt</translation>
     </message>
     <message>
-        <source>element %1: %2 N%3</source>
-        <translation>prvek %1: %2 N%3</translation>
+        <source>bias %1 N</source>
+        <translation>posun %1 N</translation>
     </message>
     <message>
-        <source>, contact</source>
-        <translation>, kontakt</translation>
+        <source>▲ sat.</source>
+        <translation>▲ nas.</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>nasycen</translation>
+    </message>
+    <message>
+        <source>element %1: %2</source>
+        <translation>prvek %1: %2</translation>
     </message>
 </context>
 <context>
@@ -1450,10 +1469,6 @@ Poslední deaktivace: %1</translation>
         <translation>na další prvek, na předchozí</translation>
     </message>
     <message>
-        <source>Front forces [N]</source>
-        <translation>Síly vpředu [N]</translation>
-    </message>
-    <message>
         <source>Following: the arm is probing.</source>
         <translation>Sledování: rameno sonduje.</translation>
     </message>
@@ -1660,6 +1675,30 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>přebít, co je na průzkumu sporné</translation>
+    </message>
+    <message>
+        <source>Front forces</source>
+        <translation>Síly vpředu</translation>
+    </message>
+    <message>
+        <source>N / V</source>
+        <translation>N / V</translation>
+    </message>
+    <message>
+        <source>Raw voltages of the force elements</source>
+        <translation>Surová napětí silových prvků</translation>
+    </message>
+    <message>
+        <source>Raw voltages instead of calibrated forces</source>
+        <translation>Surová napětí místo kalibrovaných sil</translation>
+    </message>
+    <message>
+        <source>raw voltages</source>
+        <translation>surová napětí</translation>
+    </message>
+    <message>
+        <source>- - %1 N</source>
+        <translation>- - %1 N</translation>
     </message>
 </context>
 <context>

@@ -1213,6 +1213,17 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ForceArrays</name>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ForceBars</name>
     <message>
         <source>1 pivot</source>
@@ -1231,12 +1242,20 @@ Zuletzt gesperrt: %1</translation>
         <translation>Kontakt</translation>
     </message>
     <message>
-        <source>element %1: %2 N%3</source>
-        <translation>Element %1: %2 N%3</translation>
+        <source>bias %1 N</source>
+        <translation>Versatz %1 N</translation>
     </message>
     <message>
-        <source>, contact</source>
-        <translation>, Kontakt</translation>
+        <source>▲ sat.</source>
+        <translation>▲ ges.</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>gesättigt</translation>
+    </message>
+    <message>
+        <source>element %1: %2</source>
+        <translation>Element %1: %2</translation>
     </message>
 </context>
 <context>
@@ -1450,10 +1469,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>zum nächsten Element, zum vorigen</translation>
     </message>
     <message>
-        <source>Front forces [N]</source>
-        <translation>Kräfte vorn [N]</translation>
-    </message>
-    <message>
         <source>Following: the arm is probing.</source>
         <translation>Mitverfolgt: der Arm sondiert.</translation>
     </message>
@@ -1660,6 +1675,30 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
+    </message>
+    <message>
+        <source>Front forces</source>
+        <translation>Kräfte vorn</translation>
+    </message>
+    <message>
+        <source>N / V</source>
+        <translation>N / V</translation>
+    </message>
+    <message>
+        <source>Raw voltages of the force elements</source>
+        <translation>Rohe Spannungen der Kraftelemente</translation>
+    </message>
+    <message>
+        <source>Raw voltages instead of calibrated forces</source>
+        <translation>Rohe Spannungen statt kalibrierter Kräfte</translation>
+    </message>
+    <message>
+        <source>raw voltages</source>
+        <translation>rohe Spannungen</translation>
+    </message>
+    <message>
+        <source>- - %1 N</source>
+        <translation>- - %1 N</translation>
     </message>
 </context>
 <context>

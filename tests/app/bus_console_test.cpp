@@ -24,6 +24,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
 #include "widgets/event_list.h"
+#include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/probe_card.h"
@@ -185,6 +186,33 @@ struct BusConsole : testing::Test {
     std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
+
+TEST_F(BusConsole, showsTheForcesOfBothArraysTheirVoltagesAndADriftedBias)
+{
+    startRobot();
+    model.forceCalibration.biasLeft[1] += 0.5;  // the robot's own is smaller
+    window = console(bus.join("can0"), CanSource::Mode::Listen,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    const ForceBars& bars = *window->forces();
+    ASSERT_TRUE(eventually([&] { return bars.arrays() == 2 && bars.numberText(0, 1) != "--"; }));
+    EXPECT_EQ(bars.legend(), "■ L  □ R");
+    EXPECT_TRUE(eventually([&] { return bars.driftText(1).startsWith("bias −0."); }))
+        << bars.driftText(1).toStdString();
+    EXPECT_EQ(bars.driftText(2), "");
+    EXPECT_EQ(bars.numberText(1, 0), "0.0") << "less than nothing is not felt";
+    window->resize(1200, 680);
+    picture("forces");
+    EXPECT_TRUE(gui::cutText(*bars.parentWidget()).empty());
+    window->forceUnitButton()->click();
+    EXPECT_EQ(bars.unit(), ForceBars::Unit::Volts);
+    picture("force-voltages");
+    // The sandwich alone: 0.3 N, 20 kΩ over 10 kΩ at 5 V.
+    EXPECT_GE(bars.numberText(2, 0).toDouble(), 1.67);
+    EXPECT_LT(bars.numberText(2, 0).toDouble(), 4.0);
+    window->forceUnitButton()->click();
+    EXPECT_EQ(bars.unit(), ForceBars::Unit::Newtons);
+}
 
 TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
 {

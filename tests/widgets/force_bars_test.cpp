@@ -8,18 +8,40 @@
 namespace terratact {
 namespace {
 
+using Values = std::array<std::optional<double>, kForceElements>;
+
+ForceArray arrayOf(const Values& newtons, const QString& name = {})
+{
+    ForceArray array;
+    array.name = name;
+    for (std::size_t e = 0; e < newtons.size(); ++e) array.elements[e].newtons = newtons[e];
+    return array;
+}
+
 struct Forces : testing::Test {
     Forces()
     {
         bars.resize(420, 240);
         gui::showActive(bars);
     }
+    void one(const Values& newtons, double time = 0.0) { bars.setForces({arrayOf(newtons)}, time); }
+    void both(const Values& left, const Values& right, double time = 0.0)
+    {
+        bars.setForces({arrayOf(left, "L"), arrayOf(right, "R")}, time);
+    }
+    /// Of the middle of a bar, `up` pixels above its foot.
+    QColor colourIn(int element, int array, double up)
+    {
+        const QRectF rect = bars.barRect(element, array);
+        return gui::painted(*bars.canvas())
+            .pixelColor(QPointF(rect.center().x(), rect.bottom() - up).toPoint());
+    }
     ForceBars bars;
 };
 
 TEST_F(Forces, eachBarSaysItsNumber)
 {
-    bars.setForces({0.24, 0.0, 1.0, 2.5, 6.44, std::nullopt});
+    one({0.24, 0.0, 1.0, 2.5, 6.44, std::nullopt});
     EXPECT_EQ(bars.numberText(0), "0.2");
     EXPECT_EQ(bars.numberText(4), "6.4");
     EXPECT_EQ(bars.numberText(5), "--") << "not measured is not zero";
@@ -29,7 +51,7 @@ TEST_F(Forces, eachBarSaysItsNumber)
 TEST_F(Forces, touchingIsAboveTheThreshold)
 {
     bars.setThreshold(2.0);
-    bars.setForces({1.99, 2.0, 2.01, 0.0, 0.0, std::nullopt});
+    one({1.99, 2.0, 2.01, 0.0, 0.0, std::nullopt});
     EXPECT_FALSE(bars.touching(0));
     EXPECT_FALSE(bars.touching(1));
     EXPECT_TRUE(bars.touching(2));
@@ -40,7 +62,7 @@ TEST_F(Forces, touchingIsAboveTheThreshold)
 
 TEST_F(Forces, aBarIsAsHighAsItsForce)
 {
-    bars.setForces({0.0, 0.0, 0.0, 0.0, 8.0, 0.0});
+    one({0.0, 0.0, 0.0, 0.0, 8.0, 0.0});
     const QImage image = gui::painted(*bars.canvas());
     const double px = image.width() * 4.5 / 6.0;
     const auto blue = [&](double newtons) {
@@ -55,16 +77,18 @@ TEST_F(Forces, aBarIsAsHighAsItsForce)
 
 TEST_F(Forces, theScaleFollowsLargeForcesAndComesBack)
 {
-    bars.setForces({0.0, 0.0, 0.0, 0.0, 900.0, 0.0});
+    one({0.0, 0.0, 0.0, 0.0, 900.0, 0.0});
     EXPECT_GE(bars.fullScale(), 900.0);
-    bars.setForces({0.0, 0.0, 0.0, 0.0, 1.0, 0.0});
+    one({0.0, 0.0, 0.0, 0.0, 1.0, 0.0}, PeakHold::kHold + 1.0);
     EXPECT_LE(bars.fullScale(), 20.0);
 }
 
 TEST_F(Forces, hostileNumbersReadAsNotMeasured)
 {
     for (const double bad : gui::kHostile) {
-        bars.setForces({bad, 3.0, bad, bad, bad, bad});
+        ForceArray array = arrayOf({bad, 3.0, bad, bad, bad, bad});
+        for (ForceElement& element : array.elements) element.volts = element.drift = bad;
+        bars.setForces({array}, bad);
         bars.setThreshold(bad);
         EXPECT_EQ(bars.numberText(0), "--");
         EXPECT_TRUE(bars.touching(1)) << "the threshold stays what it was";
@@ -76,10 +100,132 @@ TEST_F(Forces, hostileNumbersReadAsNotMeasured)
 
 TEST_F(Forces, clearedBarsReadNothing)
 {
-    bars.setForces({1.0, 1.0, 1.0, 1.0, 1.0, 9.0});
+    one({1.0, 1.0, 1.0, 1.0, 1.0, 9.0});
     bars.clearForces();
     for (int element = 0; element < kForceElements; ++element)
         EXPECT_EQ(bars.numberText(element), "--");
+}
+
+TEST_F(Forces, ofTwoArraysStandSideBySide)
+{
+    both({0.0, 0.0, 0.0, 3.0, 8.0, 0.0}, {0.0, 0.0, 0.0, 6.0, 4.0, std::nullopt});
+    ASSERT_EQ(bars.arrays(), 2);
+    EXPECT_EQ(bars.legend(), "■ L  □ R");
+    const QRectF left = bars.barRect(4, 0), right = bars.barRect(4, 1);
+    EXPECT_LT(left.right(), right.left());
+    EXPECT_LT(right.right(), bars.barRect(5, 0).left());
+    EXPECT_NEAR(left.height(), 2.0 * right.height(), 1.5);
+    EXPECT_NEAR(left.top(), bars.pixelOf(8.0), 1e-9);
+    EXPECT_TRUE(bars.accessibleDescription().contains("element 5: L 8.0 N, R 4.0 N, contact"));
+    EXPECT_TRUE(bars.accessibleDescription().contains("element 6: L 0.0 N, R -- N"));
+    one({0.0, 0.0, 0.0, 3.0, 8.0, 0.0});
+    EXPECT_EQ(bars.legend(), "");
+    EXPECT_GT(bars.barRect(4).width(), 1.5 * left.width());
+}
+
+TEST_F(Forces, touchAsTheMeanOfWhatTheArraysFeel)
+{
+    both({3.0, 3.0, std::nullopt, 0.0, 0.0, 0.0}, {0.0, 1.5, 2.5, 0.0, 0.0, std::nullopt});
+    EXPECT_FALSE(bars.touching(0)) << "1.5 N";
+    EXPECT_TRUE(bars.touching(1)) << "2.25 N";
+    EXPECT_TRUE(bars.touching(2)) << "the other is broken";
+    EXPECT_FALSE(bars.touching(5));
+}
+
+TEST_F(Forces, thePeakStandsForThreeSeconds)
+{
+    one({0.0, 0.0, 0.0, 0.0, 7.0, 0.0}, 10.0);
+    one({0.0, 0.0, 0.0, 0.0, 3.0, 0.0}, 11.0);
+    EXPECT_EQ(bars.peak(4), 7.0);
+    one({0.0, 0.0, 0.0, 0.0, 1.0, 0.0}, 12.9);
+    EXPECT_EQ(bars.peak(4), 7.0);
+    const QImage image = gui::painted(*bars.canvas());
+    const auto grey = [&](double newtons, int below) {
+        const QPointF at(bars.barRect(4).left() + 2.0, bars.pixelOf(newtons) + below);
+        return qGray(image.pixel(at.toPoint()));
+    };
+    EXPECT_LT(std::min(grey(7.0, 0), grey(7.0, -1)), grey(7.0, 8) - 60) << "a thin line";
+    one({0.0, 0.0, 0.0, 0.0, 1.0, 0.0}, 13.1);
+    EXPECT_EQ(bars.peak(4), 3.0) << "the largest of the last 3 s";
+    one({0.0, 0.0, 0.0, 0.0, 0.5, 0.0}, 2.0);
+    EXPECT_EQ(bars.peak(4), 0.5) << "the clock jumped back";
+    bars.clearForces();
+    EXPECT_FALSE(bars.peak(4));
+}
+
+TEST_F(Forces, aSaturatedElementSaysNoExactNumber)
+{
+    ForceArray left = arrayOf({0.0, 0.0, 0.0, 0.0, 19.7, 0.0}, "L");
+    left.elements[4].saturated = true;
+    bars.setForces({left, arrayOf({0.0, 0.0, 0.0, 0.0, 18.0, 0.0}, "R")}, 0.0);
+    EXPECT_EQ(bars.numberText(4, 0), ">19");
+    EXPECT_EQ(bars.numberText(4, 1), "18");
+    EXPECT_TRUE(bars.accessibleDescription().contains("L >19 N saturated, R 18 N, contact"));
+    EXPECT_EQ(bars.toolTip(), bars.accessibleDescription());
+    const QColor mark = colourIn(4, 0, bars.barRect(4, 0).height() - 8.0);
+    EXPECT_EQ(mark, theme().text) << "a triangle";
+}
+
+TEST_F(Forces, rawIsTheSameInVolts)
+{
+    ForceArray array = arrayOf({0.0, 0.0, 0.0, 0.0, 8.0, 0.0});
+    for (ForceElement& element : array.elements) element.volts = 1.672;
+    array.elements[4].volts = 4.5;
+    bars.setForces({array}, 0.0);
+    bars.setUnit(ForceBars::Unit::Volts);
+    EXPECT_EQ(bars.numberText(0), "1.67");
+    EXPECT_EQ(bars.numberText(4), "4.50");
+    EXPECT_NEAR(bars.barRect(4).top(), bars.pixelOf(4.5), 1e-9);
+    EXPECT_LE(bars.fullScale(), 10.0);
+    EXPECT_TRUE(bars.touching(4)) << "volts do not change what touches";
+    EXPECT_EQ(bars.peak(0), 1.672);
+    EXPECT_TRUE(bars.accessibleDescription().contains("element 5: 4.50 V, contact"));
+    const auto reds = [this] {
+        const QImage image = gui::painted(*bars.canvas());
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == theme().bad ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(reds(), 0) << "no threshold in volts";
+    bars.setUnit(ForceBars::Unit::Newtons);
+    EXPECT_GT(reds(), 50);
+    EXPECT_EQ(bars.numberText(4), "8.0");
+}
+
+TEST_F(Forces, aDriftedBiasStandsBelowItsElement)
+{
+    ForceArray left = arrayOf({0.0, 0.0, 0.4, 0.0, 0.0, 0.0}, "L"), right = left;
+    right.name = "R";
+    left.elements[1].drift = 0.29;
+    left.elements[2].drift = 0.41;
+    right.elements[2].drift = -0.72;
+    bars.setForces({left, right}, 0.0);
+    EXPECT_EQ(bars.driftText(0), "");
+    EXPECT_EQ(bars.driftText(1), "") << "too small";
+    EXPECT_EQ(bars.driftText(2), "bias −0.7 N") << "the larger one";
+    EXPECT_TRUE(bars.accessibleDescription().contains("element 3: L 0.4 N, R 0.4 N, bias −0.7 N"));
+    const auto amber = [this] {
+        const QImage image = gui::painted(bars);
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == theme().doubt ? 1 : 0;
+        return count;
+    };
+    EXPECT_GT(amber(), 5);
+    bars.clearForces();
+    EXPECT_EQ(amber(), 0);
+}
+
+TEST_F(Forces, numbersHaveRoomAboveTheirBars)
+{
+    bars.resize(340, 140);
+    for (const double force : {1.0, 7.9, 14.0, 19.9, 90.0, 390.0}) {
+        both({0.0, 0.0, 0.0, 0.0, force, 0.0}, {0.0, 0.0, 0.0, 0.0, force, 0.0});
+        EXPECT_GT(bars.pixelOf(force), 30.0) << force << ": number and contact above it";
+    }
 }
 
 }  // namespace

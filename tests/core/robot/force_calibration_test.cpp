@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/robot/force_drift.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {
@@ -106,6 +107,91 @@ TEST_F(Recording, isRefusedWithTheReason)
     readings[3].applied = 0.0;
     readings[3].voltage = std::nan("");
     EXPECT_THROW(static_cast<void>(why()), std::invalid_argument);
+}
+
+ForceDrift::Forces everywhere(std::optional<double> force)
+{
+    ForceDrift::Forces forces;
+    forces.fill(force);
+    return forces;
+}
+
+void takeFor(ForceDrift& drift, double from, double seconds, std::optional<double> force)
+{
+    for (int i = 0; i * 0.05 < seconds; ++i) drift.take(from + i * 0.05, everywhere(force));
+}
+
+TEST(ForceDriftTest, isTheMedianOfWhatWasFeltWithoutLoad)
+{
+    ForceDrift drift;
+    takeFor(drift, 0.0, 1.8, 0.4);
+    EXPECT_FALSE(drift.drift(0)) << "too little was read";
+    takeFor(drift, 1.8, 2.2, 0.4);
+    takeFor(drift, 4.0, 1.0, 1.9);  // a pebble
+    ASSERT_TRUE(drift.drift(5));
+    EXPECT_DOUBLE_EQ(*drift.drift(5), 0.4);
+    takeFor(drift, 5.0, 20.0, 0.4);
+    takeFor(drift, 25.0, 6.0, -0.5);
+    EXPECT_DOUBLE_EQ(*drift.drift(5), -0.5) << "what is older than 10 s no longer counts";
+    EXPECT_THROW(static_cast<void>(drift.drift(6)), std::out_of_range);
+}
+
+TEST(ForceDriftTest, passesOverElementsThatReadNothing)
+{
+    ForceDrift drift;
+    ForceDrift::Forces forces = everywhere(0.1);
+    forces[2] = std::nullopt;
+    forces[3] = std::nan("");
+    for (int i = 0; i < 50; ++i) drift.take(0.1 * i, forces);
+    EXPECT_TRUE(drift.drift(1));
+    EXPECT_FALSE(drift.drift(2));
+    EXPECT_FALSE(drift.drift(3));
+    EXPECT_THROW(drift.take(std::nan(""), forces), std::invalid_argument);
+}
+
+TEST(ForceDriftTest, beginsAnewWhenItsClockJumpsBack)
+{
+    ForceDrift drift;
+    takeFor(drift, 100.0, 5.0, 0.4);
+    drift.take(3.0, everywhere(0.0));
+    EXPECT_FALSE(drift.drift(0));
+}
+
+TEST(ForceDriftTest, unloadedIsRaisedBelowTheLimitAndNotPressing)
+{
+    Measurement m;
+    m.frontLeft = m.frontRight = 0.7;
+    m.force.fill(0.4);
+    for (const RobotActivity a : {RobotActivity::Halted, RobotActivity::Driving}) {
+        m.activity = a;
+        EXPECT_TRUE(isUnloaded(m, 2.0));
+    }
+    for (const RobotActivity a : {RobotActivity::Pressing, RobotActivity::Pressed,
+                                  RobotActivity::Probing, RobotActivity::Stopped}) {
+        m.activity = a;
+        EXPECT_FALSE(isUnloaded(m, 2.0));
+    }
+    m.activity = RobotActivity::Halted;
+    m.force[4] = 2.0;
+    EXPECT_FALSE(isUnloaded(m, 2.0));
+    m.force[4] = 0.4;
+    m.frontRight = 0.1;
+    EXPECT_FALSE(isUnloaded(m, 2.0)) << "one flipper lies on the ground";
+}
+
+TEST(ForceDriftTest, aBiasThatFellReadsNegative)
+{
+    const ForceCalibration c = absolem().forceCalibration;
+    const double open = c.openBelow / 2.0;
+    const auto voltage = [&](double force) {
+        const double r = 6000.0 / force;  // the curve between 0.2 and 1 N
+        return c.supply * c.reference / (c.reference + r);
+    };
+    EXPECT_NEAR(*signedForce(voltage(0.2), Side::Left, 0, c, 20.0), -0.1, 1e-9);
+    EXPECT_EQ(elementForce(voltage(0.2), Side::Left, 0, c, 20.0).force, 0.0);
+    EXPECT_NEAR(*signedForce(voltage(0.7), Side::Right, 0, c, 20.0), 0.4, 1e-9);
+    EXPECT_FALSE(signedForce(open, Side::Left, 0, c, 20.0));
+    EXPECT_FALSE(signedForce(0.99 * c.shortAbove, Side::Left, 0, c, 20.0)) << "saturated";
 }
 
 }  // namespace
