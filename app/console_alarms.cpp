@@ -21,13 +21,14 @@ bool comesAndGoes(BusState state)
     return state == BusState::Stalled || state == BusState::ErrorPassive;
 }
 
-/// "left 3 open, right 1 saturated"
+/// "left 3 open, right 1 short"; one that is saturated is pressed hard, and the bars say so.
 QString unsoundElements(const ElementForces& forces)
 {
     QStringList unsound;
     const auto look = [&](const auto& side, const QString& name) {
         for (std::size_t i = 0; i < side.size(); ++i)
-            if (side[i] && side[i]->state != ElementState::Sound)
+            if (side[i]
+                && (side[i]->state == ElementState::Open || side[i]->state == ElementState::Short))
                 unsound << QStringLiteral("%1 %2 %3")
                                .arg(name)
                                .arg(i + 1)

@@ -517,7 +517,9 @@ QStringList TerrainProfileView::closeUp(int bin) const
                           .arg(words::signedNumber(e.height[i], 3), words::number(e.sd[i], 3)),
                       tr("80 % in %1 … %2 m")
                           .arg(words::signedNumber(e.q10[i], 3), words::signedNumber(e.q90[i], 3)),
-                      tr("ceiling %1 m").arg(words::signedNumber(e.ceiling[i], 3)),
+                      e.ceiling[i] < kDrawableLimit
+                          ? tr("ceiling %1 m").arg(words::signedNumber(e.ceiling[i], 3))
+                          : tr("nothing of the robot above it"),
                       tr("from: %1").arg(provenanceWord(provenance(e, bin)))};
     if (const auto& two = twoHeights_->modes[i])
         lines << tr("either %1 m (%2 %)")

@@ -13,13 +13,13 @@ namespace {
 
 std::string stepSentence(const TerrainEstimate& estimate, double limit)
 {
-    const StepProbability any = anyStep(estimate, limit);
+    const StepProbability any = anyStep(estimate, limit, kFirstAhead);
     const auto pairs = stepProbabilities(estimate, limit);
-    const auto likeliest = std::max_element(pairs.begin(), pairs.end(),
+    const auto likeliest = std::max_element(pairs.begin() + kFirstAhead, pairs.end(),
                                             [](const auto& a, const auto& b) { return a.p < b.p; })
                          - pairs.begin();
     return fmt::format(
-        "a step of more than {:.0f} mm: probability {:.2f} ± {:.2f}, likeliest "
+        "a step ahead of more than {:.0f} mm: probability {:.2f} ± {:.2f}, likeliest "
         "between {:+.1f} and {:+.1f} m ({:.2f})",
         1000.0 * limit, any.p, any.monteCarloSd, binCentre(static_cast<int>(likeliest)),
         binCentre(static_cast<int>(likeliest) + 1), pairs[static_cast<std::size_t>(likeliest)].p);

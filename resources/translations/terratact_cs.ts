@@ -173,7 +173,7 @@
         <translation>nepodobá se trénovacím scénám: %1násobek vzdálenosti, kterou překročí %2 % z nich</translation>
     </message>
     <message>
-        <source>a step of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
+        <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
         <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± %3, nejspíš mezi %4 a %5 m (%6)</translation>
     </message>
     <message>
@@ -2561,6 +2561,10 @@ F1</translation>
     <message>
         <source>ceiling %1 m</source>
         <translation>strop %1 m</translation>
+    </message>
+    <message>
+        <source>nothing of the robot above it</source>
+        <translation>nad ním nic z robotu</translation>
     </message>
     <message>
         <source>from: %1</source>

@@ -173,7 +173,7 @@
         <translation>anders als die Trainingsszenen: das %1-Fache des Abstands, den %2 % davon überschreiten</translation>
     </message>
     <message>
-        <source>a step of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
+        <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
         <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten zwischen %4 und %5 m (%6)</translation>
     </message>
     <message>
@@ -2561,6 +2561,10 @@ F1</translation>
     <message>
         <source>ceiling %1 m</source>
         <translation>Obergrenze %1 m</translation>
+    </message>
+    <message>
+        <source>nothing of the robot above it</source>
+        <translation>nichts vom Roboter darüber</translation>
     </message>
     <message>
         <source>from: %1</source>

@@ -23,7 +23,7 @@ TEST(HiddenByBands, saysHowLikelyAStepIsAndWhereTwoHeightsAre)
     const auto sentences = hiddenByBands(perhapsAStep());
     ASSERT_EQ(sentences.size(), 3U);
     EXPECT_EQ(sentences[0],
-              "a step of more than 100 mm: probability 0.30 ± 0.05, likeliest between "
+              "a step ahead of more than 100 mm: probability 0.30 ± 0.05, likeliest between "
               "+0.5 and +0.6 m (0.30)");
     EXPECT_EQ(sentences[1], "two heights are likely at +0.6 m: +0.00 m (70 %) or +0.20 m (30 %)");
 }
