@@ -424,7 +424,7 @@ void TerrainProfileView::showEstimate()
     zones_->shown.fill(false);
     if (estimate_) {
         const TerrainEstimate& e = *estimate_;
-        constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+        constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
         for (int bin = 0; bin < kBins; ++bin) {
             const auto i = static_cast<std::size_t>(bin);
             const Provenance from = provenance(e, bin);
@@ -440,13 +440,13 @@ void TerrainProfileView::showEstimate()
             zones_->shown[i] = from == Provenance::PriorOnly;
 
             // A segment that touches a prior-only bin is dashed.
-            known.push_back(e.priorOnly(bin) ? QPointF(point.x(), kGap) : point);
+            known.push_back(e.priorOnly(bin) ? QPointF(point.x(), kNowhere) : point);
             if (bin > 0) {
                 const bool soft = e.priorOnly(bin) || e.priorOnly(bin - 1);
                 prior.push_back(soft ? QPointF(binCentre(bin - 1), e.height[i - 1])
-                                     : QPointF(point.x(), kGap));
-                prior.push_back(soft ? point : QPointF(point.x(), kGap));
-                prior.emplace_back(point.x(), kGap);
+                                     : QPointF(point.x(), kNowhere));
+                prior.push_back(soft ? point : QPointF(point.x(), kNowhere));
+                prior.emplace_back(point.x(), kNowhere);
             }
         }
     }

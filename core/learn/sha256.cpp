@@ -21,8 +21,8 @@ std::string sha256Hex(std::string_view bytes)
 
 Result<std::string> sha256OfFile(const std::string& path)
 {
-    constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
-    const auto bytes = readFile(path, kMostBytes);
+    constexpr std::size_t kMostHashed = std::size_t{1} << 30U;
+    const auto bytes = readFile(path, kMostHashed);
     if (!bytes) return bytes.error();
     return sha256Hex(*bytes);
 }

@@ -1,0 +1,109 @@
+// What is set on the page of the settings is in force at once.
+#include "app/settings_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+
+#include "app/main_window.h"
+#include "core/sim/terrain_shapes.h"
+#include "drivers/sim_source.h"
+#include "tests/support/absolem.h"
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "widgets/look.h"
+#include "widgets/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using gui::eventually;
+
+struct SettingsInForce : testing::Test {
+    SettingsInForce()
+    {
+        MainWindow::Options options;
+        options.robot = absolem();
+        SimulatedRobot::Options simulation;
+        simulation.startX = 2.0;
+        options.source = std::make_unique<SimSource>(
+            SimulatedRobot(options.robot, demoTerrain(), simulation), 1.0);
+        options.model = [] {
+            return Result<LoadedModel>(LoadedModel{
+                .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
+                .name = "fake.ttm",
+                .details = {}});
+        };
+        options.presets = {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}};
+        window = std::make_unique<MainWindow>(std::move(options));
+        gui::showActive(*window);
+        QTest::keyClick(window.get(), Qt::Key_F7);
+    }
+    ~SettingsInForce() override
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+    }
+    const Settings& inForce() const { return window->exploration().options().settings; }
+    SettingsPage& page() const { return *window->settings(); }
+
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(SettingsInForce, methodQualityAndLimitsReachTheNextEstimate)
+{
+    ASSERT_TRUE(page().isVisible());
+    page().methodBox()->setCurrentText("pafc");
+    EXPECT_EQ(inForce().method, Method::Pafc);
+    page().qualityBox()->setCurrentIndex(static_cast<int>(Quality::Accurate));
+    EXPECT_EQ(inForce().draws, withQuality(Settings{}, Quality::Accurate).draws);
+    page().thresholdBox()->setValue(3.5);
+    EXPECT_EQ(inForce().forceThreshold, 3.5);
+    page().obstacleBox()->setValue(0.20);
+    EXPECT_NEAR(window->exploration().options().stepLimit, 0.20, 1e-12);
+    EXPECT_NEAR(window->verdict()->limit(), 0.20, 1e-12);
+    EXPECT_EQ(window->preferences().current().method, Method::Pafc);
+}
+
+TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
+{
+    page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::NightRed));
+    EXPECT_EQ(window->preferences().current().theme, ThemeName::NightRed);
+    const QColor night = theme().card;
+    page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::Day));
+    EXPECT_NE(theme().card, night);
+}
+
+TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
+{
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("0.5 ms"));
+    EXPECT_TRUE(page().qualityBox()->itemText(1).contains("not measured"));
+}
+
+TEST_F(SettingsInForce, whatIsChangedElsewhereIsSeenHere)
+{
+    window->preferences().change([](Preferences& p) { p.forceThreshold = 4.0; });
+    EXPECT_EQ(page().thresholdBox()->value(), 4.0);
+    EXPECT_EQ(inForce().forceThreshold, 4.0);
+}
+
+TEST_F(SettingsInForce, aModelThatCannotBeLoadedLeavesTheOneInUse)
+{
+    ASSERT_TRUE(eventually([&] { return page().modelCard().contains("fake.ttm"); }));
+    window->preferences().change([](Preferences& p) { p.model = "/no/such.ttm"; });
+    QTest::qWait(300);
+    EXPECT_TRUE(window->modelTrouble().isEmpty());
+    EXPECT_TRUE(eventually([&] { return page().modelCard().contains("fake.ttm"); }));
+}
+
+TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
+{
+    int wanted = 0;
+    QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
+    window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
+    EXPECT_EQ(wanted, 1);
+}
+
+}  // namespace
+}  // namespace terratact
