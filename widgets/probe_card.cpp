@@ -105,6 +105,15 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     setNothing(QString());
 }
 
+void ProbeCard::showPage(int page)
+{
+    for (int i = 0; i < pages_->count(); ++i) {  // the others need no room
+        const auto policy = i == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        pages_->widget(i)->setSizePolicy(policy, policy);
+    }
+    pages_->setCurrentIndex(page);
+}
+
 bool ProbeCard::asks() const
 {
     return proposal_.has_value();
@@ -126,7 +135,7 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));
     approve_->setAccessibleName(
         tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
-    pages_->setCurrentIndex(kQuestion);
+    showPage(kQuestion);
 }
 
 void ProbeCard::showWorth()
@@ -177,7 +186,7 @@ void ProbeCard::setProbing(int bin, double elapsed, double expected)
     probingBar_->setFormat(
         tr("%1 of about %2")
             .arg(words::countdown(std::floor(elapsed)), words::countdown(expected)));
-    pages_->setCurrentIndex(kProbing);
+    showPage(kProbing);
 }
 
 void ProbeCard::setNothing(const QString& why)
@@ -185,7 +194,7 @@ void ProbeCard::setNothing(const QString& why)
     proposal_.reset();
     note()->clear();
     nothing_->setText(why);
-    pages_->setCurrentIndex(kNothing);
+    showPage(kNothing);
 }
 
 }  // namespace terratact

@@ -65,6 +65,7 @@ signals:
 
 private:
     void showWorth();
+    void showPage(int page);
 
     std::optional<ProbeProposal> proposal_;
     QStackedLayout* pages_ = nullptr;
