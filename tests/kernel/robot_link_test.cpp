@@ -11,6 +11,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -330,6 +331,18 @@ TEST_F(RobotLink, stalledBusReplaysAtMostTwoFramesAndTheRobotTakesNone)
     EXPECT_EQ(console.source.view().link.arming.phase, ArmingPhase::Disarmed);
 }
 
+std::string told(const PanelReport& panel, const CanView& link)
+{
+    std::ostringstream text;
+    text << "panel " << (panel.state.present ? "present" : "absent") << ", stop "
+         << panel.state.stop << ", edges " << panel.counters.edges[PanelContact::Stop] << ", lost "
+         << panel.counters.lostEdges << ", trouble '" << panel.trouble << "'; "
+         << describe(link.bus, kBus) << "; sent " << link.frames.sent << ", confirmed "
+         << link.frames.confirmed << ", not sent " << link.frames.notSent << ", dropped "
+         << link.frames.dropped;
+    return text.str();
+}
+
 TEST_F(RobotLink, stopOfThePanelReachesTheBus)
 {
     if (!GpioSim::available()) GTEST_SKIP() << "this kernel has no gpio-sim";
@@ -357,7 +370,9 @@ TEST_F(RobotLink, stopOfThePanelReachesTheBus)
     for (int i = 0; i < times; ++i) {
         chip.drive(kStop, true);
         ASSERT_TRUE(listener.until([](const BusFrame& frame) { return frame.frame.id == 16; }, 2.0))
-            << "press " << i;
+            << "press " << i << ": " << told(panel.latest(), console.source.view());
+        // The command leaves before the reader says why: let go only what it has told of.
+        ASSERT_TRUE(console.eventually([&] { return panel.latest().state.stop; }, 2.0));
         chip.drive(kStop, false);
         ASSERT_TRUE(console.eventually([&] { return !panel.latest().state.stop; }, 2.0));
     }
