@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <system_error>
 
 namespace terratact {
@@ -111,6 +112,19 @@ void SqliteStatement::bind(int parameter, std::string_view value)
           sqlite3_db_handle(statement_.get()));
 }
 
+void SqliteStatement::bind(int parameter, std::nullptr_t)
+{
+    check(sqlite3_bind_null(statement_.get(), parameter + 1), sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::bindBlob(int parameter, std::string_view bytes)
+{
+    // A null pointer would bind NULL.
+    check(sqlite3_bind_blob64(statement_.get(), parameter + 1, bytes.empty() ? "" : bytes.data(),
+                              bytes.size(), SQLITE_TRANSIENT),
+          sqlite3_db_handle(statement_.get()));
+}
+
 bool SqliteStatement::step()
 {
     const int code = sqlite3_step(statement_.get());
@@ -128,7 +142,7 @@ void SqliteStatement::run()
 
 void SqliteStatement::expect(int column, int type) const
 {
-    if (sqlite3_column_type(statement_.get(), column) == type) return;
+    if (this->type(column) == type) return;
     const char* const name = sqlite3_column_name(statement_.get(), column);
     throw SqliteError(std::string("a value of the wrong type in ") + (name ? name : "a column"));
 }
@@ -145,13 +159,39 @@ std::int64_t SqliteStatement::integer(int column) const
     return sqlite3_column_int64(statement_.get(), column);
 }
 
+std::string SqliteStatement::bytes(int column) const
+{
+    const auto* const begin =
+        static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
+    const int size = sqlite3_column_bytes(statement_.get(), column);
+    return begin ? std::string(begin, static_cast<std::size_t>(size)) : std::string();
+}
+
 std::string SqliteStatement::text(int column) const
 {
     expect(column, SQLITE_TEXT);
-    const auto* const begin =
-        reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
-    const int size = sqlite3_column_bytes(statement_.get(), column);
-    return begin ? std::string(begin, static_cast<std::size_t>(size)) : std::string();
+    return bytes(column);
+}
+
+std::string SqliteStatement::blob(int column) const
+{
+    expect(column, SQLITE_BLOB);
+    return bytes(column);
+}
+
+int SqliteStatement::type(int column) const
+{
+    return sqlite3_column_type(statement_.get(), column);
+}
+
+bool SqliteStatement::isNull(int column) const
+{
+    return type(column) == SQLITE_NULL;
+}
+
+int SqliteStatement::columns() const
+{
+    return sqlite3_column_count(statement_.get());
 }
 
 void SqliteFile::Close::operator()(sqlite3* file) const
@@ -178,6 +218,61 @@ SqliteFile SqliteFile::openUntrusted(const std::string& path, std::uintmax_t mos
     return file;
 }
 
+bool SqliteFile::isJournaled(const std::string& path)
+{
+    return headerOf(path)[18] == 2;  // the file format's write version
+}
+
+SqliteFile SqliteFile::openLog(const std::string& path, int longest)
+{
+    const bool journaled = isJournaled(path);
+    if (!journaled) checkSize(path, std::numeric_limits<std::uintmax_t>::max());
+    SqliteFile file(uriOf(path, journaled ? "mode=ro" : "mode=ro&immutable=1"),
+                    SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    file.harden();
+    sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
+    sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] a checkpoint of the writer's
+    return file;
+}
+
+SqliteFile SqliteFile::createLog(const std::string& path)
+{
+    std::error_code none;
+    if (std::filesystem::exists(path, none)) throw SqliteError("is there already");
+    SqliteFile file(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    file.run("PRAGMA page_size = 8192");
+    file.journal();
+    return file;
+}
+
+SqliteFile SqliteFile::reopenLog(const std::string& path)
+{
+    SqliteFile file(path, SQLITE_OPEN_READWRITE);
+    file.harden();
+    file.journal();
+    return file;
+}
+
+void SqliteFile::journal()
+{
+    SqliteStatement mode = prepare("PRAGMA journal_mode = WAL");
+    if (!mode.step() || mode.text(0) != "wal")
+        throw SqliteError("its file system keeps no write-ahead journal");
+    run("PRAGMA synchronous = FULL");
+    run("PRAGMA journal_size_limit = 67108864");
+}
+
+void SqliteFile::leaveJournal()
+{
+    SqliteStatement mode = prepare("PRAGMA journal_mode = DELETE");
+    if (!mode.step() || mode.text(0) != "delete") throw SqliteError("somebody else has it open");
+}
+
+void SqliteFile::grantSteps()
+{
+    if (callsLeft_) *callsLeft_ = kCalls;
+}
+
 // sqlite.org/security.html, "Untrusted SQLite Database Files".
 void SqliteFile::harden()
 {
@@ -195,7 +290,7 @@ void SqliteFile::harden()
     sqlite3_limit(file, SQLITE_LIMIT_FUNCTION_ARG, 8);
     sqlite3_limit(file, SQLITE_LIMIT_ATTACHED, 0);
     sqlite3_limit(file, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 50);
-    sqlite3_limit(file, SQLITE_LIMIT_VARIABLE_NUMBER, 10);
+    sqlite3_limit(file, SQLITE_LIMIT_VARIABLE_NUMBER, 32);
     sqlite3_limit(file, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
     callsLeft_ = std::make_unique<int>(kCalls);
     sqlite3_progress_handler(file, kStepsPerCall, stopNow, callsLeft_.get());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -25,6 +26,8 @@ public:
     void bind(int parameter, std::string_view value);
     void bind(int parameter, const char* value) { bind(parameter, std::string_view(value)); }
     void bind(int parameter, int value) { bind(parameter, std::int64_t{value}); }
+    void bind(int parameter, std::nullptr_t);
+    void bindBlob(int parameter, std::string_view bytes);
 
     /// Goes to the next row; false after the last.
     bool step();
@@ -35,6 +38,10 @@ public:
     double real(int column) const;
     std::int64_t integer(int column) const;
     std::string text(int column) const;
+    std::string blob(int column) const;
+    bool isNull(int column) const;
+    int type(int column) const;  ///< SQLITE_INTEGER and so on
+    int columns() const;
 
 private:
     friend class SqliteFile;
@@ -43,6 +50,7 @@ private:
     };
     explicit SqliteStatement(sqlite3_stmt* statement) : statement_(statement) {}
     void expect(int column, int type) const;
+    std::string bytes(int column) const;
 
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;
 };
@@ -55,6 +63,27 @@ public:
     /// looked at, and all statements together end after a bounded number of steps.
     /// Refuses a file of more than `most` bytes.
     static SqliteFile openUntrusted(const std::string& path, std::uintmax_t most);
+
+    /// Likewise, but of any size, for a format that checks its rows itself: the structure is not checked as a
+    /// whole, which takes minutes for gigabytes.  A file in WAL mode, which somebody still writes or whose
+    /// writer died, is read with the journal beside it.  Texts and blobs are at most `longest` bytes.
+    static SqliteFile openLog(const std::string& path, int longest);
+
+    /// Whether the file is in WAL mode: not closed by its writer.  Throws as openLog where it is no SQLite file.
+    static bool isJournaled(const std::string& path);
+
+    /// Creates a file, which must not exist, to be written by one connection while others read it: with a
+    /// write-ahead journal (WAL), flushed to the disk with every commit.
+    static SqliteFile createLog(const std::string& path);
+
+    /// Opens such a file whose writer died to go on with it; its journal is played back.
+    static SqliteFile reopenLog(const std::string& path);
+
+    /// Moves the journal into the file and leaves WAL mode; a SqliteError where another connection is open.
+    void leaveJournal();
+
+    /// Statements of an untrusted file may take as many steps again from now on.
+    void grantSteps();
 
     /// Opens an empty file to be filled and then renamed (core/file_write.h): no journal, no flushing.
     static SqliteFile fill(const std::string& path);
@@ -75,6 +104,7 @@ private:
     SqliteFile(const std::string& name, int flags);
     void harden();
     void checkStructure();
+    void journal();
 
     std::unique_ptr<int> callsLeft_;  ///< of the progress handler
     std::unique_ptr<sqlite3, Close> file_;

@@ -1,0 +1,88 @@
+#include "core/log/session_schema.h"
+
+namespace terratact {
+
+const std::array<SchemaEntry, 15> kSessionSchema{
+    SchemaEntry{
+        "table", "batch",
+        "CREATE TABLE batch(id INTEGER PRIMARY KEY, t_first INTEGER NOT NULL, "
+        "t_last INTEGER NOT NULL, frame_first INTEGER NOT NULL, frame_count INTEGER NOT NULL, "
+        "frames_hash BLOB NOT NULL, rows_hash BLOB NOT NULL, chain BLOB NOT NULL) STRICT"},
+    SchemaEntry{"table", "can_frame",
+                "CREATE TABLE can_frame(seq INTEGER PRIMARY KEY, t INTEGER NOT NULL, "
+                "channel INTEGER NOT NULL, can_id INTEGER NOT NULL, flags INTEGER NOT NULL, "
+                "data BLOB NOT NULL) STRICT"},
+    SchemaEntry{"table", "estimate",
+                "CREATE TABLE estimate(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, scene INTEGER NOT NULL, settings INTEGER NOT NULL, "
+                "model INTEGER NOT NULL, role TEXT NOT NULL, seconds REAL NOT NULL, "
+                "step_limit_m REAL NOT NULL, novelty REAL NOT NULL, ending TEXT NOT NULL, "
+                "converged INTEGER NOT NULL, warnings TEXT NOT NULL, "
+                "draws_sha256 BLOB NOT NULL) STRICT"},
+    SchemaEntry{"table", "estimate_bin",
+                "CREATE TABLE estimate_bin(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "estimate INTEGER NOT NULL, bin INTEGER NOT NULL, origin TEXT NOT NULL, "
+                "height_m REAL NOT NULL, mean_m REAL NOT NULL, sd_m REAL NOT NULL, "
+                "q10_m REAL NOT NULL, q90_m REAL NOT NULL, ceiling_m REAL, rhat REAL NOT NULL, "
+                "ess REAL NOT NULL) STRICT"},
+    SchemaEntry{"table", "estimate_draws",
+                "CREATE TABLE estimate_draws(id INTEGER PRIMARY KEY, draws BLOB NOT NULL) STRICT"},
+    SchemaEntry{
+        "table", "event",
+        "CREATE TABLE event(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "t INTEGER NOT NULL, kind TEXT NOT NULL, subject TEXT NOT NULL, text TEXT NOT NULL, "
+        "number REAL, estimate INTEGER NOT NULL, proposal INTEGER NOT NULL, "
+        "shown TEXT NOT NULL) STRICT"},
+    SchemaEntry{"view", "messages",
+                "CREATE VIEW messages AS SELECT ((SELECT CAST(value AS INTEGER) FROM meta "
+                "WHERE key = 'wall_time_ns') + t) / 1e9 AS ts, can_id AS arbitration_id, "
+                "flags & 1 AS extended, (flags >> 1) & 1 AS remote, (flags >> 2) & 1 AS error, "
+                "flags >> 8 AS dlc, data FROM can_frame"},
+    SchemaEntry{"table", "meta",
+                "CREATE TABLE meta(key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL) STRICT, "
+                "WITHOUT ROWID"},
+    SchemaEntry{"table", "model",
+                "CREATE TABLE model(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, name TEXT NOT NULL, sha256 TEXT NOT NULL, "
+                "details TEXT NOT NULL) STRICT"},
+    SchemaEntry{"table", "proposal",
+                "CREATE TABLE proposal(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, estimate INTEGER NOT NULL, bin INTEGER NOT NULL, "
+                "height_m REAL NOT NULL, q10_m REAL NOT NULL, q90_m REAL NOT NULL, "
+                "sd_m REAL NOT NULL, limit_m REAL NOT NULL, arm_sd_m REAL NOT NULL, "
+                "seconds REAL NOT NULL, step_limit_m REAL NOT NULL, bits_before REAL NOT NULL, "
+                "grounds TEXT NOT NULL) STRICT"},
+    SchemaEntry{"table", "proposal_offer",
+                "CREATE TABLE proposal_offer(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "proposal INTEGER NOT NULL, bin INTEGER NOT NULL, variance_share REAL NOT NULL, "
+                "bits_after REAL NOT NULL) STRICT"},
+    SchemaEntry{"table", "reading",
+                "CREATE TABLE reading(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "estimate INTEGER NOT NULL, bin INTEGER NOT NULL, height_m REAL NOT NULL, "
+                "sd_m REAL NOT NULL) STRICT"},
+    SchemaEntry{
+        "table", "scene",
+        "CREATE TABLE scene(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "t INTEGER NOT NULL, robot_time_s REAL NOT NULL, pitch_rad REAL NOT NULL, "
+        "roll_rad REAL NOT NULL, front_left_rad REAL NOT NULL, front_right_rad REAL NOT NULL, "
+        "rear_left_rad REAL NOT NULL, rear_right_rad REAL NOT NULL, "
+        "front_left_a REAL NOT NULL, front_right_a REAL NOT NULL, rear_left_a REAL NOT NULL, "
+        "rear_right_a REAL NOT NULL, force1_n REAL NOT NULL, force2_n REAL NOT NULL, "
+        "force3_n REAL NOT NULL, force4_n REAL NOT NULL, force5_n REAL NOT NULL, "
+        "force6_n REAL NOT NULL, activity INTEGER NOT NULL, refusal INTEGER NOT NULL, "
+        "arm_bin INTEGER, arm_height_m REAL, arm_sd_m REAL) STRICT"},
+    SchemaEntry{"table", "scene_truth",
+                "CREATE TABLE scene_truth(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "scene INTEGER NOT NULL, bin INTEGER NOT NULL, height_m REAL NOT NULL) STRICT"},
+    SchemaEntry{
+        "table", "settings",
+        "CREATE TABLE settings(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "method TEXT NOT NULL, ceiling TEXT NOT NULL, contacts TEXT NOT NULL, "
+        "force_threshold_n REAL NOT NULL, contact_sd_m REAL NOT NULL, draws INTEGER NOT NULL, "
+        "stop_early INTEGER NOT NULL, chains INTEGER NOT NULL, burn_in INTEGER NOT NULL, "
+        "scan TEXT NOT NULL, precision TEXT NOT NULL, inducing INTEGER NOT NULL, "
+        "seed TEXT NOT NULL, probe_above_m REAL NOT NULL, roll_limit_rad REAL NOT NULL, "
+        "asymmetry_limit_rad REAL NOT NULL) STRICT"},
+};
+
+}  // namespace terratact

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace terratact {
+
+// Tables of a session file (`*.tts`), an SQLite file; docs/sessions.md explains them.  Whoever reads one
+// refuses any other schema.
+
+inline constexpr std::int64_t kSessionApplicationId =
+    0x54545331;  ///< "TTS1", see resources/desktop
+inline constexpr std::int64_t kSessionVersion = 1;
+
+struct SchemaEntry {
+    const char* type;
+    const char* name;
+    const char* sql;
+};
+
+/// Sorted by name.  The tables of kSessionRowTables have the number of their batch in the column `batch`.
+extern const std::array<SchemaEntry, 15> kSessionSchema;
+
+/// The tables whose rows are hashed together as a batch's `rows_hash`, in this order, each in the order of rowid.
+inline constexpr std::array<std::string_view, 10> kSessionRowTables{
+    "settings", "model",        "scene",    "scene_truth",    "estimate",
+    "reading",  "estimate_bin", "proposal", "proposal_offer", "event"};
+
+/// Bits of can_frame.flags; the length of the data stands above them.
+inline constexpr std::int64_t kExtendedFlag = 1, kRemoteFlag = 2, kErrorFlag = 4, kFdFlag = 8,
+                              kSentFlag = 16, kLocalFlag = 32;
+inline constexpr int kLengthShift = 8;
+
+}  // namespace terratact

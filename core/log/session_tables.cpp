@@ -1,0 +1,142 @@
+#include "core/log/session_tables.h"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "core/log/session_hash.h"
+#include "core/log/session_schema.h"
+#include "core/text.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kDrawBytes = 8U * kBins;
+
+void require(bool holds, const std::string& cause)
+{
+    if (!holds) throw SqliteError(cause);
+}
+
+using MetaRow = std::pair<const char*, std::string>;
+
+/// Sorted by key, as they are stored.
+std::array<MetaRow, 7> metaOf(const SessionStart& start)
+{
+    return {MetaRow{"bus", start.bus},
+            MetaRow{"program", start.program},
+            MetaRow{"robot", start.robot},
+            MetaRow{"robot_sha256", start.robotHash},
+            MetaRow{"source", start.source},
+            MetaRow{"transmits", start.transmits ? "yes" : "no"},
+            MetaRow{"wall_time_ns", std::to_string(start.wallTime)}};
+}
+
+std::string hashOf(const SessionStart& start)
+{
+    RowBytes bytes;
+    for (const auto& [key, value] : metaOf(start)) {
+        bytes.add(key);
+        bytes.add(std::string_view(value));
+    }
+    Sha256 hash;
+    hash.add(bytes.bytes());
+    return hash.take();
+}
+
+std::int64_t wallTimeFrom(const std::string& text)
+{
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    require(error == std::errc{} && std::to_string(value) == text && value >= 0,
+            "its start is no time: " + shown(text));
+    return value;
+}
+
+}  // namespace
+
+void requireSessionSchema(SqliteFile& file)
+{
+    require(file.integer("PRAGMA application_id") == kSessionApplicationId,
+            "is an SQLite file of another application, not a session");
+    const std::int64_t version = file.integer("PRAGMA user_version");
+    require(version == kSessionVersion, "is a session of format version " + std::to_string(version)
+                                            + ", and this program reads version "
+                                            + std::to_string(kSessionVersion));
+    const std::string other = "its tables are not those of a session";
+    SqliteStatement found = file.prepare("SELECT type, name, sql FROM sqlite_schema ORDER BY name");
+    for (const SchemaEntry& entry : kSessionSchema) {
+        require(found.step(), other);
+        require(found.text(0) == entry.type && found.text(1) == entry.name && !found.isNull(2)
+                    && found.text(2) == entry.sql,
+                other);
+    }
+    require(!found.step(), other);
+}
+
+std::string writeSessionStart(SqliteFile& file, const SessionStart& start)
+{
+    SqliteStatement insert = file.prepare("INSERT INTO meta VALUES(?, ?)");
+    for (const auto& [key, value] : metaOf(start)) {
+        insert.bind(0, key);
+        insert.bind(1, std::string_view(value));
+        insert.run();
+    }
+    return hashOf(start);
+}
+
+StoredStart readSessionStart(SqliteFile& file)
+{
+    SqliteStatement select = file.prepare("SELECT key, value FROM meta ORDER BY key");
+    std::array<std::string, 7> values;
+    const auto keys = metaOf({});
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        require(select.step() && select.text(0) == keys[i].first,
+                std::string("does not say its ") + keys[i].first);
+        values[i] = select.text(1);
+    }
+    require(!select.step(), "says more of its start than a session does");
+    require(values[5] == "yes" || values[5] == "no", "does not say whether it could transmit");
+    StoredStart stored{{.wallTime = wallTimeFrom(values[6]),
+                        .program = values[1],
+                        .source = values[4],
+                        .bus = values[0],
+                        .transmits = values[5] == "yes",
+                        .robot = values[2],
+                        .robotHash = values[3]},
+                       {}};
+    stored.hash = hashOf(stored.start);
+    return stored;
+}
+
+std::string bytesOfDraws(const std::vector<Heights>& draws)
+{
+    std::string bytes;
+    bytes.reserve(draws.size() * kDrawBytes);
+    for (const Heights& draw : draws)
+        for (const double height : draw) {
+            const auto value = std::bit_cast<std::uint64_t>(height);
+            for (int i = 0; i < 8; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
+        }
+    return bytes;
+}
+
+std::vector<Heights> drawsFrom(std::string_view bytes)
+{
+    require(bytes.size() % kDrawBytes == 0, "has draws that are not whole");
+    std::vector<Heights> draws(bytes.size() / kDrawBytes);
+    std::size_t at = 0;
+    for (Heights& draw : draws)
+        for (double& height : draw) {
+            std::uint64_t value = 0;
+            for (int i = 0; i < 8; ++i)
+                value |= std::uint64_t{static_cast<unsigned char>(bytes[at++])} << (8 * i);
+            height = std::bit_cast<double>(value);
+            require(std::isfinite(height), "has a draw that is not finite");
+        }
+    return draws;
+}
+
+}  // namespace terratact

@@ -1,0 +1,424 @@
+#include "core/log/session_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "core/file_read.h"
+#include "core/log/session_hash.h"
+#include "core/log/session_schema.h"
+#include "core/log/session_tables.h"
+#include "core/sqlite.h"
+
+namespace terratact {
+namespace {
+
+struct Blob {
+    std::string_view bytes;
+};
+
+/// The rows of one table, hashed as they go in.
+class Table {
+public:
+    Table(SqliteFile& file, std::string_view name, int columns)
+        : insert_(prepare(file, name, columns))
+    {
+        for (; index_ < kSessionRowTables.size() && kSessionRowTables.at(index_) != name;
+             ++index_) {
+        }
+    }
+
+    template <class... Values>
+    const std::string& insert(const Values&... values)
+    {
+        bytes_.clear();
+        int column = 0;
+        (put(column++, values), ...);
+        insert_.run();
+        return bytes_.bytes();
+    }
+    std::size_t index() const { return index_; }
+
+private:
+    static SqliteStatement prepare(SqliteFile& file, std::string_view name, int columns)
+    {
+        std::string sql = "INSERT INTO " + std::string(name) + " VALUES(?";
+        for (int i = 1; i < columns; ++i) sql += ", ?";
+        return file.prepare(sql + ")");
+    }
+    template <class Value>
+    void put(int column, const Value& value)
+    {
+        insert_.bind(column, value);
+        bytes_.add(value);
+    }
+    void put(int column, const std::string& value) { put(column, std::string_view(value)); }
+    template <class Value>
+    void put(int column, const std::optional<Value>& value)
+    {
+        if (value) return put(column, *value);
+        insert_.bind(column, nullptr);
+        bytes_.addNull();
+    }
+    void put(int column, const Blob& value)
+    {
+        insert_.bindBlob(column, value.bytes);
+        bytes_.addBlob(value.bytes);
+    }
+
+    SqliteStatement insert_;
+    std::size_t index_ = 0;
+    RowBytes bytes_;
+};
+
+std::string joined(const std::vector<std::string>& lines)
+{
+    std::string text;
+    for (const std::string& line : lines) text.append(line).append("\n");
+    return text;
+}
+
+std::int64_t flagsOf(const FrameRow& row)
+{
+    const CanFrame& f = row.frame;
+    return (f.extended ? kExtendedFlag : 0) | (f.remote ? kRemoteFlag : 0)
+         | (f.error ? kErrorFlag : 0) | (f.fd ? kFdFlag : 0) | (row.sent ? kSentFlag : 0)
+         | (row.local ? kLocalFlag : 0) | std::int64_t{f.length} << kLengthShift;
+}
+
+}  // namespace
+
+struct SessionWriter::Impl {
+    explicit Impl(std::string name, SqliteFile opened)
+        : path(std::move(name)), file(std::move(opened)), frameTable(file, "can_frame", 6),
+          modelTable(file, "model", 6), settingsTable(file, "settings", 18),
+          sceneTable(file, "scene", 25), truthTable(file, "scene_truth", 5),
+          estimateTable(file, "estimate", 14), binTable(file, "estimate_bin", 13),
+          readingTable(file, "reading", 6), proposalTable(file, "proposal", 15),
+          offerTable(file, "proposal_offer", 6), eventTable(file, "event", 10),
+          drawsInsert(file.prepare("INSERT INTO estimate_draws VALUES(?, ?)")),
+          batchInsert(file.prepare("INSERT INTO batch VALUES(?, ?, ?, ?, ?, ?, ?, ?)")),
+          begin(file.prepare("BEGIN IMMEDIATE")), end(file.prepare("COMMIT"))
+    {
+    }
+
+    void start(SessionTime time)
+    {
+        if (!open) {
+            begin.run();
+            open = true;
+            batch.first = batch.last = time;
+        }
+        batch.first = std::min(batch.first, time);
+        batch.last = std::max(batch.last, time);
+    }
+    template <class... Values>
+    void row(Table& table, const Values&... values)
+    {
+        rows.add(table.index(), table.insert(values...));
+    }
+    std::int64_t settingsId(const Settings& settings);
+    void addScene(const SceneRow& row);
+    void addEstimate(const EstimateRow& row);
+    void addProposal(const ProposalRow& row);
+    void commit();
+    void goOn();  ///< after what is in the file
+
+    std::string path;
+    SqliteFile file;
+    Table frameTable, modelTable, settingsTable, sceneTable, truthTable, estimateTable, binTable,
+        readingTable, proposalTable, offerTable, eventTable;
+    SqliteStatement drawsInsert, batchInsert, begin, end;
+
+    bool open = false;  ///< a transaction is
+    bool broken = false;
+    SessionBatch batch{.id = 1, .frameFirst = 1};
+    Sha256 frameHash;
+    RowsHash rows;
+    std::string chain;
+    std::optional<Settings> settings;
+    std::int64_t settingsCount = 0, truthCount = 0, binCount = 0, readingCount = 0, offerCount = 0;
+    std::int64_t lastModel = 0, lastScene = 0, lastEstimate = 0, lastProposal = 0, lastEvent = 0;
+};
+
+std::int64_t SessionWriter::Impl::settingsId(const Settings& s)
+{
+    if (settings == s) return settingsCount;
+    settings = s;
+    row(settingsTable, ++settingsCount, batch.id, name(s.method), name(s.ceiling), name(s.contacts),
+        s.forceThreshold, s.contactSd, s.draws, int{s.stopEarly}, s.chains, s.burnIn, name(s.scan),
+        name(s.precision), s.inducing, std::to_string(s.seed), s.probeAbove, s.rollLimit,
+        s.asymmetryLimit);
+    return settingsCount;
+}
+
+void SessionWriter::Impl::addScene(const SceneRow& scene)
+{
+    const Measurement& m = scene.measurement;
+    const auto& f = m.force;
+    row(sceneTable, scene.id, batch.id, scene.time, m.time, m.pitch, m.roll, m.frontLeft,
+        m.frontRight, m.rearLeft, m.rearRight, m.frontLeftCurrent, m.frontRightCurrent,
+        m.rearLeftCurrent, m.rearRightCurrent, f[0], f[1], f[2], f[3], f[4], f[5],
+        static_cast<int>(m.activity), static_cast<int>(m.refusal),
+        m.arm ? std::optional(m.arm->bin) : std::nullopt,
+        m.arm ? std::optional(m.arm->height) : std::nullopt,
+        m.arm ? std::optional(m.arm->sd) : std::nullopt);
+    if (!scene.truth) return;
+    for (int bin = 0; bin < kBins; ++bin)
+        row(truthTable, ++truthCount, batch.id, scene.id, bin,
+            scene.truth->at(static_cast<std::size_t>(bin)));
+}
+
+void SessionWriter::Impl::addEstimate(const EstimateRow& r)
+{
+    const TerrainEstimate& e = r.estimate;
+    const std::string draws = bytesOfDraws(e.draws);
+    Sha256 drawsHash;
+    drawsHash.add(draws);
+    const std::int64_t settingsOf = settingsId(e.settings);
+    row(estimateTable, r.id, batch.id, r.time, r.scene, settingsOf, r.model, name(r.role),
+        r.seconds, r.stepLimit, e.novelty, name(e.ending), int{e.converged}, joined(e.warnings),
+        Blob{drawsHash.take()});
+    drawsInsert.bind(0, r.id);
+    drawsInsert.bindBlob(1, draws);
+    drawsInsert.run();
+    for (const ArmReading& reading : r.readings)
+        row(readingTable, ++readingCount, batch.id, r.id, reading.bin, reading.height, reading.sd);
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        row(binTable, ++binCount, batch.id, r.id, bin, name(e.origin[i]), e.height[i], e.mean[i],
+            e.sd[i], e.q10[i], e.q90[i],
+            std::isinf(e.ceiling[i]) ? std::nullopt : std::optional(e.ceiling[i]), e.rhat[i],
+            e.ess[i]);
+    }
+}
+
+void SessionWriter::Impl::addProposal(const ProposalRow& r)
+{
+    row(proposalTable, r.id, batch.id, r.time, r.estimate, r.bin, r.height, r.q10, r.q90, r.sd,
+        r.limit, r.armSd, r.seconds, r.stepLimit, r.bitsBefore, r.grounds);
+    for (const OfferedBin& offer : r.offers)
+        row(offerTable, ++offerCount, batch.id, r.id, offer.bin, offer.varianceShare,
+            offer.bitsAfter);
+}
+
+void SessionWriter::Impl::commit()
+{
+    if (!open) return;
+    batch.framesHash = frameHash.take();
+    batch.rowsHash = rows.take();
+    std::string next = chained(chain, batch);
+    int column = 0;
+    for (const std::int64_t value :
+         {batch.id, batch.first, batch.last, batch.frameFirst, batch.frameCount})
+        batchInsert.bind(column++, value);
+    for (const std::string* hash : {&batch.framesHash, &batch.rowsHash, &next})
+        batchInsert.bindBlob(column++, *hash);
+    batchInsert.run();
+    end.run();
+    open = false;
+    chain = std::move(next);
+    batch = {.id = batch.id + 1, .frameFirst = batch.frameFirst + batch.frameCount};
+}
+
+SessionWriter::SessionWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SessionWriter::SessionWriter(SessionWriter&&) noexcept = default;
+SessionWriter& SessionWriter::operator=(SessionWriter&&) noexcept = default;
+SessionWriter::~SessionWriter() = default;
+
+namespace {
+
+/// Runs a step that may fail as SQLite does; afterwards the writer is of no use.
+template <class Impl, class Step>
+Status attempt(Impl& impl, Step step)
+{
+    if (impl.broken) return fileError(impl.path, "recording into it has ended");
+    try {
+        step();
+    } catch (const SqliteError& error) {
+        impl.broken = true;
+        return fileError(impl.path, error.what());
+    }
+    return Done{};
+}
+
+void requireNext(std::int64_t id, std::int64_t& last)
+{
+    if (id <= last)
+        throw std::invalid_argument("SessionWriter: an id that is not larger than the last");
+    last = id;
+}
+
+void requireKnown(std::int64_t id, std::int64_t last, bool mayBeNone)
+{
+    if (id > last || id < 0 || (id == 0 && !mayBeNone))
+        throw std::invalid_argument("SessionWriter: a row refers to one that was not added");
+}
+
+}  // namespace
+
+Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionStart& start)
+{
+    try {
+        SqliteFile file = SqliteFile::createLog(path);
+        file.run("PRAGMA application_id = " + std::to_string(kSessionApplicationId));
+        file.run("PRAGMA user_version = " + std::to_string(kSessionVersion));
+        file.run("BEGIN");
+        for (const SchemaEntry& entry : kSessionSchema) file.run(entry.sql);
+        const std::string genesis = writeSessionStart(file, start);
+        file.run("COMMIT");
+        auto impl = std::make_unique<Impl>(path, std::move(file));
+        impl->chain = genesis;
+        return SessionWriter(std::move(impl));
+    } catch (const SqliteError& error) {
+        return fileError(path, error.what());
+    }
+}
+
+Status SessionWriter::add(const FrameRow& row)
+{
+    return attempt(*impl_, [&] {
+        impl_->start(row.time);
+        const std::size_t kept = std::min<std::size_t>(row.frame.length, row.frame.data.size());
+        const std::string_view data(reinterpret_cast<const char*>(row.frame.data.data()),
+                                    row.frame.remote ? 0 : kept);
+        impl_->frameHash.add(
+            impl_->frameTable.insert(impl_->batch.frameFirst + impl_->batch.frameCount, row.time, 0,
+                                     std::int64_t{row.frame.id}, flagsOf(row), Blob{data}));
+        ++impl_->batch.frameCount;
+    });
+}
+
+Status SessionWriter::add(const ModelRow& row)
+{
+    requireNext(row.id, impl_->lastModel);
+    return attempt(*impl_, [&] {
+        impl_->start(row.time);
+        impl_->row(impl_->modelTable, row.id, impl_->batch.id, row.time, row.name, row.hash,
+                   row.details);
+    });
+}
+
+Status SessionWriter::add(const SceneRow& row)
+{
+    requireNext(row.id, impl_->lastScene);
+    return attempt(*impl_, [&] {
+        impl_->start(row.time);
+        impl_->addScene(row);
+    });
+}
+
+Status SessionWriter::add(const EstimateRow& row)
+{
+    requireKnown(row.scene, impl_->lastScene, false);
+    requireKnown(row.model, impl_->lastModel, false);
+    requireNext(row.id, impl_->lastEstimate);
+    return attempt(*impl_, [&] {
+        impl_->start(row.time);
+        impl_->addEstimate(row);
+    });
+}
+
+Status SessionWriter::add(const ProposalRow& row)
+{
+    requireKnown(row.estimate, impl_->lastEstimate, false);
+    requireNext(row.id, impl_->lastProposal);
+    return attempt(*impl_, [&] {
+        impl_->start(row.time);
+        impl_->addProposal(row);
+    });
+}
+
+Status SessionWriter::add(const EventRow& row)
+{
+    requireKnown(row.estimate, impl_->lastEstimate, true);
+    requireKnown(row.proposal, impl_->lastProposal, true);
+    requireNext(row.id, impl_->lastEvent);
+    return attempt(*impl_, [&] {
+        impl_->start(row.time);
+        impl_->row(impl_->eventTable, row.id, impl_->batch.id, row.time, name(row.kind),
+                   row.subject, row.text, row.number, row.estimate, row.proposal, row.shown);
+    });
+}
+
+Status SessionWriter::commit()
+{
+    return attempt(*impl_, [&] { impl_->commit(); });
+}
+
+Status SessionWriter::seal()
+{
+    return attempt(*impl_, [&] {
+        impl_->commit();
+        impl_->broken = true;
+        impl_->file.leaveJournal();
+    });
+}
+
+std::int64_t SessionWriter::frames() const
+{
+    return impl_->batch.frameFirst - 1;
+}
+std::int64_t SessionWriter::batches() const
+{
+    return impl_->batch.id - 1;
+}
+std::string SessionWriter::chain() const
+{
+    return hexOf(impl_->chain);
+}
+const std::string& SessionWriter::path() const
+{
+    return impl_->path;
+}
+
+void SessionWriter::Impl::goOn()
+{
+    chain = readSessionStart(file).hash;
+    SqliteStatement newest = file.prepare(
+        "SELECT id, frame_first + frame_count, t_last, chain FROM batch ORDER BY id DESC LIMIT 1");
+    if (newest.step()) {
+        batch = {.id = newest.integer(0) + 1,
+                 .first = newest.integer(2),
+                 .last = newest.integer(2),
+                 .frameFirst = newest.integer(1)};
+        chain = newest.blob(3);
+    }
+    lastEvent = file.integer("SELECT coalesce(max(id), 0) FROM event");
+}
+
+Result<bool> recoverSession(const std::string& path)
+{
+    try {
+        if (!SqliteFile::isJournaled(path)) return false;
+        SqliteFile file = SqliteFile::reopenLog(path);
+        requireSessionSchema(file);
+        file.leaveJournal();  // refused while somebody else has it open
+        SqliteFile alone = SqliteFile::reopenLog(path);
+        return SessionWriter::finish(path, std::move(alone));
+    } catch (const SqliteError& error) {
+        return fileError(path, error.what());
+    }
+}
+
+Result<bool> SessionWriter::finish(const std::string& path, SqliteFile file)
+{
+    auto impl = std::make_unique<Impl>(path, std::move(file));
+    impl->goOn();
+    const SessionTime time = impl->batch.last;
+    const std::int64_t id = impl->lastEvent + 1;
+    SessionWriter writer(std::move(impl));
+    const Status added =
+        writer.add(EventRow{.id = id,
+                            .time = time,
+                            .kind = EventKind::Session,
+                            .subject = "recovered",
+                            .text = "the program that recorded ended without closing the session"});
+    const Status sealed = added ? writer.seal() : added;
+    if (!sealed) return sealed.error();
+    return true;
+}
+
+}  // namespace terratact

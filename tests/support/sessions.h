@@ -1,0 +1,121 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/log/session_rows.h"
+#include "core/log/session_writer.h"
+#include "tests/support/estimates.h"
+
+/// Sessions for tests that need one with a row of every kind.
+namespace terratact {
+
+inline SessionStart someStart()
+{
+    return {.wallTime = 1'793'000'000'000'000'000,
+            .program = "terratact-console test",
+            .source = "SIMULATED ROBOT",
+            .bus = "can0",
+            .transmits = true,
+            .robot = "name = \"a robot\"\n",
+            .robotHash = std::string(64, 'a')};
+}
+
+/// The n-th frame of a session, at n milliseconds.
+inline FrameRow someFrame(std::int64_t n)
+{
+    FrameRow row{.time = n * 1'000'000};
+    row.frame.id = static_cast<std::uint32_t>(0x100 + n % 16);
+    row.frame.length = 8;
+    for (std::size_t i = 0; i < 8; ++i)
+        row.frame.data[i] = static_cast<std::uint8_t>(n >> (8 * i) & 0xFF);
+    row.sent = n % 7 == 0;
+    return row;
+}
+
+inline EstimateRow someEstimate(std::int64_t id, SessionTime time)
+{
+    EstimateRow row{.id = id, .time = time, .scene = id, .model = 1, .seconds = 0.25};
+    row.estimate = stepEstimate();
+    row.estimate.settings.seed = 18'446'744'073'709'551'615U;
+    row.estimate.settings.draws = 4;
+    row.estimate.warnings = {"chains have not converged", "left and right differ"};
+    row.estimate.draws.assign(4, row.estimate.height);
+    row.estimate.draws[1][3] = -0.125;
+    if (id > 1) {
+        row.role = EstimateRole::Again;
+        row.readings = {{.bin = 9, .height = -0.04, .sd = 0.03}};
+    }
+    return row;
+}
+
+inline SceneRow someScene(std::int64_t id, SessionTime time)
+{
+    SceneRow row{.id = id, .time = time};
+    row.measurement.pitch = 0.05;
+    row.measurement.force = {0.0, 1.0, 2.5, 0.0, 0.0, 7.0};
+    row.measurement.activity = RobotActivity::Pressed;
+    if (id > 1) row.measurement.arm = ArmReading{.bin = 9, .height = -0.04, .sd = 0.03};
+    row.truth = stepEstimate().height;
+    return row;
+}
+
+inline ProposalRow someProposal(SessionTime time)
+{
+    return {.id = 1,
+            .time = time,
+            .estimate = 1,
+            .bin = 9,
+            .height = -0.05,
+            .q10 = -0.17,
+            .q90 = 0.07,
+            .sd = 0.09,
+            .limit = 0.06,
+            .armSd = 0.03,
+            .seconds = 45.0,
+            .stepLimit = 0.1,
+            .bitsBefore = 0.8,
+            .grounds = std::string(64, 'b'),
+            .offers = {{9, 0.5, 0.3}, {10, 0.4, 0.35}}};
+}
+
+inline EventRow someDecision(SessionTime time)
+{
+    return {.id = 2,
+            .time = time,
+            .kind = EventKind::Decision,
+            .subject = "approve",
+            .text = "probe at 0.6 m",
+            .number = 9.0,
+            .estimate = 1,
+            .proposal = 1,
+            .shown = "CANNOT TELL 41 %"};
+}
+
+/// A session of `frames` frames, a batch of every 100 of them, with two scenes and a probe in it.  Not sealed.
+inline Result<SessionWriter> someSession(const std::string& path, std::int64_t frames)
+{
+    auto writer = SessionWriter::create(path, someStart());
+    if (!writer) return writer;
+    (void)writer->add(EventRow{.id = 1, .kind = EventKind::Session, .subject = "begun"});
+    (void)writer->add(ModelRow{.id = 1, .name = "default.ttm", .hash = std::string(64, 'c')});
+    for (std::int64_t n = 0; n < frames; ++n) {
+        (void)writer->add(someFrame(n));
+        if (n == frames / 4) {
+            (void)writer->add(someScene(1, n * 1'000'000));
+            (void)writer->add(someEstimate(1, n * 1'000'000 + 1));
+            (void)writer->add(someProposal(n * 1'000'000 + 2));
+        }
+        if (n == frames / 2) {
+            (void)writer->add(someDecision(n * 1'000'000));
+            (void)writer->add(someScene(2, n * 1'000'000 + 1));
+            (void)writer->add(someEstimate(2, n * 1'000'000 + 2));
+        }
+        if (n % 100 == 99)
+            if (const Status done = writer->commit(); !done) return done.error();
+    }
+    if (const Status done = writer->commit(); !done) return done.error();
+    return writer;
+}
+
+}  // namespace terratact
