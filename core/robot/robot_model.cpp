@@ -187,4 +187,12 @@ Result<RobotModel> readRobotModel(const std::string& path)
     return robot;
 }
 
+Result<RobotModel> robotModelFrom(const std::string& text, const std::string& name)
+{
+    RobotModel robot;
+    const Status read = readToml(text, name, [&](TomlSection& file) { robot = robotOf(file); });
+    if (!read) return read.error();
+    return robot;
+}
+
 }  // namespace terratact

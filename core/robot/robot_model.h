@@ -75,4 +75,7 @@ struct RobotModel {
 /// over 64 KiB or nested deeper than 16 levels are refused before they are parsed.
 Result<RobotModel> readRobotModel(const std::string& path);
 
+/// The same of a robot file's text.  Errors begin with `name`.
+Result<RobotModel> robotModelFrom(const std::string& text, const std::string& name);
+
 }  // namespace terratact

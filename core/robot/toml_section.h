@@ -72,4 +72,8 @@ private:
 /// `read` refused it.
 Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read);
 
+/// The same of a file's text.  Errors begin with `name`.
+Status readToml(const std::string& text, const std::string& name,
+                const std::function<void(TomlSection&)>& read);
+
 }  // namespace terratact
