@@ -259,9 +259,7 @@ void TerrainPage::showEstimate(const TerrainSight& sight)
     }
     if (!isShown(shownSecond_, sight.second)) {
         shownSecond_ = copyOf(sight.second);
-        terrain_->setSecond(shownSecond_, shownSecond_
-                                              ? words::text(name(shownSecond_->settings.method))
-                                              : QString());
+        terrain_->setSecond(shownSecond_, sight.secondName);
     }
     shownLive_ = copyOf(sight.live);
     shownEstimate_ = sight.estimate && !sight.live;

@@ -44,7 +44,8 @@ struct TerrainSight {
     const TerrainEstimate* estimate = nullptr;  ///< of it
     double estimateSeconds = 0.0;               ///< it took
     const TerrainEstimate* second = nullptr;    ///< of it, too
-    const TerrainEstimate* live = nullptr;      ///< a preview, shown instead
+    QString secondName{};
+    const TerrainEstimate* live = nullptr;  ///< a preview, shown instead
     QString whyNoEstimate{};
     std::optional<Verdict> verdict{};
 
