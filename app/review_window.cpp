@@ -156,10 +156,15 @@ void ReviewWindow::build()
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
     events_ = new ReviewEventsPage(session_, this);
     addPage(events_, tr("Events"), Qt::Key_F4, tr("Everything the session tells of"));
+    robotPage_ = new QWidget(this);
+    auto* robot = new QVBoxLayout(robotPage_);
+    robot->setContentsMargins(12, 10, 12, 10);
+    addPage(robotPage_, tr("Robot"), Qt::Key_F5, tr("Forces, attitude and the last events"));
     addPage(whatIf_, tr("What if"), Qt::Key_F6,
             tr("Estimate the recorded scene with other settings"));
     connect(rail_, &NavigationRail::pageChosen, this, [this](int page) {
         pages_->setCurrentIndex(page);
+        placeLower();
         showMoment();
     });
     const auto tool = [this](const QString& text, const QString& tip, auto clicked) {
@@ -296,6 +301,7 @@ QWidget* ReviewWindow::transport()
     note_->setToolTip(
         tr("Kept beside the session, in %1; Enter saves it")
             .arg(QFileInfo(QString::fromStdString(notesPath(session_.path()))).fileName()));
+    note_->setMinimumWidth(scaled(90));
     note_->setMaximumWidth(scaled(220));
     note_->setMinimumHeight(scaled(kTarget));
     row->addWidget(note_, 1);
@@ -378,6 +384,7 @@ void ReviewWindow::showMoment()
     showTerrain();
     whatIf_->setRecorded(moment_.estimate, moment_.scene, moment_.model);
     events_->setMoment(moment_);
+    showEvents();
     if (pages_->currentWidget() == numbers_) numbers_->refresh(0.0);
     damage_->setVisible(moment_.damage.has_value());
     if (moment_.damage)
@@ -472,7 +479,7 @@ void ReviewWindow::showTerrain()
     forbidCommands();
 }
 
-/// Nothing listens to these; that they are off says so.
+/// Nothing listens to these; the card says why they are not there.
 void ReviewWindow::forbidCommands()
 {
     AtemPanel* const atem = terrain_->atemPanel();
@@ -483,7 +490,7 @@ void ReviewWindow::forbidCommands()
     for (std::size_t i = 0; i < ProbeCard::kOthers; ++i) buttons << probe->otherButton(i);
     for (QPushButton* const button : std::as_const(buttons)) {
         button->setEnabled(false);
-        button->setToolTip(tr("A review commands no robot"));
+        button->hide();
     }
 }
 
@@ -688,6 +695,7 @@ void ReviewWindow::applyPreferences(const Preferences& before)
     if (now.theme != before.theme || now.fontScale != before.fontScale)
         applyLook(*qApp, now.theme, now.fontScale);
     terrain_->arrange(Layout::Review, now.fontScale);
+    placeLower();
     showMoment();
 }
 
@@ -805,6 +813,50 @@ void ReviewWindow::defineKeys()
                        [this, edit = choice.edit] { preferences_->change(edit); }});
     keys_.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});
     keys_.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
+}
+
+/// The events up to this time beside the robot, as the operator had them.
+void ReviewWindow::showEvents()
+{
+    constexpr std::size_t kListed = 40;
+    std::vector<const EventRow*> last;
+    for (const EventRow& event : session_.events())
+        if (event.time <= moment_.time && event.kind != EventKind::Session) last.push_back(&event);
+    const std::int64_t newest = last.empty() ? 0 : last.back()->id;
+    if (newest == listed_) return;
+    listed_ = newest;
+    EventList* const list = terrain_->events();
+    list->clear();
+    const std::size_t from = last.size() - std::min(last.size(), kListed);
+    for (std::size_t i = from; i < last.size(); ++i) {
+        const EventRow& event = *last[i];
+        const bool isBad = event.subject == "bad" || event.kind == EventKind::Gap
+                        || (event.kind == EventKind::Alarm && event.number == 3.0)
+                        || (event.kind == EventKind::Link && event.subject != "up");
+        const Weight weight = isBad                    ? Weight::Bad
+                            : event.subject == "doubt" ? Weight::Doubt
+                                                       : Weight::Note;
+        const qint64 ms = (session_.start().wallTime + event.time) / 1'000'000;
+        list->add(sentenceOf(event), weight, QDateTime::fromMSecsSinceEpoch(ms, Qt::UTC).time());
+    }
+}
+
+void ReviewWindow::placeLower()
+{
+    constexpr int kHigh = 800;  // [px] at 100 %
+    QWidget* const lower = terrain_->lower();
+    const bool alone = pages_->currentWidget() == robotPage_;
+    if (alone || height() < scaled(kHigh))
+        robotPage_->layout()->addWidget(lower);
+    else
+        terrain_->placeLower();
+    lower->show();
+}
+
+void ReviewWindow::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    placeLower();
 }
 
 bool ReviewWindow::eventFilter(QObject* object, QEvent* event)

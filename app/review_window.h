@@ -77,6 +77,7 @@ public:
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void build();
@@ -91,6 +92,8 @@ private:
     void showTerrain();
     void showState();
     void showPlayer();
+    void showEvents();
+    void placeLower();  ///< in a window that is not high they have a page of their own
     void forbidCommands();
     void applyPreferences(const Preferences& before);
     void loadTimeline();
@@ -120,6 +123,7 @@ private:
     bool grows_ = false;  ///< something was committed within the last seconds
     double sinceRefresh_ = 0.0, sinceGrowth_ = 0.0;  ///< [s]
     std::uint64_t shows_ = 0;
+    std::int64_t listed_ = -1;     ///< the newest event in the list
     std::optional<double> limit_;  ///< [m] of an obstacle, where the reviewer asks for another
     std::vector<ReviewNote> notes_;
     QString notesTrouble_;
@@ -135,6 +139,7 @@ private:
     NavigationRail* rail_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     TerrainPage* terrain_ = nullptr;
+    QWidget* robotPage_ = nullptr;
     NumbersPage* numbers_ = nullptr;
     ReviewEventsPage* events_ = nullptr;
     WhatIfPage* whatIf_ = nullptr;

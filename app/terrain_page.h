@@ -71,7 +71,10 @@ public:
     void setSight(const TerrainSight& sight);
     void arrange(Layout layout, int fontScale);  ///< fontScale: [%]
     void setThreshold(double newtons);           ///< of contact
-    void addTerrainTool(QWidget* tool);          ///< to the terrain's title
+    /// Forces, robot and events, below the terrain; whoever takes them into a layout of its own gives them back so.
+    QWidget* lower() const { return lowerPanel_; }
+    void placeLower();
+    void addTerrainTool(QWidget* tool);  ///< to the terrain's title
 
     /// True once what was last shown includes the standing estimate.
     bool showsEstimate() const { return shownEstimate_; }
@@ -122,7 +125,9 @@ private:
     EventList* events_ = nullptr;
     QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
     QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
-    QBoxLayout* lower_ = nullptr;   ///< forces, robot, events
+    QBoxLayout* upper_ = nullptr;   ///< the terrain and the decisions
+    QWidget* lowerPanel_ = nullptr;
+    QBoxLayout* lower_ = nullptr;  ///< forces, robot, events
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_, shownSecond_;

@@ -62,16 +62,22 @@ double scaleStep(double span, double most)
     return 3600.0 * std::ceil(span / most / 3600.0);
 }
 
+/// Thirty years: beyond it neighbouring pixels could be the same number.
+bool isTime(double seconds)
+{
+    return std::abs(seconds) <= 1e9;
+}
+
 bool isSound(const TimelineSpan& span)
 {
-    return std::isfinite(span.first) && std::isfinite(span.last) && span.first <= span.last;
+    return isTime(span.first) && isTime(span.last) && span.first <= span.last;
 }
 
 }  // namespace
 
 QString timeWords(double seconds, double step)
 {
-    if (!std::isfinite(seconds) || std::abs(seconds) > 1e9) return words::kNothing;
+    if (!isTime(seconds)) return words::kNothing;
     const int decimals = step >= 1.0 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
     const double unit = std::pow(10.0, decimals);
     const auto whole = static_cast<qint64>(std::llround(std::abs(seconds) * unit));
@@ -109,8 +115,8 @@ void SessionTimeline::setTimeline(const Timeline& timeline)
     const bool all = first_ <= timeline_.begin && last_ >= timeline_.end;
     const bool sameLanes = timeline_.lanes.size() == timeline.lanes.size();
     timeline_ = timeline;
-    if (!std::isfinite(timeline_.begin)) timeline_.begin = 0.0;
-    if (!std::isfinite(timeline_.end) || timeline_.end < timeline_.begin + kShortest)
+    if (!isTime(timeline_.begin)) timeline_.begin = 0.0;
+    if (!isTime(timeline_.end) || timeline_.end < timeline_.begin + kShortest)
         timeline_.end = timeline_.begin + kShortest;
     if (all) showAll();
     if (!sameLanes) updateGeometry();
@@ -120,7 +126,7 @@ void SessionTimeline::setTimeline(const Timeline& timeline)
 
 void SessionTimeline::setPlayhead(double seconds)
 {
-    if (!std::isfinite(seconds) || seconds == playhead_) return;
+    if (!isTime(seconds) || seconds == playhead_) return;
     const bool wasSeen = playhead_ >= first_ && playhead_ <= last_;
     playhead_ = seconds;
     if (wasSeen && (seconds < first_ || seconds > last_)) {
@@ -141,7 +147,7 @@ void SessionTimeline::setCursors(std::optional<double> a, std::optional<double> 
 
 void SessionTimeline::showSpan(double first, double last)
 {
-    if (!std::isfinite(first) || !std::isfinite(last)) return;
+    if (!isTime(first) || !isTime(last)) return;
     const double all = timeline_.end - timeline_.begin;
     const double span = std::min(std::max(last - first, kShortest), all);
     first_ = std::clamp(first, timeline_.begin, timeline_.end - span);
@@ -157,7 +163,7 @@ void SessionTimeline::showAll()
 
 void SessionTimeline::zoom(double factor, double at)
 {
-    if (!(factor > 0.0)) return;
+    if (!(factor > 0.0 && factor < 1e12) || !isTime(at)) return;
     const double where = std::clamp(at, first_, last_);
     const double span = std::clamp((last_ - first_) / factor, kShortest,
                                    std::max(kShortest, timeline_.end - timeline_.begin));
@@ -276,7 +282,7 @@ void SessionTimeline::paintLane(QPainter& painter, int index) const
     }
     double drawn = -1e9;  // marks of one pixel are drawn once, however many there are
     for (const TimelineMark& mark : lane.marks) {
-        if (!std::isfinite(mark.time) || mark.time < first_ || mark.time > last_) continue;
+        if (!isTime(mark.time) || mark.time < first_ || mark.time > last_) continue;
         const double x = pixelOf(mark.time);
         if (std::abs(x - drawn) < 0.5 && mark.weight == TimelineWeight::Plain) continue;
         drawn = x;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -47,9 +48,9 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
         if (kind == EventKind::Decision) row.estimate = row.proposal = 1;
         (void)writer->add(row);
     };
-    const auto passes = [](double at, double from) { return at >= from && at < from + kTick; };
     for (int tick = 0; tick * kTick < seconds; ++tick) {
         const double now = tick * kTick;
+        const auto passes = [tick](double from) { return tick == std::lround(from / kTick); };
         if (tick == 0) {
             (void)writer->add(
                 ModelRow{.id = 1, .name = "default.ttm", .hash = std::string(64, 'c')});
@@ -57,28 +58,27 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
             tell(0.0, EventKind::Phase, describe(AtemPhase::Idle));
             tell(0.0, EventKind::Arming, describe(ArmingPhase::Disarmed));
         }
-        if (passes(now, At::kLinkUp)) tell(now, EventKind::Link, "up");
-        if (passes(now, At::kAlarm)) tell(now, EventKind::Alarm, "frames", "frames are lost", 3.0);
-        if (passes(now, At::kAlarmGone)) tell(now, EventKind::Alarm, "frames", "", 0.0);
-        if (passes(now, At::kPressing)) tell(now, EventKind::Phase, describe(AtemPhase::Pressing));
-        if (passes(now, At::kScene)) (void)writer->add(someScene(1, sessionTimeOf(now)));
-        if (passes(now, At::kEstimate)) {
+        if (passes(At::kLinkUp)) tell(now, EventKind::Link, "up");
+        if (passes(At::kAlarm)) tell(now, EventKind::Alarm, "frames", "frames are lost", 3.0);
+        if (passes(At::kAlarmGone)) tell(now, EventKind::Alarm, "frames", "", 0.0);
+        if (passes(At::kPressing)) tell(now, EventKind::Phase, describe(AtemPhase::Pressing));
+        if (passes(At::kScene)) (void)writer->add(someScene(1, sessionTimeOf(now)));
+        if (passes(At::kEstimate)) {
             (void)writer->add(someEstimate(1, sessionTimeOf(now)));
             (void)writer->add(someProposal(sessionTimeOf(now)));
         }
-        if (passes(now, At::kProposing))
+        if (passes(At::kProposing))
             tell(now, EventKind::Phase, describe(AtemPhase::ProposingProbe));
-        if (passes(now, At::kMarker)) tell(now, EventKind::Marker, "operator", "look here");
-        if (passes(now, At::kApproved)) tell(now, EventKind::Decision, "approve", "probe at 0.6 m");
-        if (passes(now, At::kProbing)) tell(now, EventKind::Phase, describe(AtemPhase::Probing));
-        if (passes(now, At::kAgain)) {
+        if (passes(At::kMarker)) tell(now, EventKind::Marker, "operator", "look here");
+        if (passes(At::kApproved)) tell(now, EventKind::Decision, "approve", "probe at 0.6 m");
+        if (passes(At::kProbing)) tell(now, EventKind::Phase, describe(AtemPhase::Probing));
+        if (passes(At::kAgain)) {
             EstimateRow again = someEstimate(2, sessionTimeOf(now));
             again.scene = 1;
             (void)writer->add(again);
         }
-        if (passes(now, At::kPresenting))
-            tell(now, EventKind::Phase, describe(AtemPhase::Presenting));
-        if (passes(now, At::kForgotten)) tell(now, EventKind::Forgotten, "", "The robot has moved");
+        if (passes(At::kPresenting)) tell(now, EventKind::Phase, describe(AtemPhase::Presenting));
+        if (passes(At::kForgotten)) tell(now, EventKind::Forgotten, "", "The robot has moved");
         if (!silent || !silent(now)) {
             for (const CanFrame& frame : robot.tick(now))
                 (void)writer->add(FrameRow{.time = sessionTimeOf(now), .frame = frame});
