@@ -47,7 +47,10 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
             [this](int job, const TerrainEstimate& estimate, double seconds,
                    const ProbeAdvice& advice) {
                 if (job == liveJob_) takeLive(estimate);
-                if (job == secondJob_) second_ = estimate;
+                if (job == secondJob_) {
+                    second_ = estimate;
+                    emit stands(true);
+                }
                 if (job != job_) return;
                 live_.reset();
                 estimate_ = estimate;
@@ -61,6 +64,8 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                     proposal_->id = ++lastProposal_;
                     proposedOn_ = grounds();
                 }
+                emit stands(false);
+                if (proposal_) emit proposed();
                 startSecond();
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
                 for (const std::string& warning : estimate.warnings)
@@ -97,18 +102,21 @@ QString Exploration::whyMoved() const
 void Exploration::request()
 {
     if (following()) return;
+    emit decided("explore", {});
     pending_.requested = true;
     driving_ = false;  // the halt comes from the exploration
 }
 
 void Exploration::abort()
 {
+    emit decided("abort", {});
     pending_.aborted = true;
 }
 
 void Exploration::approve(quint64 proposal)
 {
     if (!proposal_ || proposal_->id != proposal) return;
+    emit decided("approve", words::binName(proposal_->bin));
     pending_.approved = true;
     pending_.approvedFor = proposedOn_;
     approvedAt_ = now_;
@@ -116,7 +124,9 @@ void Exploration::approve(quint64 proposal)
 
 void Exploration::refuse(quint64 proposal)
 {
-    if (proposal_ && proposal_->id == proposal) pending_.refused = true;
+    if (!proposal_ || proposal_->id != proposal) return;
+    emit decided("refuse", words::binName(proposal_->bin));
+    pending_.refused = true;
 }
 
 void Exploration::choose(quint64 proposal, int bin)
@@ -126,9 +136,11 @@ void Exploration::choose(quint64 proposal, int bin)
         || std::none_of(ranked.begin(), ranked.end(),
                         [bin](const ProbeGain& gain) { return gain.bin == bin; }))
         return;
+    emit decided("choose", words::binName(bin));
     proposal_ = proposalFor(bin);
     proposal_->id = ++lastProposal_;
     proposedOn_ = grounds();
+    emit proposed();
     emit happened(tr("probe asked for at %1 instead").arg(words::binName(bin)), Weight::Note);
 }
 
@@ -162,6 +174,8 @@ ProbeProposal Exploration::proposalFor(int bin) const
 
 void Exploration::setStepLimit(double metres)
 {
+    if (metres == options_.stepLimit) return;
+    emit decided("limit", words::number(metres, 2));
     options_.stepLimit = metres;
 }
 
@@ -183,12 +197,14 @@ void Exploration::drive(int direction)
 {
     if (!whyNotDriving().isEmpty()) return;
     driving_ = true;
+    emit decided("drive", direction > 0 ? QStringLiteral("forward") : QStringLiteral("back"));
     command(DriveCommand{.speed = direction * options_.driveSpeed});
 }
 
 void Exploration::halt()
 {
     if (!std::exchange(driving_, false)) return;
+    emit decided("halt", {});
     command(HaltCommand{});
 }
 
@@ -198,6 +214,7 @@ void Exploration::stop()
         emit happened(tr("STOP not sent: %1").arg(whyFollowing_), Weight::Bad);
         return;  // nothing is stopped, so nothing must look so
     }
+    emit decided("stop", {});
     command(StopCommand{});
     stopSent_ = now_;
     pending_.stop = true;
@@ -208,6 +225,7 @@ void Exploration::stop()
 void Exploration::releaseStop()
 {
     if (state_.phase != AtemPhase::Stopped || following()) return;
+    emit decided("release stop", {});
     releasing_ = true;
     releaseBegan_ = stopSent_ = now_;
     command(ReleaseStopCommand{});
@@ -219,6 +237,7 @@ void Exploration::setSettings(const Settings& settings)
     const std::uint64_t seed = options_.settings.seed;
     options_.settings = settings;
     options_.settings.seed = seed;
+    emit decided("settings", words::text(name(settings.method)));
     emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
                       .arg(words::text(name(settings.method)))
                       .arg(settings.draws)
@@ -543,6 +562,7 @@ void Exploration::capture()
     readings_.clear();
     moved_ = false;
     movedAt_ = 0;
+    emit captured(*scene_);
 }
 
 EstimateRequest Exploration::requestFor(Method method) const
@@ -593,6 +613,7 @@ void Exploration::cancelEstimate()
 
 void Exploration::forget(const QString& why)
 {
+    if (estimate_) emit forgotten(why);
     estimate_.reset();
     second_.reset();
     scene_.reset();
@@ -652,6 +673,7 @@ void Exploration::overrideDoubts()
     const Precondition doubt = planarity();
     if (doubt.level != Precondition::Level::Doubtful) return;
     planarOverridden_ = true;
+    emit decided("override", doubt.text);
     emit happened(tr("overridden by the operator: %1").arg(doubt.text), Weight::Doubt);
 }
 

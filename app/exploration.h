@@ -96,6 +96,14 @@ public:
     /// as often as the estimator keeps up with the telemetry.
     const std::optional<TerrainEstimate>& live() const { return live_; }
     const std::optional<ProbeProposal>& proposal() const { return proposal_; }
+    const std::string& proposedOn() const
+    {
+        return proposedOn_;
+    }  ///< fingerprint of what it rests on
+    const std::vector<ArmReading>& readings() const
+    {
+        return readings_;
+    }  ///< of the arm at this pose
     std::optional<int> probingBin() const;
     double secondsInPhase() const { return now_ - state_.since; }
     QString whyNoEstimate() const
@@ -109,6 +117,12 @@ public:
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
+    // For whoever keeps a record.
+    void captured(const terratact::CapturedScene& scene);
+    void stands(bool second);  ///< an estimate, of the second method or not
+    void proposed();
+    void forgotten(const QString& why);                   ///< the estimate that stood
+    void decided(const char* what, const QString& text);  ///< by the operator
 
 private:
     void command(const Command& command);

@@ -16,6 +16,7 @@
 #include "app/model_trainer.h"
 #include "app/panel_control.h"
 #include "app/preference_store.h"
+#include "app/session_recorder.h"
 #include "core/eval/tradeoff.h"
 
 class QAction;
@@ -27,6 +28,7 @@ class QStackedWidget;
 namespace terratact {
 
 class AlarmsPage;
+class SessionScribe;
 class ArmingControl;
 class AtemPanel;
 class Card;
@@ -63,6 +65,8 @@ public:
         Exploration::Options exploration;
         std::unique_ptr<Sounder> sounder = desktopBeep();
         std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
+        std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
+        QStringList notices{};                         ///< of the start, for the list of events
         std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
     };
     explicit MainWindow(Options options);
@@ -93,6 +97,7 @@ public:
     TrainingPage* training() const { return training_; }
     VerdictStrip* verdict() const { return verdict_; }
     QPushButton* viewButton() const { return view_; }
+    QPushButton* recordingButton() const { return recording_; }
     ConsoleAlarms& alarms() { return *alarms_; }
     const LoopMeter& meter() const { return meter_; }
     void restartMeter();
@@ -113,6 +118,8 @@ private:
     void addPages(const Options& options);
     AlarmSight alarmSight(double now) const;
     void showAlarms(double now);
+    void showRecording();
+    void mark();
     QString linkDetails(const CanView& view) const;
     QList<DiagnosticsSection> diagnostics() const;
     QWidget* terrainPage();
@@ -155,6 +162,8 @@ private:
     std::unique_ptr<Exploration> exploration_;
     std::unique_ptr<PanelControl> panel_;  ///< may be null
     std::unique_ptr<ConsoleAlarms> alarms_;
+    std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
+    std::unique_ptr<SessionScribe> scribe_;      ///< likewise
     LoopMeter meter_;
     double prepared_ = 0.0;   ///< [s] the frame that is to be painted took to prepare
     double newestIn_ = -1.0;  ///< [s] when the telemetry in it came, where that is new
@@ -168,6 +177,7 @@ private:
     NavigationRail* rail_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     QLabel* banner_ = nullptr;
+    QLabel* notRecorded_ = nullptr;
     QLabel* help_ = nullptr;
     VerdictStrip* verdict_ = nullptr;
     NumbersPage* numbers_ = nullptr;
@@ -175,6 +185,7 @@ private:
     QLabel* threshold_ = nullptr;
     TrainingPage* training_ = nullptr;
     QPushButton* view_ = nullptr;
+    QPushButton* recording_ = nullptr;
     QAction* drawsAction_ = nullptr;
     Card* terrainCard_ = nullptr;
     EstimateStrip* strip_ = nullptr;

@@ -475,8 +475,6 @@ void SessionReader::Impl::readEvent(Row& row, std::int64_t id)
     e.estimate = row.idOrNone();
     e.proposal = row.idOrNone();
     e.shown = row.text();
-    require(e.estimate == 0 || byId(estimates, e.estimate), "an event of no estimate");
-    require(e.proposal == 0 || byId(proposals, e.proposal), "an event of no proposal");
     events.push_back(std::move(e));
 }
 

@@ -335,10 +335,9 @@ Status SessionWriter::add(const EventRow& row)
 {
     requireKnown(row.estimate, impl_->lastEstimate, true);
     requireKnown(row.proposal, impl_->lastProposal, true);
-    requireNext(row.id, impl_->lastEvent);
     return attempt(*impl_, [&] {
         impl_->start(row.time);
-        impl_->row(impl_->eventTable, row.id, impl_->batch.id, row.time, name(row.kind),
+        impl_->row(impl_->eventTable, ++impl_->lastEvent, impl_->batch.id, row.time, name(row.kind),
                    row.subject, row.text, row.number, row.estimate, row.proposal, row.shown);
     });
 }
@@ -353,7 +352,8 @@ Status SessionWriter::seal()
     return attempt(*impl_, [&] {
         impl_->commit();
         impl_->broken = true;
-        impl_->file.leaveJournal();
+        if (!impl_->file.leaveJournal())
+            throw SqliteError("is read by somebody, so its journal stays beside it");
     });
 }
 
@@ -389,13 +389,13 @@ void SessionWriter::Impl::goOn()
     lastEvent = file.integer("SELECT coalesce(max(id), 0) FROM event");
 }
 
-Result<bool> recoverSession(const std::string& path)
+Result<SessionRecovery> recoverSession(const std::string& path)
 {
     try {
-        if (!SqliteFile::isJournaled(path)) return false;
+        if (!SqliteFile::isJournaled(path)) return SessionRecovery::NotNeeded;
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);
-        file.leaveJournal();  // refused while somebody else has it open
+        if (!file.leaveJournal()) return SessionRecovery::InUse;
         SqliteFile alone = SqliteFile::reopenLog(path);
         return SessionWriter::finish(path, std::move(alone));
     } catch (const SqliteError& error) {
@@ -403,22 +403,20 @@ Result<bool> recoverSession(const std::string& path)
     }
 }
 
-Result<bool> SessionWriter::finish(const std::string& path, SqliteFile file)
+Result<SessionRecovery> SessionWriter::finish(const std::string& path, SqliteFile file)
 {
     auto impl = std::make_unique<Impl>(path, std::move(file));
     impl->goOn();
     const SessionTime time = impl->batch.last;
-    const std::int64_t id = impl->lastEvent + 1;
     SessionWriter writer(std::move(impl));
     const Status added =
-        writer.add(EventRow{.id = id,
-                            .time = time,
+        writer.add(EventRow{.time = time,
                             .kind = EventKind::Session,
                             .subject = "recovered",
                             .text = "the program that recorded ended without closing the session"});
     const Status sealed = added ? writer.seal() : added;
     if (!sealed) return sealed.error();
-    return true;
+    return SessionRecovery::Recovered;
 }
 
 }  // namespace terratact

@@ -38,7 +38,7 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | *:--safe-mode | "model show:--csv") return 1 ;;
+      *:--summary | *:--transmit | *:--safe-mode | *:--no-record | "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
     *:--model) _terratact_files ttm ;;
     *:--data | *:--classes | *:--csv) _terratact_files csv ;;
@@ -49,6 +49,7 @@ _terratact_value() {
     *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
     *:--replay) _terratact_files log ;;
     *:--screenshot) _terratact_files png ;;
+    *:--sessions) compopt -o dirnames 2>/dev/null ;;
     *:--can | *:--interface) _terratact_buses ;;
     *:--method) _terratact_words "$methods" ;;
     *:--methods) _terratact_list "$methods" ;;
@@ -76,7 +77,7 @@ _terratact_options() {
     --full --seconds --scan --seed"
   case $1 in
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --speed --panel --seed \
-      --screenshot --size --theme --layout --font-scale --language --safe-mode ;;
+      --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;

@@ -792,6 +792,10 @@ Poslední deaktivace: %1</translation>
         <source>Force sensors not usable: %1</source>
         <translation>Silové snímače nepoužitelné: %1</translation>
     </message>
+    <message>
+        <source>Not recorded: %1</source>
+        <translation>Nezaznamenává se: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DiagnosticsPage</name>
@@ -1700,6 +1704,56 @@ Poslední deaktivace: %1</translation>
         <source>- - %1 N</source>
         <translation>- - %1 N</translation>
     </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ BEZ
+ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ bez
+záznamu</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+značka K</translation>
+    </message>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NEZAZNAMENÁVÁ SE: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Zaznamenává se: %1
+%2 rámců, %3 MB; pro %4 rámců nebylo místo
+Kliknutí označí tento okamžik (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Nic se nezaznamenává</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nezaznamenává se</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Zaznamenává se; označit tento okamžik</translation>
+    </message>
+    <message>
+        <source>marked in the recording</source>
+        <translation>označeno v záznamu</translation>
+    </message>
+    <message>
+        <source>mark this moment in the recording</source>
+        <translation>označit tento okamžik v záznamu</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2273,6 +2327,46 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Off: alarms are only seen</source>
         <translation>Vypnuto: alarmy jsou jen vidět</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Záznam</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nikdy</translation>
+    </message>
+    <message>
+        <source>Everything is recorded</source>
+        <translation>Vše se zaznamenává</translation>
+    </message>
+    <message>
+        <source>Frames, scenes, estimates, what was shown and decided, in one file per session</source>
+        <translation>Rámce, scény, odhady, co bylo zobrazeno a rozhodnuto, v jednom souboru na relaci</translation>
+    </message>
+    <message>
+        <source>Delete a session after</source>
+        <translation>Smazat relaci po</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>dnech</translation>
+    </message>
+    <message>
+        <source>At the next start; never: nothing is deleted</source>
+        <translation>Při příštím startu; nikdy: nic se nemaže</translation>
+    </message>
+    <message>
+        <source>Delete the oldest beyond</source>
+        <translation>Nejstarší smazat nad</translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation>GB</translation>
+    </message>
+    <message>
+        <source>Of all sessions together, at the next start</source>
+        <translation>Všech relací dohromady, při příštím startu</translation>
     </message>
 </context>
 <context>

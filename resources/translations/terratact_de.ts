@@ -792,6 +792,10 @@ Zuletzt gesperrt: %1</translation>
         <source>Force sensors not usable: %1</source>
         <translation>Kraftsensoren unbrauchbar: %1</translation>
     </message>
+    <message>
+        <source>Not recorded: %1</source>
+        <translation>Nicht aufgezeichnet: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DiagnosticsPage</name>
@@ -1700,6 +1704,56 @@ Zuletzt gesperrt: %1</translation>
         <source>- - %1 N</source>
         <translation>- - %1 N</translation>
     </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ OHNE
+AUFZEICHN.</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ ohne
+Aufzeichn.</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+Marke K</translation>
+    </message>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NICHT AUFGEZEICHNET: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Aufgezeichnet: %1
+%2 Rahmen, %3 MB; für %4 Rahmen war kein Platz
+Ein Klick markiert diesen Augenblick (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Es wird nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Aufzeichnung läuft; diesen Augenblick markieren</translation>
+    </message>
+    <message>
+        <source>marked in the recording</source>
+        <translation>in der Aufzeichnung markiert</translation>
+    </message>
+    <message>
+        <source>mark this moment in the recording</source>
+        <translation>diesen Augenblick in der Aufzeichnung markieren</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2273,6 +2327,46 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Off: alarms are only seen</source>
         <translation>Aus: Alarme sind nur zu sehen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>Everything is recorded</source>
+        <translation>Alles wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Frames, scenes, estimates, what was shown and decided, in one file per session</source>
+        <translation>Rahmen, Szenen, Schätzungen, was gezeigt und entschieden wurde, in einer Datei je Sitzung</translation>
+    </message>
+    <message>
+        <source>Delete a session after</source>
+        <translation>Eine Sitzung löschen nach</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tagen</translation>
+    </message>
+    <message>
+        <source>At the next start; never: nothing is deleted</source>
+        <translation>Beim nächsten Start; nie: nichts wird gelöscht</translation>
+    </message>
+    <message>
+        <source>Delete the oldest beyond</source>
+        <translation>Die ältesten löschen über</translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation>GB</translation>
+    </message>
+    <message>
+        <source>Of all sessions together, at the next start</source>
+        <translation>Aller Sitzungen zusammen, beim nächsten Start</translation>
     </message>
 </context>
 <context>
