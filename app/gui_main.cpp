@@ -113,8 +113,7 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_flag("--safe-mode", arguments.safeMode,
                  "Start with the defaults: preferences are neither read nor saved");
     app.add_option("--sessions", arguments.sessions,
-                   "Folder of the recorded sessions (default: terratact/sessions in the user's "
-                   "XDG state folder)");
+                   "Folder of the recorded sessions (else one in the user's XDG state folder)");
     app.add_flag("--no-record", arguments.noRecord, "Record nothing, whatever the preferences say");
     app.add_option("--size", arguments.size, "Size of the window (default: as it was left)")
         ->check([](const std::string& text) {

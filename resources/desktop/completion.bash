@@ -49,7 +49,7 @@ _terratact_value() {
     *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
     *:--replay) _terratact_files log ;;
     *:--screenshot) _terratact_files png ;;
-    *:--sessions) compopt -o dirnames 2>/dev/null ;;
+    *:--sessions) _terratact_files ;;
     *:--can | *:--interface) _terratact_buses ;;
     *:--method) _terratact_words "$methods" ;;
     *:--methods) _terratact_list "$methods" ;;
