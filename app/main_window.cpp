@@ -27,11 +27,9 @@
 #include "app/signals_page.h"
 #include "app/training_page.h"
 #include "app/view_menu.h"
-#include "core/terrain/body_ceiling.h"
 #include "widgets/alarm_table.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
-#include "widgets/card.h"
 #include "widgets/drive_pad.h"
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
@@ -103,15 +101,6 @@ QString modelOf(const Preferences& preferences)
     return preferences.model.isEmpty() ? shippedModel() : preferences.model;
 }
 
-// What the probe's card says where nobody asks this operator.
-QString followedProbe(const AtemState& state)
-{
-    if (state.phase == AtemPhase::Probing) return MainWindow::tr("Following: the arm is probing.");
-    if (state.probed)
-        return MainWindow::tr("The arm has measured; its height is part of the estimate.");
-    return MainWindow::tr("Following: probes are approved where the robot is commanded.");
-}
-
 }  // namespace
 
 MainWindow::MainWindow(Options options)
@@ -133,16 +122,16 @@ MainWindow::MainWindow(Options options)
     build(options);
     connectAll();
     if (recorder_) {
-        scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events_);
+        scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
         recorder_->setOn(preferences_->current().record);
     }
     for (const QString& notice : options.notices)
-        events_->add(notice, Weight::Doubt, QTime::currentTime());
+        events()->add(notice, Weight::Doubt, QTime::currentTime());
     offerQualities();
     offerViews();
     defineKeys();
     for (const QString& trouble : preferences_->troubles())
-        events_->add(trouble, Weight::Doubt, QTime::currentTime());
+        events()->add(trouble, Weight::Doubt, QTime::currentTime());
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
@@ -175,7 +164,10 @@ void MainWindow::build(const Options& options)
 
     rail_ = new NavigationRail(this);
     pages_ = new QStackedWidget(this);
-    pages_->addWidget(terrainPage());
+    terrainPage_ = new TerrainPage(robot_, this);
+    verdict()->setLimit(exploration_->options().stepLimit);
+    terrainPage_->addTerrainTool(header_->qualityButton());  // the header has no room
+    pages_->addWidget(terrainPage_);
     rail_->addPage(tr("Terrain"), Qt::Key_F2,
                    tr("The terrain under the robot, exploring it, and the arm"));
     numbers_ = new NumbersPage(*exploration_, this);
@@ -233,84 +225,6 @@ void MainWindow::addPages(const Options& options)
             tr("Versions, permissions and how fast the console is"));
 }
 
-QWidget* MainWindow::terrainPage()
-{
-    auto* page = new QWidget(this);
-    auto* terrainCard = terrainCard_ = new Card(tr("Terrain"), page);
-    verdict_ = new VerdictStrip(page);
-    verdict_->setLimit(exploration_->options().stepLimit);
-    view_ = new QPushButton(tr("view"), terrainCard);
-    view_->setFocusPolicy(Qt::TabFocus);
-    view_->setToolTip(tr("What else is drawn: draws, a second method"));
-    view_->setAccessibleName(tr("View of the terrain"));
-    strip_ = new EstimateStrip(terrainCard);
-    terrain_ = new TerrainProfileView(terrainCard);
-    terrainCard->note()->hide();
-    terrainCard->titleRow()->addWidget(strip_, 1);
-    terrainCard->titleRow()->addWidget(view_);
-    terrainCard->titleRow()->addWidget(header_->qualityButton());  // the header has no room
-    terrainCard->body()->addWidget(strip_->warnings());
-    terrainCard->body()->addWidget(terrain_, 1);
-
-    atem_ = new AtemPanel(page);
-    probe_ = new ProbeCard(page);
-
-    auto* forceCard = new Card(tr("Front forces"), page);
-    forces_ = new ForceBars(forceCard);
-    forceLegend_ = new QLabel(forceCard);
-    setTone(*forceLegend_, Tone::Muted);
-    forceUnit_ = new QPushButton(tr("N / V"), forceCard);
-    forceUnit_->setCheckable(true);
-    forceUnit_->setFocusPolicy(Qt::TabFocus);
-    forceUnit_->setAccessibleName(tr("Raw voltages of the force elements"));
-    forceUnit_->setToolTip(tr("Raw voltages instead of calibrated forces"));
-    connect(forceUnit_, &QPushButton::toggled, this, [this](bool raw) {
-        forces_->setUnit(raw ? ForceBars::Unit::Volts : ForceBars::Unit::Newtons);
-        showThreshold();
-    });
-    forceCard->titleRow()->insertWidget(1, forceLegend_);
-    forceCard->titleRow()->addWidget(forceUnit_);
-    threshold_ = forceCard->note();
-    showThreshold();
-    forceCard->body()->addWidget(forces_, 1);
-
-    auto* robotCard = new Card(tr("Robot"), page);
-    robotAge_ = robotCard->note();
-    robotAge_->setAccessibleName(tr("Age of the telemetry"));
-    readout_ = new RobotReadout(robotCard);
-    drive_ = new DrivePad(robotCard);
-    robotCard->body()->addWidget(readout_, 1);
-    robotCard->body()->addWidget(drive_);
-
-    auto* eventCard = new Card(tr("Last minutes"), page);
-    events_ = new EventList(eventCard);
-    eventCard->body()->addWidget(events_, 1);
-
-    auto* decide = new QVBoxLayout;
-    decide->setSpacing(10);
-    decide->addWidget(atem_);
-    decide->addWidget(probe_, 1);
-    auto* upper = new QHBoxLayout;
-    upper->setSpacing(10);
-    auto* ground = ground_ = new QVBoxLayout;
-    ground->setSpacing(10);
-    ground->addWidget(verdict_);
-    ground->addWidget(terrainCard, 1);
-    upper->addLayout(ground, 1);
-    upper->addLayout(decide);
-    lower_ = new QHBoxLayout;
-    lower_->setSpacing(10);
-    for (QWidget* card : std::initializer_list<QWidget*>{forceCard, robotCard, eventCard})
-        lower_->addWidget(card);
-
-    rows_ = new QVBoxLayout(page);
-    rows_->setContentsMargins(12, 10, 12, 10);
-    rows_->setSpacing(10);
-    rows_->addLayout(upper);
-    rows_->addLayout(lower_);
-    return page;
-}
-
 void MainWindow::addTraining(const Options& options)
 {
     training_ = new TrainingPage(*exploration_,
@@ -353,10 +267,10 @@ void MainWindow::preferModelInUse()
 
 void MainWindow::offerViews()
 {
-    auto* menu = new QMenu(view_);
+    auto* menu = new QMenu(viewButton());
     drawsAction_ = menu->addAction(tr("Some of the draws as thin lines (D)"));
     drawsAction_->setCheckable(true);
-    connect(drawsAction_, &QAction::toggled, terrain_, &TerrainProfileView::setDrawsShown);
+    connect(drawsAction_, &QAction::toggled, terrain(), &TerrainProfileView::setDrawsShown);
     menu->addSection(tr("A second method beside it"));
     auto* group = new QActionGroup(menu);
     const auto offer = [&](const QString& text, std::optional<Method> method) {
@@ -370,41 +284,15 @@ void MainWindow::offerViews()
     offer(tr("none"), std::nullopt);
     for (const Method method : kMethods)
         if (method != Method::Pafac) offer(words::text(name(method)), method);
-    view_->setMenu(menu);
+    viewButton()->setMenu(menu);
 }
 
 void MainWindow::arrange()
 {
+    const Preferences& preferences = preferences_->current();
     setMinimumSize(1200, 680);
-    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
-        card->setFixedWidth(scaled(404));
-    // Large letters leave no room for the result beside the card's title.
-    QBoxLayout *beside = terrainCard_->titleRow(), *below = terrainCard_->body();
-    const bool large = preferences_->current().fontScale > 100;
-    for (QBoxLayout* row : {beside, below}) row->removeWidget(strip_);
-    (large ? below : beside)->insertWidget(large ? 1 : 2, strip_, large ? 0 : 1);
-    beside->setStretch(0, large ? 1 : 0);
-    // Nor for the verdict above the terrain alone: it then stands above the whole page.
-    for (QBoxLayout* column : {ground_, rows_}) column->removeWidget(verdict_);
-    (large ? rows_ : ground_)->insertWidget(0, verdict_);
-
-    struct Shares {
-        int upper, lower, forces, robot, events;
-    };
-    const Layout layout = preferences_->current().layout;
-    const Shares shares = layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
-                        : layout == Layout::Review ? Shares{13, 9, 9, 8, 16}
-                                                   : Shares{17, 6, 10, 9, 10};
-    rows_->setStretch(rows_->count() - 2, shares.upper + (large ? 4 : 0));
-    rows_->setStretch(rows_->count() - 1, shares.lower);
-    if (large) rows_->setStretch(0, 0);
-    lower_->setStretch(0, shares.forces);
-    lower_->setStretch(1, shares.robot);
-    lower_->setStretch(2, shares.events);
-    lower_->itemAt(2)->widget()->setVisible(shares.events > 0);
-    drive_->setProminent(layout == Layout::Drive);
-    drive_->setVisible(layout != Layout::Review);
-    showThreshold();
+    terrainPage_->setThreshold(exploration_->options().settings.forceThreshold);
+    terrainPage_->arrange(preferences.layout, preferences.fontScale);
 }
 
 void MainWindow::applyPreferences(const Preferences& before)
@@ -429,23 +317,9 @@ void MainWindow::applyPreferences(const Preferences& before)
     if (recorder_ && now.record != before.record) recorder_->setOn(now.record);
     if (now.obstacleLimit != before.obstacleLimit) {
         exploration_->setStepLimit(now.obstacleLimit);
-        verdict_->setLimit(now.obstacleLimit);
+        verdict()->setLimit(now.obstacleLimit);
     }
     arrange();
-}
-
-void MainWindow::showThreshold()
-{
-    const double threshold = exploration_->options().settings.forceThreshold;
-    forces_->setThreshold(threshold);
-    const bool raw = forces_->unit() == ForceBars::Unit::Volts;
-    const QString value = words::number(threshold, 1);
-    const bool large = preferences_->current().fontScale > 100;  // no room for a word
-    if (large)
-        threshold_->setText(raw ? QString() : tr("- - %1 N").arg(value));
-    else
-        threshold_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
-    setTone(*threshold_, raw ? Tone::Muted : Tone::Bad);
 }
 
 void MainWindow::showCards()
@@ -492,8 +366,9 @@ void MainWindow::connectAll()
         });
     });
     connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
-    connect(preferences_.get(), &PreferenceStore::notSaved, this,
-            [this](const QString& why) { events_->add(why, Weight::Doubt, QTime::currentTime()); });
+    connect(preferences_.get(), &PreferenceStore::notSaved, this, [this](const QString& why) {
+        events()->add(why, Weight::Doubt, QTime::currentTime());
+    });
     connect(header_, &StatusHeader::stopPressed, exploration, &Exploration::stop);
     if (link_) {
         connect(header_->arming(), &ArmingControl::armingWanted, this,
@@ -502,24 +377,24 @@ void MainWindow::connectAll()
                 [this] { link_->confirmArming(); });
         connect(header_->arming(), &ArmingControl::disarmed, this, [this] { link_->disarm(); });
     }
-    connect(atem_, &AtemPanel::requested, exploration, &Exploration::request);
-    connect(atem_, &AtemPanel::aborted, exploration, &Exploration::abort);
-    connect(atem_, &AtemPanel::overrideWanted, exploration, &Exploration::overrideDoubts);
-    connect(atem_, &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
-    connect(strip_, &EstimateStrip::cancelled, exploration, &Exploration::abort);
-    connect(probe_, &ProbeCard::approved, exploration, &Exploration::approve);
-    connect(probe_, &ProbeCard::refused, exploration, &Exploration::refuse);
-    connect(probe_, &ProbeCard::otherChosen, exploration, &Exploration::choose);
-    connect(verdict_, &VerdictStrip::limitChosen, this, [this](double metres) {
+    connect(atemPanel(), &AtemPanel::requested, exploration, &Exploration::request);
+    connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
+    connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideDoubts);
+    connect(atemPanel(), &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
+    connect(strip(), &EstimateStrip::cancelled, exploration, &Exploration::abort);
+    connect(probeCard(), &ProbeCard::approved, exploration, &Exploration::approve);
+    connect(probeCard(), &ProbeCard::refused, exploration, &Exploration::refuse);
+    connect(probeCard(), &ProbeCard::otherChosen, exploration, &Exploration::choose);
+    connect(verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
         preferences_->change([metres](Preferences& p) { p.obstacleLimit = metres; });
     });
-    connect(drive_, &DrivePad::driveRequested, exploration, &Exploration::drive);
-    connect(drive_, &DrivePad::haltRequested, exploration, &Exploration::halt);
+    connect(drivePad(), &DrivePad::driveRequested, exploration, &Exploration::drive);
+    connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
     const auto note = [this](const QString& text, Weight weight) {
-        events_->add(text, weight, QTime::currentTime());
+        events()->add(text, weight, QTime::currentTime());
     };
-    connect(exploration, &Exploration::happened, events_, note);
-    if (panel_) connect(panel_.get(), &PanelControl::happened, events_, note);
+    connect(exploration, &Exploration::happened, events(), note);
+    if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
             [this](const QString& name, const QString& details) {
@@ -555,19 +430,9 @@ void MainWindow::redraw(double now)
     showAlarms(now);
     showRecording();
     showArming(now);
-    showTerrain(latest_);
-    showVerdict();
-    showProbe();
-    // A preview takes a telemetry's time: its progress would only flicker.
-    strip_->setProgress(exploration_->estimating() ? worker_->progress() : std::nullopt);
+    showTerrain(now);
     header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
     header_->setOverridden(exploration_->overridden());
-    atem_->setState(exploration_->state(), exploration_->timeLeft());
-    QList<Precondition> preconditions = exploration_->preconditions();
-    if (panel_) preconditions << panel_->precondition(now);
-    atem_->setPreconditions(preconditions);
-    const QString whyNot = exploration_->whyNotDriving();
-    drive_->setBlocked(whyNot.isEmpty() ? panelForbids(now) : whyNot);
     if (settings_->isVisible()) showCards();
     if (auto* page = qobject_cast<Page*>(pages_->currentWidget())) page->refresh(now);
 
@@ -661,7 +526,7 @@ void MainWindow::mark()
 {
     if (!scribe_ || !recorder_->state().recording) return;
     scribe_->mark({});
-    events_->add(tr("marked in the recording"), Weight::Note, QTime::currentTime());
+    events()->add(tr("marked in the recording"), Weight::Note, QTime::currentTime());
 }
 
 QString MainWindow::linkDetails(const CanView& view) const
@@ -703,7 +568,7 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
 
 void MainWindow::tickPanel(double now)
 {
-    if (panel_) panel_->tick(now, atem_->requestButton()->isEnabled());
+    if (panel_) panel_->tick(now, atemPanel()->requestButton()->isEnabled());
 }
 
 QString MainWindow::panelForbids(double now) const
@@ -716,8 +581,8 @@ QString MainWindow::panelForbids(double now) const
 void MainWindow::releaseStop()
 {
     if (panel_ && panel_->stopPressed()) {
-        events_->add(tr("STOP is pressed on the panel: release it there first"), Weight::Bad,
-                     QTime::currentTime());
+        events()->add(tr("STOP is pressed on the panel: release it there first"), Weight::Bad,
+                      QTime::currentTime());
         return;
     }
     exploration_->releaseStop();
@@ -759,38 +624,28 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
                                       ? QString()
                                       : QStringLiteral(": ") + QString::fromStdString(trouble)));
     if (latest && alive != linkWasAlive_)
-        events_->add(alive   ? tr("link is up")
-                     : ended ? tr("end of the log")
-                             : tr("link lost"),
-                     alive || ended ? Weight::Note : Weight::Bad, QTime::currentTime());
+        events()->add(alive   ? tr("link is up")
+                      : ended ? tr("end of the log")
+                              : tr("link lost"),
+                      alive || ended ? Weight::Note : Weight::Bad, QTime::currentTime());
     linkWasAlive_ = alive;
 
-    if (!latest) {
-        readout_->clearMeasurement();
-        robotAge_->clear();
-        header_->setRobot(tr("robot: --"), Tone::Plain);
-        return;
-    }
+    if (!latest) return header_->setRobot(tr("robot: --"), Tone::Plain);
     const Measurement& m = latest->sample.measurement;
-    const bool fresh = age <= kStaleAfter;
-    readout_->setMeasurement(m, age);
-    robotAge_->setText(ended ? tr("the log has ended") : tr("%1 old").arg(words::age(age)));
-    setTone(*robotAge_, fresh || ended ? Tone::Muted : Tone::Bad);
-    if (fresh) {
-        if (latest->count != shownCount_) showForces(now, m);
+    if (age <= kStaleAfter)
         header_->setRobot(glance(m.activity), toneOf(m.activity));
-    } else {
-        forces_->clearForces();
+    else
         header_->setRobot(tr("robot: --"), Tone::Doubt);
-    }
 }
 
-void MainWindow::showForces(double now, const Measurement& measurement)
+const std::vector<ForceArray>& MainWindow::forceArrays()
 {
+    if (latest_->count == forcesCount_) return forceArraysShown_;
+    forcesCount_ = latest_->count;
     const auto line = link_ ? link_->view().line : std::nullopt;
     const double threshold = exploration_->options().settings.forceThreshold;
-    forces_->setForces(forceArrays_.of(measurement, line, threshold), now);
-    forceLegend_->setText(forces_->legend());
+    forceArraysShown_ = forceArrays_.of(latest_->sample.measurement, line, threshold);
+    return forceArraysShown_;
 }
 
 void MainWindow::showArming(double now)
@@ -803,105 +658,48 @@ void MainWindow::showArming(double now)
     header_->arming()->setState(state, whyNot.isEmpty() ? panelForbids(now) : whyNot);
     if (state.phase == armingWas_) return;
     if (state.phase == ArmingPhase::Armed)
-        events_->add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
+        events()->add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
     if (state.phase == ArmingPhase::Disarmed)
-        events_->add(tr("not armed: %1").arg(words::sentence(describe(state.cause))),
-                     state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
-                     QTime::currentTime());
+        events()->add(tr("not armed: %1").arg(words::sentence(describe(state.cause))),
+                      state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
+                      QTime::currentTime());
     armingWas_ = state.phase;
 }
 
-void MainWindow::showTerrain(const std::optional<Received>& latest)
+void MainWindow::showTerrain(double now)
 {
-    const auto& scene = exploration_->scene();
-    const auto& estimate = exploration_->estimate();
-    const auto& live = exploration_->live();
-    if (live) {
-        if (shownLive_ != live) {
-            terrain_->setEstimate(*live, tr("The flippers still move: nothing ahead is felt yet"));
-            strip_->setLive(tr("LIVE preview"));
-            shownReason_.clear();
-        }
-        shown_.reset();
-    } else if (estimate) {
-        if (shown_ != estimate) {
-            terrain_->setEstimate(*estimate);
-            strip_->setEstimate(*estimate, exploration_->estimateSeconds());
-            shown_ = estimate;
-        }
-    } else if (shown_ || shownLive_ || shownReason_ != exploration_->whyNoEstimate()) {
-        shown_.reset();
-        shownReason_ = exploration_->whyNoEstimate();
-        terrain_->clearEstimate(shownReason_);
-        strip_->setNothing(QString());
+    const auto pointer = [](const auto& value) { return value ? &*value : nullptr; };
+    TerrainSight sight{.now = now, .ended = exploration_->ended()};
+    if (latest_) {
+        sight.measurement = &latest_->sample.measurement;
+        sight.age = now - secondsOf(latest_->arrived);
+        sight.count = latest_->count;
+        sight.forces = &forceArrays();
+        sight.truth = &latest_->sample.truth;
     }
-    const auto& second = exploration_->second();
-    if (shownSecond_ != second) {
-        shownSecond_ = second;
-        terrain_->setSecond(second,
-                            second ? words::text(name(second->settings.method)) : QString());
+    if (const auto& scene = exploration_->scene()) {
+        sight.scene = &scene->measurement;
+        sight.sceneTruth = &scene->truth;
     }
-    shownLive_ = live;
-    shownEstimate_ = estimate.has_value() && !live;
-    if (estimate) shownReason_.clear();
-
-    if (latest && (latest->count != shownCount_)) {
-        // An estimate belongs to the scene it rests on, so both are drawn in that pose.
-        const Measurement& m = scene ? scene->measurement : latest->sample.measurement;
-        const Proprioception s = proprioception(m);
-        terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
-        terrain_->setTruth(scene ? scene->truth : latest->sample.truth);
-        shownCount_ = latest->count;
-    }
-}
-
-void MainWindow::showVerdict()
-{
-    const auto verdict = exploration_->verdict();
-    if (!verdict)
-        return verdict_->setNothing(exploration_->live() ? tr("The flippers still move")
-                                                         : exploration_->whyNoEstimate());
-    QString probe;
-    const auto& proposal = exploration_->proposal();
-    if (proposal && proposal->worth)
-        probe = tr("probe at %1: %2 → %3 bit")
-                    .arg(words::binName(proposal->bin), words::number(proposal->bitsBefore, 2),
-                         words::number(proposal->worth->bitsAfter, 2));
-    verdict_->setVerdict(*verdict, probe);
-}
-
-void MainWindow::showProbe()
-{
-    const auto& proposal = exploration_->proposal();
-    const AtemState& state = exploration_->state();
-    const bool asking = proposal && state.phase == AtemPhase::ProposingProbe;
-    // What asks or moves is shown in every layout.
-    probe_->setVisible(preferences_->current().layout == Layout::Probe || asking
-                       || exploration_->probingBin());
-    // In large letters the question needs the room; the robot stands still while it is asked.
-    readout_->setVisible(!asking || preferences_->current().fontScale <= 120);
-    terrain_->setProposedProbe(asking ? std::optional(proposal->bin) : exploration_->probingBin());
-    if (asking) {
-        probe_->setProposal(*proposal);
-        probe_->setTimeLeft(exploration_->timeLeft().value_or(0.0));
-    } else if (const auto bin = exploration_->probingBin()) {
-        probe_->setProbing(*bin, exploration_->secondsInPhase(),
-                           exploration_->options().probeSeconds);
-    } else {
-        QString why = tr("No probe is proposed. After an exploration the arm is offered where the "
-                         "terrain stays uncertain.");
-        if (state.followed)
-            why = followedProbe(state);
-        else if (state.phase == AtemPhase::Presenting) {
-            if (state.probed)
-                why = tr("The arm has measured; its height is part of the estimate.");
-            else if (state.approvalExpired)
-                why = tr("The proposal was not answered in time, which means no.");
-            else if (exploration_->estimate() && !proposal)
-                why = tr("No probe: the estimate stands without the arm.");
-        }
-        probe_->setNothing(why);
-    }
+    sight.estimate = pointer(exploration_->estimate());
+    sight.estimateSeconds = exploration_->estimateSeconds();
+    sight.second = pointer(exploration_->second());
+    sight.live = pointer(exploration_->live());
+    sight.whyNoEstimate = exploration_->whyNoEstimate();
+    sight.verdict = exploration_->verdict();
+    sight.state = exploration_->state();
+    sight.timeLeft = exploration_->timeLeft();
+    sight.secondsInPhase = exploration_->secondsInPhase();
+    sight.proposal = pointer(exploration_->proposal());
+    sight.probingBin = exploration_->probingBin();
+    sight.probeSeconds = exploration_->options().probeSeconds;
+    // A preview takes a telemetry's time: its progress would only flicker.
+    if (exploration_->estimating()) sight.progress = worker_->progress();
+    sight.preconditions = exploration_->preconditions();
+    if (panel_) sight.preconditions << panel_->precondition(now);
+    sight.whyNotDriving = exploration_->whyNotDriving();
+    if (sight.whyNotDriving.isEmpty()) sight.whyNotDriving = panelForbids(now);
+    terrainPage_->setSight(sight);
 }
 
 void MainWindow::showHelp()
@@ -937,9 +735,9 @@ void MainWindow::defineKeys()
                .meaning = tr("STOP, in every window"),
                .pressed = [this] { exploration_->stop(); },
                .everywhere = true});
-    held({Qt::Key_R}, tr("release STOP"), atem_->releaseButton());
-    held({Qt::Key_W, Qt::Key_Up}, tr("drive forward"), drive_->forwardButton());
-    held({Qt::Key_S, Qt::Key_Down}, tr("drive back"), drive_->backButton());
+    held({Qt::Key_R}, tr("release STOP"), atemPanel()->releaseButton());
+    held({Qt::Key_W, Qt::Key_Up}, tr("drive forward"), drivePad()->forwardButton());
+    held({Qt::Key_S, Qt::Key_Down}, tr("drive back"), drivePad()->backButton());
     if (link_)
         keys_.add({{Qt::Key_M},
                    tr("arm the robot: press, then hold; again disarms it"),
@@ -958,31 +756,31 @@ void MainWindow::defineKeys()
 
     keys_.addGroup(tr("Exploration"));
     keys_.add({{Qt::Key_A}, tr("explore the terrain"), [this] {
-                   if (atem_->requestButton()->isEnabled()) exploration_->request();
+                   if (atemPanel()->requestButton()->isEnabled()) exploration_->request();
                }});
     keys_.add({{Qt::Key_O}, tr("override what is doubtful about exploring"), [this] {
-                   if (atem_->overrideButton()->isVisible()) exploration_->overrideDoubts();
+                   if (atemPanel()->overrideButton()->isVisible()) exploration_->overrideDoubts();
                }});
     held({Qt::Key_Space}, tr("approve the proposed probe, or press the button that has the focus"),
-         probe_->approveButton());
+         probeCard()->approveButton());
     keys_.add({{Qt::Key_N}, tr("refuse it"), [this] {
-                   if (probe_->asks()) probe_->refuseButton()->click();
+                   if (probeCard()->asks()) probeCard()->refuseButton()->click();
                }});
     for (const std::size_t other : {0U, 1U, 2U})
         keys_.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
                    tr("ask for another bin instead: the %1. offered").arg(other + 1),
                    [this, other] {
-                       if (probe_->asks()) probe_->otherButton(other)->click();
+                       if (probeCard()->asks()) probeCard()->otherButton(other)->click();
                    }});
     keys_.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), [this] {
-                   verdict_->raiseButton()->click();
+                   verdict()->raiseButton()->click();
                }});
-    keys_.add({{Qt::Key_PageDown}, tr("lower it"), [this] { verdict_->lowerButton()->click(); }});
+    keys_.add({{Qt::Key_PageDown}, tr("lower it"), [this] { verdict()->lowerButton()->click(); }});
     keys_.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
                    drawsAction_->toggle();
                }});
     keys_.add({{Qt::Key_Escape}, tr("abort the exploration, or clear its result"), [this] {
-                   if (atem_->abortButton()->isEnabled()) exploration_->abort();
+                   if (atemPanel()->abortButton()->isEnabled()) exploration_->abort();
                }});
 
     keys_.addGroup(tr("View"));

@@ -17,10 +17,10 @@
 #include "app/panel_control.h"
 #include "app/preference_store.h"
 #include "app/session_recorder.h"
+#include "app/terrain_page.h"
 #include "core/eval/tradeoff.h"
 
 class QAction;
-class QBoxLayout;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -30,23 +30,13 @@ namespace terratact {
 class AlarmsPage;
 class SessionScribe;
 class ArmingControl;
-class AtemPanel;
-class Card;
-class DrivePad;
-class EstimateStrip;
-class EventList;
-class ForceBars;
 class NavigationRail;
 class Page;
-class ProbeCard;
-class RobotReadout;
 class SettingsPage;
 class SignalsPage;
 class StatusHeader;
 class NumbersPage;
 class TrainingPage;
-class TerrainProfileView;
-class VerdictStrip;
 
 /// The operator's console: lays the widgets out, shows them the newest state every 40 ms at most and passes on
 /// what the operator does.  It owns the source and everything that runs.
@@ -75,29 +65,29 @@ public:
     Exploration& exploration() { return *exploration_; }
     const Acquisition& acquisition() const { return *acquisition_; }
     /// True once what was last drawn includes the standing estimate.
-    bool showsEstimate() const { return shownEstimate_; }
+    bool showsEstimate() const { return terrainPage_->showsEstimate(); }
     QString modelTrouble() const { return modelTrouble_; }
 
     PreferenceStore& preferences() { return *preferences_; }
     const KeyTable& keys() const { return keys_; }
     CanSource* link() const { return link_; }
-    AtemPanel* atemPanel() const { return atem_; }
-    DrivePad* drivePad() const { return drive_; }
-    EventList* events() const { return events_; }
-    ForceBars* forces() const { return forces_; }
-    QPushButton* forceUnitButton() const { return forceUnit_; }
-    ProbeCard* probeCard() const { return probe_; }
-    RobotReadout* readout() const { return readout_; }
+    AtemPanel* atemPanel() const { return terrainPage_->atemPanel(); }
+    DrivePad* drivePad() const { return terrainPage_->drivePad(); }
+    EventList* events() const { return terrainPage_->events(); }
+    ForceBars* forces() const { return terrainPage_->forces(); }
+    QPushButton* forceUnitButton() const { return terrainPage_->forceUnitButton(); }
+    ProbeCard* probeCard() const { return terrainPage_->probeCard(); }
+    RobotReadout* readout() const { return terrainPage_->readout(); }
     StatusHeader* header() const { return header_; }
-    TerrainProfileView* terrain() const { return terrain_; }
-    EstimateStrip* strip() const { return strip_; }
+    TerrainProfileView* terrain() const { return terrainPage_->terrain(); }
+    EstimateStrip* strip() const { return terrainPage_->strip(); }
     NavigationRail* rail() const { return rail_; }
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
     TrainingPage* training() const { return training_; }
-    VerdictStrip* verdict() const { return verdict_; }
-    QPushButton* viewButton() const { return view_; }
     QPushButton* recordingButton() const { return recording_; }
+    VerdictStrip* verdict() const { return terrainPage_->verdict(); }
+    QPushButton* viewButton() const { return terrainPage_->viewButton(); }
     ConsoleAlarms& alarms() { return *alarms_; }
     const LoopMeter& meter() const { return meter_; }
     void restartMeter();
@@ -122,21 +112,18 @@ private:
     void mark();
     QString linkDetails(const CanView& view) const;
     QList<DiagnosticsSection> diagnostics() const;
-    QWidget* terrainPage();
     void addPage(Page* page, const QString& name, Qt::Key key, const QString& tip);
     void connectAll();
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
     void showLink(double now, const std::optional<Received>& latest);
-    void showForces(double now, const Measurement& measurement);
+    const std::vector<ForceArray>& forceArrays();  ///< of the newest telemetry, which there is
     void showArming(double now);
     QString
     panelForbids(double now) const;  ///< why nothing may be set in motion; empty: it does not
     void tickPanel(double now);
     void releaseStop();
-    void showTerrain(const std::optional<Received>& latest);
-    void showVerdict();
-    void showProbe();
+    void showTerrain(double now);
     void addTraining(const Options& options);
     void loadModel(const QString& path);
     void preferModelInUse();
@@ -144,8 +131,7 @@ private:
     void showHelp();
     void defineKeys();
     void applyPreferences(const Preferences& before);
-    void arrange();  ///< the terrain page in the layout in force, at the font scale in force
-    void showThreshold();
+    void arrange();    ///< the terrain page in the layout in force, at the font scale in force
     void showCards();  ///< of model and robot, on the page of the settings
     void offerQualities();
 
@@ -179,44 +165,22 @@ private:
     QLabel* banner_ = nullptr;
     QLabel* notRecorded_ = nullptr;
     QLabel* help_ = nullptr;
-    VerdictStrip* verdict_ = nullptr;
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
-    QLabel* threshold_ = nullptr;
+    TerrainPage* terrainPage_ = nullptr;
     TrainingPage* training_ = nullptr;
-    QPushButton* view_ = nullptr;
     QPushButton* recording_ = nullptr;
     QAction* drawsAction_ = nullptr;
-    Card* terrainCard_ = nullptr;
-    EstimateStrip* strip_ = nullptr;
-    TerrainProfileView* terrain_ = nullptr;
-    AtemPanel* atem_ = nullptr;
-    ProbeCard* probe_ = nullptr;
-    ForceBars* forces_ = nullptr;
-    QLabel* forceLegend_ = nullptr;
-    QPushButton* forceUnit_ = nullptr;
-    RobotReadout* readout_ = nullptr;
-    QLabel* robotAge_ = nullptr;
-    DrivePad* drive_ = nullptr;
-    EventList* events_ = nullptr;
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;
     DiagnosticsPage* diagnosticsPage_ = nullptr;
-    QBoxLayout* ground_ = nullptr;  ///< of the terrain page: verdict and terrain
-    QBoxLayout* rows_ = nullptr;    ///< of the terrain page: terrain and decisions, the cards below
-    QBoxLayout* lower_ = nullptr;   ///< forces, robot, events
-
-    std::uint64_t shownCount_ = 0;
-    std::optional<TerrainEstimate> shown_, shownLive_;
-    std::optional<TerrainEstimate> shownSecond_;
-    std::optional<Verdict> shownVerdict_;
-    QString shownReason_;
-    bool shownEstimate_ = false;
     bool linkWasAlive_ = false;
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     double linkShownAt_ = 0.0;
     double worstAge_ = 0.0;
     ForceArrays forceArrays_;
+    std::vector<ForceArray> forceArraysShown_;
+    std::uint64_t forcesCount_ = 0;  ///< of the telemetry they are of
     QString modelTrouble_, modelName_, modelDetails_, robotDetails_;
 };
 

@@ -1313,20 +1313,8 @@ Poslední deaktivace: %1</translation>
         <translation>Rozvržení, barvy a velikost písma</translation>
     </message>
     <message>
-        <source>- - threshold %1 N</source>
-        <translation>- - práh %1 N</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Robot</translation>
-    </message>
-    <message>
-        <source>Age of the telemetry</source>
-        <translation>Stáří telemetrie</translation>
-    </message>
-    <message>
-        <source>Last minutes</source>
-        <translation>Poslední minuty</translation>
     </message>
     <message>
         <source>%1: not measured (terratact tradeoff)</source>
@@ -1377,40 +1365,12 @@ Poslední deaktivace: %1</translation>
         <translation>robot: --</translation>
     </message>
     <message>
-        <source>%1 old</source>
-        <translation>stáří %1</translation>
-    </message>
-    <message>
         <source>the robot is armed</source>
         <translation>robot je aktivní</translation>
     </message>
     <message>
         <source>not armed: %1</source>
         <translation>není aktivní: %1</translation>
-    </message>
-    <message>
-        <source>The flippers still move: nothing ahead is felt yet</source>
-        <translation>Flippery se ještě hýbou: vpředu zatím nic nahmatáno</translation>
-    </message>
-    <message>
-        <source>LIVE preview</source>
-        <translation>ŽIVÝ náhled</translation>
-    </message>
-    <message>
-        <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
-        <translation>Sonda se nenavrhuje. Po průzkumu se rameno nabídne tam, kde terén zůstal nejistý.</translation>
-    </message>
-    <message>
-        <source>The arm has measured; its height is part of the estimate.</source>
-        <translation>Rameno změřilo; jeho výška je součástí odhadu.</translation>
-    </message>
-    <message>
-        <source>The proposal was not answered in time, which means no.</source>
-        <translation>Návrh zůstal bez odpovědi, což znamená ne.</translation>
-    </message>
-    <message>
-        <source>No probe: the estimate stands without the arm.</source>
-        <translation>Bez sondy: odhad platí i bez ramene.</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -1473,32 +1433,12 @@ Poslední deaktivace: %1</translation>
         <translation>na další prvek, na předchozí</translation>
     </message>
     <message>
-        <source>Following: the arm is probing.</source>
-        <translation>Sledování: rameno sonduje.</translation>
-    </message>
-    <message>
-        <source>Following: probes are approved where the robot is commanded.</source>
-        <translation>Sledování: sondy schvaluje ten, kdo robota řídí.</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Čísla</translation>
     </message>
     <message>
         <source>The same scene as a table</source>
         <translation>Táž scéna jako tabulka</translation>
-    </message>
-    <message>
-        <source>view</source>
-        <translation>pohled</translation>
-    </message>
-    <message>
-        <source>What else is drawn: draws, a second method</source>
-        <translation>Co ještě kreslit: vzorky, druhou metodu</translation>
-    </message>
-    <message>
-        <source>View of the terrain</source>
-        <translation>Zobrazení terénu</translation>
     </message>
     <message>
         <source>Some of the draws as thin lines (D)</source>
@@ -1519,18 +1459,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>end of the log</source>
         <translation>konec záznamu</translation>
-    </message>
-    <message>
-        <source>the log has ended</source>
-        <translation>záznam skončil</translation>
-    </message>
-    <message>
-        <source>The flippers still move</source>
-        <translation>Flippery se ještě hýbou</translation>
-    </message>
-    <message>
-        <source>probe at %1: %2 → %3 bit</source>
-        <translation>sonda v %1: %2 → %3 bit</translation>
     </message>
     <message>
         <source>ask for another bin instead: the %1. offered</source>
@@ -1679,30 +1607,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>přebít, co je na průzkumu sporné</translation>
-    </message>
-    <message>
-        <source>Front forces</source>
-        <translation>Síly vpředu</translation>
-    </message>
-    <message>
-        <source>N / V</source>
-        <translation>N / V</translation>
-    </message>
-    <message>
-        <source>Raw voltages of the force elements</source>
-        <translation>Surová napětí silových prvků</translation>
-    </message>
-    <message>
-        <source>Raw voltages instead of calibrated forces</source>
-        <translation>Surová napětí místo kalibrovaných sil</translation>
-    </message>
-    <message>
-        <source>raw voltages</source>
-        <translation>surová napětí</translation>
-    </message>
-    <message>
-        <source>- - %1 N</source>
-        <translation>- - %1 N</translation>
     </message>
     <message>
         <source>✕ NOT
@@ -2584,6 +2488,113 @@ F1</translation>
     <message>
         <source>! CHECK OVERRIDDEN</source>
         <translation>! KONTROLA PŘEBITA</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TerrainPage</name>
+    <message>
+        <source>Following: the arm is probing.</source>
+        <translation>Sledování: rameno sonduje.</translation>
+    </message>
+    <message>
+        <source>The arm has measured; its height is part of the estimate.</source>
+        <translation>Rameno změřilo; jeho výška je součástí odhadu.</translation>
+    </message>
+    <message>
+        <source>Following: probes are approved where the robot is commanded.</source>
+        <translation>Sledování: sondy schvaluje ten, kdo robota řídí.</translation>
+    </message>
+    <message>
+        <source>The proposal was not answered in time, which means no.</source>
+        <translation>Návrh zůstal bez odpovědi, což znamená ne.</translation>
+    </message>
+    <message>
+        <source>No probe: the estimate stands without the arm.</source>
+        <translation>Bez sondy: odhad platí i bez ramene.</translation>
+    </message>
+    <message>
+        <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
+        <translation>Sonda se nenavrhuje. Po průzkumu se rameno nabídne tam, kde terén zůstal nejistý.</translation>
+    </message>
+    <message>
+        <source>Last minutes</source>
+        <translation>Poslední minuty</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>pohled</translation>
+    </message>
+    <message>
+        <source>What else is drawn: draws, a second method</source>
+        <translation>Co ještě kreslit: vzorky, druhou metodu</translation>
+    </message>
+    <message>
+        <source>View of the terrain</source>
+        <translation>Zobrazení terénu</translation>
+    </message>
+    <message>
+        <source>Front forces</source>
+        <translation>Síly vpředu</translation>
+    </message>
+    <message>
+        <source>N / V</source>
+        <translation>N / V</translation>
+    </message>
+    <message>
+        <source>Raw voltages of the force elements</source>
+        <translation>Surová napětí silových prvků</translation>
+    </message>
+    <message>
+        <source>Raw voltages instead of calibrated forces</source>
+        <translation>Surová napětí místo kalibrovaných sil</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Age of the telemetry</source>
+        <translation>Stáří telemetrie</translation>
+    </message>
+    <message>
+        <source>- - %1 N</source>
+        <translation>- - %1 N</translation>
+    </message>
+    <message>
+        <source>raw voltages</source>
+        <translation>surová napětí</translation>
+    </message>
+    <message>
+        <source>- - threshold %1 N</source>
+        <translation>- - práh %1 N</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>záznam skončil</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>stáří %1</translation>
+    </message>
+    <message>
+        <source>The flippers still move: nothing ahead is felt yet</source>
+        <translation>Flippery se ještě hýbou: vpředu zatím nic nahmatáno</translation>
+    </message>
+    <message>
+        <source>LIVE preview</source>
+        <translation>ŽIVÝ náhled</translation>
+    </message>
+    <message>
+        <source>The flippers still move</source>
+        <translation>Flippery se ještě hýbou</translation>
+    </message>
+    <message>
+        <source>probe at %1: %2 → %3 bit</source>
+        <translation>sonda v %1: %2 → %3 bit</translation>
     </message>
 </context>
 <context>

@@ -1313,20 +1313,8 @@ Zuletzt gesperrt: %1</translation>
         <translation>Anordnung, Farben und Schriftgröße</translation>
     </message>
     <message>
-        <source>- - threshold %1 N</source>
-        <translation>- - Schwelle %1 N</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>Age of the telemetry</source>
-        <translation>Alter der Telemetrie</translation>
-    </message>
-    <message>
-        <source>Last minutes</source>
-        <translation>Letzte Minuten</translation>
     </message>
     <message>
         <source>%1: not measured (terratact tradeoff)</source>
@@ -1377,40 +1365,12 @@ Zuletzt gesperrt: %1</translation>
         <translation>Roboter: --</translation>
     </message>
     <message>
-        <source>%1 old</source>
-        <translation>%1 alt</translation>
-    </message>
-    <message>
         <source>the robot is armed</source>
         <translation>der Roboter ist freigegeben</translation>
     </message>
     <message>
         <source>not armed: %1</source>
         <translation>nicht freigegeben: %1</translation>
-    </message>
-    <message>
-        <source>The flippers still move: nothing ahead is felt yet</source>
-        <translation>Die Flipper bewegen sich noch: vorn ist noch nichts ertastet</translation>
-    </message>
-    <message>
-        <source>LIVE preview</source>
-        <translation>LIVE-Vorschau</translation>
-    </message>
-    <message>
-        <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
-        <translation>Keine Sondierung vorgeschlagen. Nach einer Erkundung wird der Arm angeboten, wo das Gelände unsicher bleibt.</translation>
-    </message>
-    <message>
-        <source>The arm has measured; its height is part of the estimate.</source>
-        <translation>Der Arm hat gemessen; seine Höhe ist Teil der Schätzung.</translation>
-    </message>
-    <message>
-        <source>The proposal was not answered in time, which means no.</source>
-        <translation>Der Vorschlag blieb ohne Antwort, das heißt nein.</translation>
-    </message>
-    <message>
-        <source>No probe: the estimate stands without the arm.</source>
-        <translation>Keine Sondierung: die Schätzung gilt ohne den Arm.</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -1473,32 +1433,12 @@ Zuletzt gesperrt: %1</translation>
         <translation>zum nächsten Element, zum vorigen</translation>
     </message>
     <message>
-        <source>Following: the arm is probing.</source>
-        <translation>Mitverfolgt: der Arm sondiert.</translation>
-    </message>
-    <message>
-        <source>Following: probes are approved where the robot is commanded.</source>
-        <translation>Mitverfolgt: Sondierungen genehmigt, wer den Roboter führt.</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Zahlen</translation>
     </message>
     <message>
         <source>The same scene as a table</source>
         <translation>Dieselbe Szene als Tabelle</translation>
-    </message>
-    <message>
-        <source>view</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>What else is drawn: draws, a second method</source>
-        <translation>Was noch gezeichnet wird: Ziehungen, eine zweite Methode</translation>
-    </message>
-    <message>
-        <source>View of the terrain</source>
-        <translation>Ansicht des Geländes</translation>
     </message>
     <message>
         <source>Some of the draws as thin lines (D)</source>
@@ -1519,18 +1459,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>end of the log</source>
         <translation>Ende des Logs</translation>
-    </message>
-    <message>
-        <source>the log has ended</source>
-        <translation>das Log ist zu Ende</translation>
-    </message>
-    <message>
-        <source>The flippers still move</source>
-        <translation>Die Flipper bewegen sich noch</translation>
-    </message>
-    <message>
-        <source>probe at %1: %2 → %3 bit</source>
-        <translation>Sondierung bei %1: %2 → %3 bit</translation>
     </message>
     <message>
         <source>ask for another bin instead: the %1. offered</source>
@@ -1679,30 +1607,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
-    </message>
-    <message>
-        <source>Front forces</source>
-        <translation>Kräfte vorn</translation>
-    </message>
-    <message>
-        <source>N / V</source>
-        <translation>N / V</translation>
-    </message>
-    <message>
-        <source>Raw voltages of the force elements</source>
-        <translation>Rohe Spannungen der Kraftelemente</translation>
-    </message>
-    <message>
-        <source>Raw voltages instead of calibrated forces</source>
-        <translation>Rohe Spannungen statt kalibrierter Kräfte</translation>
-    </message>
-    <message>
-        <source>raw voltages</source>
-        <translation>rohe Spannungen</translation>
-    </message>
-    <message>
-        <source>- - %1 N</source>
-        <translation>- - %1 N</translation>
     </message>
     <message>
         <source>✕ NOT
@@ -2584,6 +2488,113 @@ F1</translation>
     <message>
         <source>! CHECK OVERRIDDEN</source>
         <translation>! PRÜFUNG ÜBERGANGEN</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TerrainPage</name>
+    <message>
+        <source>Following: the arm is probing.</source>
+        <translation>Mitverfolgt: der Arm sondiert.</translation>
+    </message>
+    <message>
+        <source>The arm has measured; its height is part of the estimate.</source>
+        <translation>Der Arm hat gemessen; seine Höhe ist Teil der Schätzung.</translation>
+    </message>
+    <message>
+        <source>Following: probes are approved where the robot is commanded.</source>
+        <translation>Mitverfolgt: Sondierungen genehmigt, wer den Roboter führt.</translation>
+    </message>
+    <message>
+        <source>The proposal was not answered in time, which means no.</source>
+        <translation>Der Vorschlag blieb ohne Antwort, das heißt nein.</translation>
+    </message>
+    <message>
+        <source>No probe: the estimate stands without the arm.</source>
+        <translation>Keine Sondierung: die Schätzung gilt ohne den Arm.</translation>
+    </message>
+    <message>
+        <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
+        <translation>Keine Sondierung vorgeschlagen. Nach einer Erkundung wird der Arm angeboten, wo das Gelände unsicher bleibt.</translation>
+    </message>
+    <message>
+        <source>Last minutes</source>
+        <translation>Letzte Minuten</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>What else is drawn: draws, a second method</source>
+        <translation>Was noch gezeichnet wird: Ziehungen, eine zweite Methode</translation>
+    </message>
+    <message>
+        <source>View of the terrain</source>
+        <translation>Ansicht des Geländes</translation>
+    </message>
+    <message>
+        <source>Front forces</source>
+        <translation>Kräfte vorn</translation>
+    </message>
+    <message>
+        <source>N / V</source>
+        <translation>N / V</translation>
+    </message>
+    <message>
+        <source>Raw voltages of the force elements</source>
+        <translation>Rohe Spannungen der Kraftelemente</translation>
+    </message>
+    <message>
+        <source>Raw voltages instead of calibrated forces</source>
+        <translation>Rohe Spannungen statt kalibrierter Kräfte</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Age of the telemetry</source>
+        <translation>Alter der Telemetrie</translation>
+    </message>
+    <message>
+        <source>- - %1 N</source>
+        <translation>- - %1 N</translation>
+    </message>
+    <message>
+        <source>raw voltages</source>
+        <translation>rohe Spannungen</translation>
+    </message>
+    <message>
+        <source>- - threshold %1 N</source>
+        <translation>- - Schwelle %1 N</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>das Log ist zu Ende</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>%1 alt</translation>
+    </message>
+    <message>
+        <source>The flippers still move: nothing ahead is felt yet</source>
+        <translation>Die Flipper bewegen sich noch: vorn ist noch nichts ertastet</translation>
+    </message>
+    <message>
+        <source>LIVE preview</source>
+        <translation>LIVE-Vorschau</translation>
+    </message>
+    <message>
+        <source>The flippers still move</source>
+        <translation>Die Flipper bewegen sich noch</translation>
+    </message>
+    <message>
+        <source>probe at %1: %2 → %3 bit</source>
+        <translation>Sondierung bei %1: %2 → %3 bit</translation>
     </message>
 </context>
 <context>

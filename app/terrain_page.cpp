@@ -1,0 +1,314 @@
+#include "app/terrain_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "core/terrain/body_ceiling.h"
+#include "core/terrain/outline.h"
+#include "widgets/card.h"
+#include "widgets/drive_pad.h"
+#include "widgets/estimate_strip.h"
+#include "widgets/event_list.h"
+#include "widgets/look.h"
+#include "widgets/robot_readout.h"
+#include "widgets/terrain_profile_view.h"
+#include "widgets/verdict_strip.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+// What the probe's card says where nobody asks this operator.
+QString followedProbe(const AtemState& state)
+{
+    if (state.phase == AtemPhase::Probing) return TerrainPage::tr("Following: the arm is probing.");
+    if (state.probed)
+        return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
+    return TerrainPage::tr("Following: probes are approved where the robot is commanded.");
+}
+
+QString whyNoProbe(const TerrainSight& sight)
+{
+    const AtemState& state = sight.state;
+    if (state.followed) return followedProbe(state);
+    if (state.phase == AtemPhase::Presenting) {
+        if (state.probed)
+            return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
+        if (state.approvalExpired)
+            return TerrainPage::tr("The proposal was not answered in time, which means no.");
+        if (sight.estimate && !sight.proposal)
+            return TerrainPage::tr("No probe: the estimate stands without the arm.");
+    }
+    return TerrainPage::tr(
+        "No probe is proposed. After an exploration the arm is offered where the "
+        "terrain stays uncertain.");
+}
+
+bool isShown(const std::optional<TerrainEstimate>& shown, const TerrainEstimate* estimate)
+{
+    return estimate ? shown == *estimate : !shown;
+}
+
+std::optional<TerrainEstimate> copyOf(const TerrainEstimate* estimate)
+{
+    return estimate ? std::optional(*estimate) : std::nullopt;
+}
+
+}  // namespace
+
+TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
+    : QWidget(parent), robot_(std::move(robot))
+{
+    verdict_ = new VerdictStrip(this);
+    terrainCard_ = terrainCard();
+    atem_ = new AtemPanel(this);
+    probe_ = new ProbeCard(this);
+    Card* const forces = forceCard();
+    Card* const robotState = robotCard();
+    auto* eventCard = new Card(tr("Last minutes"), this);
+    events_ = new EventList(eventCard);
+    eventCard->body()->addWidget(events_, 1);
+
+    auto* decide = new QVBoxLayout;
+    decide->setSpacing(10);
+    decide->addWidget(atem_);
+    decide->addWidget(probe_, 1);
+    auto* upper = new QHBoxLayout;
+    upper->setSpacing(10);
+    ground_ = new QVBoxLayout;
+    ground_->setSpacing(10);
+    ground_->addWidget(verdict_);
+    ground_->addWidget(terrainCard_, 1);
+    upper->addLayout(ground_, 1);
+    upper->addLayout(decide);
+    lower_ = new QHBoxLayout;
+    lower_->setSpacing(10);
+    for (QWidget* card : std::initializer_list<QWidget*>{forces, robotState, eventCard})
+        lower_->addWidget(card);
+
+    rows_ = new QVBoxLayout(this);
+    rows_->setContentsMargins(12, 10, 12, 10);
+    rows_->setSpacing(10);
+    rows_->addLayout(upper);
+    rows_->addLayout(lower_);
+}
+
+Card* TerrainPage::terrainCard()
+{
+    auto* card = new Card(tr("Terrain"), this);
+    view_ = new QPushButton(tr("view"), card);
+    view_->setFocusPolicy(Qt::TabFocus);
+    view_->setToolTip(tr("What else is drawn: draws, a second method"));
+    view_->setAccessibleName(tr("View of the terrain"));
+    strip_ = new EstimateStrip(card);
+    terrain_ = new TerrainProfileView(card);
+    card->note()->hide();
+    card->titleRow()->addWidget(strip_, 1);
+    card->titleRow()->addWidget(view_);
+    card->body()->addWidget(strip_->warnings());
+    card->body()->addWidget(terrain_, 1);
+    return card;
+}
+
+Card* TerrainPage::forceCard()
+{
+    auto* card = new Card(tr("Front forces"), this);
+    forces_ = new ForceBars(card);
+    forceLegend_ = new QLabel(card);
+    setTone(*forceLegend_, Tone::Muted);
+    forceUnit_ = new QPushButton(tr("N / V"), card);
+    forceUnit_->setCheckable(true);
+    forceUnit_->setFocusPolicy(Qt::TabFocus);
+    forceUnit_->setAccessibleName(tr("Raw voltages of the force elements"));
+    forceUnit_->setToolTip(tr("Raw voltages instead of calibrated forces"));
+    connect(forceUnit_, &QPushButton::toggled, this, [this](bool raw) {
+        forces_->setUnit(raw ? ForceBars::Unit::Volts : ForceBars::Unit::Newtons);
+        showThreshold();
+    });
+    card->titleRow()->insertWidget(1, forceLegend_);
+    card->titleRow()->addWidget(forceUnit_);
+    thresholdText_ = card->note();
+    card->body()->addWidget(forces_, 1);
+    return card;
+}
+
+Card* TerrainPage::robotCard()
+{
+    auto* card = new Card(tr("Robot"), this);
+    robotAge_ = card->note();
+    robotAge_->setAccessibleName(tr("Age of the telemetry"));
+    readout_ = new RobotReadout(card);
+    drive_ = new DrivePad(card);
+    card->body()->addWidget(readout_, 1);
+    card->body()->addWidget(drive_);
+    return card;
+}
+
+void TerrainPage::addTerrainTool(QWidget* tool)
+{
+    terrainCard_->titleRow()->addWidget(tool);
+}
+
+void TerrainPage::arrange(Layout layout, int fontScale)
+{
+    layout_ = layout;
+    fontScale_ = fontScale;
+    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
+        card->setFixedWidth(scaled(404));
+    // Large letters leave no room for the result beside the card's title.
+    QBoxLayout *beside = terrainCard_->titleRow(), *below = terrainCard_->body();
+    const bool large = fontScale > 100;
+    for (QBoxLayout* row : {beside, below}) row->removeWidget(strip_);
+    (large ? below : beside)->insertWidget(large ? 1 : 2, strip_, large ? 0 : 1);
+    beside->setStretch(0, large ? 1 : 0);
+    // Nor for the verdict above the terrain alone: it then stands above the whole page.
+    for (QBoxLayout* column : {ground_, rows_}) column->removeWidget(verdict_);
+    (large ? rows_ : ground_)->insertWidget(0, verdict_);
+
+    struct Shares {
+        int upper, lower, forces, robot, events;
+    };
+    const Shares shares = layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
+                        : layout == Layout::Review ? Shares{13, 9, 9, 8, 16}
+                                                   : Shares{17, 6, 10, 9, 10};
+    rows_->setStretch(rows_->count() - 2, shares.upper + (large ? 4 : 0));
+    rows_->setStretch(rows_->count() - 1, shares.lower);
+    if (large) rows_->setStretch(0, 0);
+    lower_->setStretch(0, shares.forces);
+    lower_->setStretch(1, shares.robot);
+    lower_->setStretch(2, shares.events);
+    lower_->itemAt(2)->widget()->setVisible(shares.events > 0);
+    drive_->setProminent(layout == Layout::Drive);
+    drive_->setVisible(layout != Layout::Review);
+    showThreshold();
+}
+
+void TerrainPage::setThreshold(double newtons)
+{
+    threshold_ = newtons;
+    showThreshold();
+}
+
+void TerrainPage::showThreshold()
+{
+    forces_->setThreshold(threshold_);
+    const bool raw = forces_->unit() == ForceBars::Unit::Volts;
+    const QString value = words::number(threshold_, 1);
+    if (fontScale_ > 100)  // no room for a word
+        thresholdText_->setText(raw ? QString() : tr("- - %1 N").arg(value));
+    else
+        thresholdText_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
+    setTone(*thresholdText_, raw ? Tone::Muted : Tone::Bad);
+}
+
+void TerrainPage::setSight(const TerrainSight& sight)
+{
+    showRobot(sight);
+    showEstimate(sight);
+    showPose(sight);
+    showVerdict(sight);
+    showProbe(sight);
+    strip_->setProgress(sight.progress);
+    atem_->setState(sight.state, sight.timeLeft);
+    atem_->setPreconditions(sight.preconditions);
+    drive_->setBlocked(sight.whyNotDriving);
+}
+
+void TerrainPage::showRobot(const TerrainSight& sight)
+{
+    if (!sight.measurement) {
+        readout_->clearMeasurement();
+        robotAge_->clear();
+        return;
+    }
+    const bool fresh = sight.age <= kStaleAfter;
+    readout_->setMeasurement(*sight.measurement, sight.age);
+    robotAge_->setText(sight.ended ? tr("the log has ended")
+                                   : tr("%1 old").arg(words::age(sight.age)));
+    setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+    if (!fresh) return forces_->clearForces();
+    if (sight.count == shownCount_ || !sight.forces) return;
+    forces_->setForces(*sight.forces, sight.now);
+    forceLegend_->setText(forces_->legend());
+}
+
+void TerrainPage::showEstimate(const TerrainSight& sight)
+{
+    if (sight.live) {
+        if (!isShown(shownLive_, sight.live)) {
+            terrain_->setEstimate(*sight.live,
+                                  tr("The flippers still move: nothing ahead is felt yet"));
+            strip_->setLive(tr("LIVE preview"));
+            shownReason_.clear();
+        }
+        shown_.reset();
+    } else if (sight.estimate) {
+        if (!isShown(shown_, sight.estimate)) {
+            terrain_->setEstimate(*sight.estimate);
+            strip_->setEstimate(*sight.estimate, sight.estimateSeconds);
+            shown_ = *sight.estimate;
+        }
+    } else if (shown_ || shownLive_ || shownReason_ != sight.whyNoEstimate) {
+        shown_.reset();
+        shownReason_ = sight.whyNoEstimate;
+        terrain_->clearEstimate(shownReason_);
+        strip_->setNothing(QString());
+    }
+    if (!isShown(shownSecond_, sight.second)) {
+        shownSecond_ = copyOf(sight.second);
+        terrain_->setSecond(shownSecond_, shownSecond_
+                                              ? words::text(name(shownSecond_->settings.method))
+                                              : QString());
+    }
+    shownLive_ = copyOf(sight.live);
+    shownEstimate_ = sight.estimate && !sight.live;
+    if (sight.estimate) shownReason_.clear();
+}
+
+void TerrainPage::showPose(const TerrainSight& sight)
+{
+    if (!sight.measurement || sight.count == shownCount_) return;
+    // An estimate belongs to the scene it rests on, so both are drawn in that pose.
+    const Proprioception s = proprioception(sight.scene ? *sight.scene : *sight.measurement);
+    terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    const std::optional<Heights>* truth = sight.scene ? sight.sceneTruth : sight.truth;
+    terrain_->setTruth(truth ? *truth : std::nullopt);
+    shownCount_ = sight.count;
+}
+
+void TerrainPage::showVerdict(const TerrainSight& sight)
+{
+    if (!sight.verdict)
+        return verdict_->setNothing(sight.live ? tr("The flippers still move")
+                                               : sight.whyNoEstimate);
+    QString probe;
+    const ProbeProposal* const proposal = sight.proposal;
+    if (proposal && proposal->worth)
+        probe = tr("probe at %1: %2 → %3 bit")
+                    .arg(words::binName(proposal->bin), words::number(proposal->bitsBefore, 2),
+                         words::number(proposal->worth->bitsAfter, 2));
+    verdict_->setVerdict(*sight.verdict, probe);
+}
+
+void TerrainPage::showProbe(const TerrainSight& sight)
+{
+    const bool asking = sight.proposal && sight.state.phase == AtemPhase::ProposingProbe;
+    // What asks or moves is shown in every layout.
+    probe_->setVisible(layout_ == Layout::Probe || asking || sight.probingBin);
+    // In large letters the question needs the room; the robot stands still while it is asked.
+    readout_->setVisible(!asking || fontScale_ <= 120);
+    terrain_->setProposedProbe(asking ? std::optional(sight.proposal->bin) : sight.probingBin);
+    if (asking) {
+        probe_->setProposal(*sight.proposal);
+        probe_->setTimeLeft(sight.timeLeft.value_or(0.0));
+    } else if (sight.probingBin) {
+        probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);
+    } else {
+        probe_->setNothing(whyNoProbe(sight));
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "app/preferences.h"
+#include "core/atem/atem_machine.h"
+#include "core/infer/estimate.h"
+#include "core/infer/verdict.h"
+#include "core/robot/robot_model.h"
+#include "widgets/atem_panel.h"
+#include "widgets/force_bars.h"
+#include "widgets/probe_card.h"
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace terratact {
+
+class Card;
+class DrivePad;
+class EstimateStrip;
+class EventList;
+class RobotReadout;
+class TerrainProfileView;
+class VerdictStrip;
+
+/// What there is to see of the robot and its exploration at one time.  What is pointed to is used in setSight() only;
+/// null: there is none.
+struct TerrainSight {
+    double now = 0.0;    ///< [s] on the clock of the telemetry
+    bool ended = false;  ///< nothing more will come
+
+    const Measurement* measurement = nullptr;         ///< the newest
+    double age = 0.0;                                 ///< [s] of it
+    std::uint64_t count = 0;                          ///< another for another measurement
+    const std::vector<ForceArray>* forces = nullptr;  ///< of it
+    const std::optional<Heights>* truth = nullptr;    ///< that its source knows
+
+    const Measurement* scene = nullptr;  ///< that was captured
+    const std::optional<Heights>* sceneTruth = nullptr;
+    const TerrainEstimate* estimate = nullptr;  ///< of it
+    double estimateSeconds = 0.0;               ///< it took
+    const TerrainEstimate* second = nullptr;    ///< of it, too
+    const TerrainEstimate* live = nullptr;      ///< a preview, shown instead
+    QString whyNoEstimate{};
+    std::optional<Verdict> verdict{};
+
+    AtemState state{};
+    std::optional<double> timeLeft{};  ///< [s] of the phase
+    double secondsInPhase = 0.0;
+    const ProbeProposal* proposal = nullptr;  ///< of the estimate, whether or not it is asked
+    std::optional<int> probingBin{};
+    double probeSeconds = 0.0;         ///< a probe takes
+    std::optional<double> progress{};  ///< 0 … 1 of an estimate under way
+
+    QList<Precondition> preconditions{};
+    QString whyNotDriving{};  ///< empty: driving is allowed
+};
+
+/// The terrain under the robot, exploring it, and the arm: the cards of both the console and a review, which
+/// fill it with a TerrainSight and listen to its widgets.
+class TerrainPage final : public QWidget {
+    Q_OBJECT
+public:
+    explicit TerrainPage(RobotModel robot, QWidget* parent = nullptr);
+
+    void setSight(const TerrainSight& sight);
+    void arrange(Layout layout, int fontScale);  ///< fontScale: [%]
+    void setThreshold(double newtons);           ///< of contact
+    void addTerrainTool(QWidget* tool);          ///< to the terrain's title
+
+    /// True once what was last shown includes the standing estimate.
+    bool showsEstimate() const { return shownEstimate_; }
+
+    AtemPanel* atemPanel() const { return atem_; }
+    DrivePad* drivePad() const { return drive_; }
+    EventList* events() const { return events_; }
+    ForceBars* forces() const { return forces_; }
+    QPushButton* forceUnitButton() const { return forceUnit_; }
+    ProbeCard* probeCard() const { return probe_; }
+    RobotReadout* readout() const { return readout_; }
+    EstimateStrip* strip() const { return strip_; }
+    TerrainProfileView* terrain() const { return terrain_; }
+    VerdictStrip* verdict() const { return verdict_; }
+    QPushButton* viewButton() const { return view_; }
+
+private:
+    Card* terrainCard();
+    Card* forceCard();
+    Card* robotCard();
+    void showRobot(const TerrainSight& sight);
+    void showEstimate(const TerrainSight& sight);
+    void showPose(const TerrainSight& sight);
+    void showVerdict(const TerrainSight& sight);
+    void showProbe(const TerrainSight& sight);
+    void showThreshold();
+
+    RobotModel robot_;
+    Layout layout_ = Layout::Probe;
+    int fontScale_ = 100;
+    double threshold_ = 0.0;
+
+    // Qt's parents own the widgets.
+    VerdictStrip* verdict_ = nullptr;
+    Card* terrainCard_ = nullptr;
+    QPushButton* view_ = nullptr;
+    EstimateStrip* strip_ = nullptr;
+    TerrainProfileView* terrain_ = nullptr;
+    AtemPanel* atem_ = nullptr;
+    ProbeCard* probe_ = nullptr;
+    ForceBars* forces_ = nullptr;
+    QLabel* forceLegend_ = nullptr;
+    QPushButton* forceUnit_ = nullptr;
+    QLabel* thresholdText_ = nullptr;
+    RobotReadout* readout_ = nullptr;
+    QLabel* robotAge_ = nullptr;
+    DrivePad* drive_ = nullptr;
+    EventList* events_ = nullptr;
+    QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
+    QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
+    QBoxLayout* lower_ = nullptr;   ///< forces, robot, events
+
+    std::uint64_t shownCount_ = 0;
+    std::optional<TerrainEstimate> shown_, shownLive_, shownSecond_;
+    QString shownReason_;
+    bool shownEstimate_ = false;
+};
+
+}  // namespace terratact
