@@ -142,6 +142,8 @@ TEST(Absolem, readsEveryKeyIntoItsPlace)
     EXPECT_EQ(robot.armReachBegin, 0.3);
     EXPECT_EQ(robot.armReachEnd, 0.8);
     EXPECT_EQ(robot.armSd, 0.03);
+    EXPECT_EQ(robot.travelledSdShare, 0.10);
+    EXPECT_EQ(robot.pitchSd, 0.0087);
 }
 
 TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
