@@ -11,7 +11,7 @@
 #include "app/progress.h"
 #include "app/scene_estimates.h"
 #include "core/eval/ghost_gain.h"
-#include "core/infer/ghost.h"
+#include "core/infer/ghost_track.h"
 #include "core/learn/profile_file.h"
 #include "core/sim/drive.h"
 #include "core/sim/random_terrain.h"
@@ -132,7 +132,7 @@ std::vector<BinError> where(const std::vector<BinError>& ghost, const std::vecto
     return kept;
 }
 
-/// One drive's scenes one after another: each estimate is the ghost of the next.
+/// One drive's scenes one after another, estimated without a ghost and, each on the ghost of the last, with one.
 class DriveTrial {
 public:
     DriveTrial(const Toolbox& toolbox, const GhostOptions& options, Settings settings)
@@ -142,31 +142,43 @@ public:
 
     Findings run(const std::vector<DrivenScene>& drive)
     {
-        std::optional<TerrainEstimate> last;
+        std::optional<TerrainEstimate> lastWithout, lastWith;
         OdometryReading at;
         for (const DrivenScene& driven : drive) {
             ++settings_.seed;
-            std::optional<Ghost> ghost;
-            if (last) ghost = ghostAfter(*last, toolbox_.robot, at, driven.way);
-            if (last && !ghost) ++found_.ended;
-            const TerrainEstimate without = estimate(driven.scene, {});
-            last = ghost ? judged(driven.scene, *ghost, without) : without;
+            std::optional<Ghost> drawn, weak;
+            if (lastWithout && lastWith) {
+                drawn = ghostAfter(*lastWithout, toolbox_.robot, at, driven.way);
+                weak = ghostAfter(*lastWith, toolbox_.robot, at, driven.way);
+                found_.ended += drawn && weak ? 0 : 1;
+            }
+            lastWithout = estimate(driven.scene, {});
+            lastWith =
+                weak ? estimate(driven.scene, weakHeights(*weak, options_.sdFactor)) : lastWithout;
+            if (drawn && weak && lastWithout && lastWith)
+                judge(driven.scene, *drawn, *lastWithout, *lastWith);
             at = driven.way.back();
         }
         return std::move(found_);
     }
 
 private:
-    TerrainEstimate estimate(const Scene& scene, const WeakHeights& weak) const
+    /// Empty for a scene unlike all that the method has learnt.
+    std::optional<TerrainEstimate> estimate(const Scene& scene, const WeakHeights& weak) const
     {
-        return estimateTerrain(scene.s, {}, toolbox_.robot, toolbox_.models, settings_, {}, weak);
+        try {
+            return estimateTerrain(scene.s, {}, toolbox_.robot, toolbox_.models, settings_, {},
+                                   weak);
+        } catch (const NotLearnt&) {
+            return std::nullopt;
+        }
     }
 
-    TerrainEstimate judged(const Scene& scene, const Ghost& ghost, const TerrainEstimate& without)
+    void judge(const Scene& scene, const Ghost& drawn, const TerrainEstimate& without,
+               const TerrainEstimate& with)
     {
-        TerrainEstimate with = estimate(scene, weakHeights(ghost, options_.sdFactor));
         const std::size_t number = found_.scenes.size();
-        const std::vector<BinError> alone = errorsOfGhost(number, scene, ghost);
+        const std::vector<BinError> alone = errorsOfGhost(number, scene, drawn);
         const std::vector<BinError> before = binErrors(number, scene, "without", without);
         const std::vector<BinError> after = binErrors(number, scene, "with", with);
         found_.scenes.push_back(scene);
@@ -175,7 +187,6 @@ private:
         append(found_.with, after);
         append(found_.withoutThere, where(alone, before));
         append(found_.withThere, where(alone, after));
-        return with;
     }
 
     const Toolbox& toolbox_;

@@ -784,6 +784,7 @@ void MainWindow::showTerrain(const std::optional<Received>& latest)
         terrain_->setSecond(second,
                             second ? words::text(name(second->settings.method)) : QString());
     }
+    terrain_->setGhost(exploration_->ghost(), exploration_->whyNoGhost());
     shownLive_ = live;
     shownEstimate_ = estimate.has_value() && !live;
     if (estimate) shownReason_.clear();

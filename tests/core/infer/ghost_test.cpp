@@ -1,4 +1,4 @@
-#include "core/infer/ghost.h"
+#include "core/infer/ghost_track.h"
 
 #include <gtest/gtest.h>
 
@@ -181,8 +181,14 @@ TEST(Ghost, isFiniteWhereverItGoes)
 
 /// A scene and what the robot says after it.
 struct Track : testing::Test {
-    Measurement m{.travelled = 5.0, .turned = 3.1};
+    Measurement m;
     TerrainEstimate estimate = stepEstimate();
+
+    Track()
+    {
+        m.travelled = 5.0;
+        m.turned = 3.1;
+    }
 
     std::optional<NoGhost> after(const std::function<void(Measurement&)>& change)
     {
