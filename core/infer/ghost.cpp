@@ -42,7 +42,7 @@ double between(const Heights& values, const Place& place)
 /// sd of the height where the slip is a way along the ground: of the steepest slope to a neighbour.
 double slipSd(const Heights& heights, const Place& place, const ImuMotion& motion)
 {
-    double worst = std::abs(motion.slipUp);
+    double worst = 0.0;
     const int last = place.share == 0.0 ? place.rear : place.rear + 1;
     for (int bin = std::max(1, place.rear); bin <= std::min(kBins - 1, last + 1); ++bin) {
         const auto i = static_cast<std::size_t>(bin);

@@ -76,7 +76,7 @@ TEST(Ghost, movesBackAsTheRobotMovesOn)
     for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(ghost.bin[i]->height, e.height[i + 2], 1e-12);
     for (std::size_t i = 7; i < kBins; ++i)
         EXPECT_FALSE(ghost.bin[i]) << "prior only, or beyond it";
-    EXPECT_EQ(binsOf(ghostOf(e, {.forward = -0.25})), 6) << "what fell out behind is gone";
+    EXPECT_EQ(binsOf(ghostOf(e, {.forward = -0.25})), 8) << "what fell out behind is gone";
     EXPECT_EQ(binsOf(ghostOf(e, {.forward = 1.2})), 0);
     EXPECT_EQ(binsOf(ghostOf(e, {.forward = -1.2})), 0);
 }

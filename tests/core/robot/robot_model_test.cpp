@@ -166,7 +166,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
             << section << key;
         ++keys;
     }
-    EXPECT_EQ(keys, 37);
+    EXPECT_EQ(keys, 39);
     EXPECT_TRUE(refusesChange("[arm]", "[arms]", {"arm is missing"}));
     EXPECT_TRUE(refuses(absolem + "\n[laser]\n", {"'laser' is not a known key"}));
 }

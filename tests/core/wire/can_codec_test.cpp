@@ -205,12 +205,18 @@ TEST(Dbc, hasTheWordsOfTheCore)
     EXPECT_EQ(message("RobotStatus").signal("LastCommand").most, message("Advance").id);
 }
 
+/// From one raw value to the next: every one of up to 16 bits, some of every class modulo 256 of longer signals.
+std::int64_t stride(const DbcSignal& s)
+{
+    return s.length <= 16 ? 1 : 251;
+}
+
 TEST(Codec, readsEveryRawValueOfEverySignalAsTheFileSaysAndWritesItBack)
 {
     forEverySignal([](FrameKind kind, const DbcMessage& m, const DbcSignal& s) {
         const std::size_t index = signalIndex(kind, s.name);
         CanFrame frame = blank(m);
-        for (std::int64_t raw = rawOf(s.least, s); raw <= rawOf(s.most, s); ++raw) {
+        for (std::int64_t raw = rawOf(s.least, s); raw <= rawOf(s.most, s); raw += stride(s)) {
             setBits(frame, s, raw);
             seal(frame, m, static_cast<std::uint8_t>(raw & 0xFF));
             const Unpacked content = contentOf(frame);
