@@ -159,6 +159,7 @@ struct Arguments {
     MergeOptions merge;
     TradeoffOptions tradeoff;
     ContactsOptions contacts;
+    GhostOptions ghost;
     std::string probes;
     CalibrateOptions calibrate;
     RobotOptions onBus;
@@ -313,6 +314,31 @@ void addContacts(CLI::App& app, Arguments& a)
         ->check(CLI::Range(0.0, 1000.0));
 }
 
+void addGhost(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand(
+        "ghost", "What the last estimate is worth at the next scene of simulated drives");
+    addRobot(*c, a.ghost.robot);
+    c->add_option("--model", a.ghost.model, "Model (*.ttm)")->default_str("the shipped one");
+    c->add_option("--terrain", a.ghost.terrain, "boxes, varied, or a CSV file of profiles")
+        ->capture_default_str();
+    addNumber(*c, "--drives", a.ghost.drives, "Drives; of a file every profile, at most so many")
+        ->check(CLI::Range(1, 100'000));
+    addNumber(*c, "--spacing", a.ghost.spacing, "Driven between two scenes [m]")
+        ->check(CLI::Range(0.01, 1.0));
+    addNumber(*c, "--step", a.ghost.step, "Distance of a file's heights [m]")
+        ->check(CLI::Range(0.001, 1.0));
+    c->add_flag("--blocks", a.ghost.blocks,
+                "A file's heights are flat-topped blocks with vertical faces");
+    c->add_option("--methods", a.methods, "Methods to compare (default: local and clearance)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"clearance", "joint", "local"}));
+    addNumber(*c, "--sd-factor", a.ghost.sdFactor,
+              "Of the ghost's sd where it is a measurement of the next estimate")
+        ->check(CLI::Range(0.1, 100.0));
+    addNumber(*c, "--seed", a.ghost.settings.seed, "Seed of terrain, noise and estimates");
+}
+
 void addProbes(CLI::App& app, Arguments& a)
 {
     auto* c = app.add_subcommand("probes", "The sd of an arm's readings, from a recording of them");
@@ -455,6 +481,11 @@ Status run(const CLI::App& app, Arguments& a)
     }
     if (app.got_subcommand("merge")) return merge(a.merge);
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);
+    if (app.got_subcommand("ghost")) {
+        if (a.methods.empty()) a.methods = {"local", "clearance"};
+        a.ghost.methods = methodsFrom(a.methods);
+        return judgeGhost(a.ghost);
+    }
     if (app.got_subcommand("probes")) return showProbes(a.probes);
     if (app.got_subcommand("calibrate")) return calibrateForces(a.calibrate);
     if (app.got_subcommand("robot")) return runRobot(a.onBus);
@@ -468,12 +499,13 @@ Status run(const CLI::App& app, Arguments& a)
 
 void useShippedFiles(Arguments& a)
 {
-    for (std::string* robot : {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot,
-                               &a.evaluate.robot, &a.merge.robot, &a.demo.robot, &a.contacts.robot,
-                               &a.tradeoff.robot, &a.calibrate.robot, &a.onBus.robot})
+    for (std::string* robot :
+         {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot, &a.evaluate.robot,
+          &a.merge.robot, &a.demo.robot, &a.contacts.robot, &a.tradeoff.robot, &a.calibrate.robot,
+          &a.onBus.robot, &a.ghost.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
-    for (std::string* model :
-         {&a.reconstruct.model, &a.evaluate.model, &a.demo.model, &a.tradeoff.model})
+    for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model,
+                               &a.tradeoff.model, &a.ghost.model})
         if (model->empty()) *model = resourcePath("models/default.ttm");
 }
 
@@ -501,6 +533,7 @@ int realMain(int argc, char** argv)
     addMerge(app, arguments);
     addTradeoff(app, arguments);
     addContacts(app, arguments);
+    addGhost(app, arguments);
     addProbes(app, arguments);
     addCalibrate(app, arguments);
     addModel(app, arguments);

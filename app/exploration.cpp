@@ -55,6 +55,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 live_.reset();
                 estimate_ = estimate;
                 estimateSeconds_ = seconds;
+                track_.emplace(robot_, estimate, scene_->measurement);
                 advice_ = advice;
                 pending_.estimateReady = true;
                 pending_.probeWanted = advice.bin.has_value();
@@ -359,6 +360,7 @@ void Exploration::look(AtemInput& in)
 void Exploration::tick(double now, const std::optional<Received>& latest)
 {
     now_ = now;
+    trackGhost(latest);
     latest_ = latest;
     linkAlive_ = latest_ && now_ - secondsOf(latest_->arrived) <= options_.linkLostAfter;
     ended_ = following() && link_->view().ended;
@@ -385,8 +387,10 @@ void Exploration::advance()
         planarOverridden_ = false;
         emit happened(tr("the override has ended: left and right agree again"), Weight::Note);
     }
-    if (in.aborted && !exploring(state_.phase) && estimate_)
-        forget(tr("No estimate: explore the terrain (A)"));
+    if (in.aborted && !exploring(state_.phase)) {
+        track_.reset();
+        if (estimate_) forget(tr("No estimate: explore the terrain (A)"));
+    }
     if (moved_ && estimate_) forget(whyMoved());
 
     const AtemState before = state_;
@@ -415,6 +419,7 @@ void Exploration::follow()
     if (!latest_) return;
     const FollowInput in = followed();
     pending_ = AtemInput{};
+    if (in.aborted) track_.reset();
     if (in.linkLost) {  // who knows what the robot did meanwhile
         capturedPress_ = 0;
         commandedAt_ = latest_->count;
@@ -621,6 +626,30 @@ void Exploration::forget(const QString& why)
     moved_ = false;
     movedAt_ = 0;
     whyNoEstimate_ = why;
+}
+
+void Exploration::trackGhost(const std::optional<Received>& latest)
+{
+    if (track_ && latest && (!latest_ || latest->count != latest_->count))
+        track_->take(latest->sample.measurement);
+}
+
+std::optional<NoGhost> Exploration::noGhost() const
+{
+    return linkAlive_ ? track_->why() : NoGhost::Unheard;
+}
+
+std::optional<Ghost> Exploration::ghost() const
+{
+    if (!track_ || estimate_ || live_ || noGhost()) return std::nullopt;
+    return track_->ghost();
+}
+
+QString Exploration::whyNoGhost() const
+{
+    if (!track_ || estimate_ || live_) return {};
+    const auto why = noGhost();
+    return why ? tr("No ghost: %1").arg(words::sentence(describe(*why))) : QString();
 }
 
 std::optional<double> Exploration::timeLeft() const

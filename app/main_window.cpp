@@ -686,6 +686,8 @@ void MainWindow::showTerrain(double now)
     sight.second = pointer(exploration_->second());
     sight.live = pointer(exploration_->live());
     sight.whyNoEstimate = exploration_->whyNoEstimate();
+    sight.ghost = exploration_->ghost();
+    sight.whyNoGhost = exploration_->whyNoGhost();
     sight.verdict = exploration_->verdict();
     sight.state = exploration_->state();
     sight.timeLeft = exploration_->timeLeft();

@@ -46,6 +46,8 @@ struct TerrainSight {
     const TerrainEstimate* second = nullptr;    ///< of it, too
     const TerrainEstimate* live = nullptr;      ///< a preview, shown instead
     QString whyNoEstimate{};
+    std::optional<Ghost> ghost{};  ///< where the last estimate lies now
+    QString whyNoGhost{};          ///< said where there is none; empty: nothing
     std::optional<Verdict> verdict{};
 
     AtemState state{};

@@ -129,7 +129,7 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings)
+                                      const Settings& settings, const WeakHeights& weak)
 {
     check(settings);
     TerrainEstimate estimate;
@@ -140,7 +140,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
     GaussianMixture distribution =
         surfaceDistribution(model, x, coveredBins(estimate.ceiling), settings.method);
 
-    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
+    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings, weak);
     takeAll(distribution, measured, model, estimate);
     if (estimate.novelty > 1.0)
         estimate.warnings.push_back(fmt::format(

@@ -410,7 +410,12 @@ void SessionReader::Impl::readScene(Row& row, std::int64_t id)
     for (double& force : m.force) force = row.real();
     m.activity = static_cast<RobotActivity>(row.small(0, static_cast<int>(RobotActivity::Stopped)));
     m.refusal = static_cast<Refusal>(row.small(0, static_cast<int>(Refusal::OutOfLimits)));
-    if (!row.isNone()) m.arm = readingFrom(row);
+    if (!row.isNone())
+        m.arm = readingFrom(row);
+    else
+        row.skip(3);
+    m.travelled = row.realOrNone();
+    m.turned = row.realOrNone();
     scenes.push_back(scene);
 }
 

@@ -94,7 +94,7 @@ struct SessionWriter::Impl {
     explicit Impl(std::string name, SqliteFile opened)
         : path(std::move(name)), file(std::move(opened)), frameTable(file, "can_frame", 6),
           modelTable(file, "model", 6), settingsTable(file, "settings", 18),
-          sceneTable(file, "scene", 25), truthTable(file, "scene_truth", 5),
+          sceneTable(file, "scene", 27), truthTable(file, "scene_truth", 5),
           estimateTable(file, "estimate", 14), binTable(file, "estimate_bin", 13),
           readingTable(file, "reading", 6), proposalTable(file, "proposal", 15),
           offerTable(file, "proposal_offer", 6), eventTable(file, "event", 10),
@@ -164,7 +164,7 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
         static_cast<int>(m.activity), static_cast<int>(m.refusal),
         m.arm ? std::optional(m.arm->bin) : std::nullopt,
         m.arm ? std::optional(m.arm->height) : std::nullopt,
-        m.arm ? std::optional(m.arm->sd) : std::nullopt);
+        m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned);
     if (!scene.truth) return;
     for (int bin = 0; bin < kBins; ++bin)
         row(truthTable, ++truthCount, batch.id, scene.id, bin,

@@ -62,6 +62,8 @@ struct RobotModel {
     double flipperSpeed = 0.0;                      ///< [rad/s]
     double armReachBegin = 0.0, armReachEnd = 0.0;  ///< [m] x in the DEM frame the arm can probe
     double armSd = 0.0;                             ///< [m] sd of a reading of the arm
+    double travelledSdShare = 0.0;  ///< sd of a travelled way, as a share of it: the tracks slip
+    double pitchSd = 0.0;           ///< [rad] sd of the IMU's pitch
 
     double totalMass() const { return bodyMass + front.mass + rear.mass; }
 

@@ -52,6 +52,7 @@ _terratact_value() {
     *:--sessions) _terratact_files ;;
     *:--can | *:--interface) _terratact_buses ;;
     *:--method) _terratact_words "$methods" ;;
+    ghost:--methods) _terratact_list "clearance joint local" ;;
     *:--methods) _terratact_list "$methods" ;;
     *:--ceiling) _terratact_words truncate clamp none ;;
     *:--contacts) _terratact_words isolated any none ;;
@@ -86,6 +87,7 @@ _terratact_options() {
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
+    ghost) echo --robot --model --terrain --drives --spacing --step --blocks --methods --sd-factor --seed ;;
     probes) echo --data ;;
     calibrate) echo --data --robot ;;
     "model show") echo --csv ;;
@@ -103,8 +105,8 @@ _terratact_options() {
 # What may stand where no option does.
 _terratact_argument() {
   case $1 in
-    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts probes calibrate model panel demo \
-      robot can ;;
+    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts ghost probes calibrate model panel \
+      demo robot can ;;
     model) _terratact_words show predict ;;
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;

@@ -472,6 +472,34 @@
         <source>saturated</source>
         <translation>nasycen</translation>
     </message>
+    <message>
+        <source>the robot reports no odometry</source>
+        <translation>robot nehlásí ujetou dráhu</translation>
+    </message>
+    <message>
+        <source>the robot has driven too far since the last estimate</source>
+        <translation>robot ujel od posledního odhadu příliš daleko</translation>
+    </message>
+    <message>
+        <source>the last estimate has become too uncertain</source>
+        <translation>poslední odhad je už příliš nejistý</translation>
+    </message>
+    <message>
+        <source>the robot has tilted too much since the last estimate</source>
+        <translation>robot se od posledního odhadu příliš naklonil</translation>
+    </message>
+    <message>
+        <source>the robot has turned since the last estimate</source>
+        <translation>robot se od posledního odhadu otočil</translation>
+    </message>
+    <message>
+        <source>telemetry was missing while the robot drove</source>
+        <translation>během jízdy chyběla telemetrie</translation>
+    </message>
+    <message>
+        <source>nothing of the last estimate is left in view</source>
+        <translation>z posledního odhadu už není nic v dohledu</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1214,6 +1242,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>overridden by the operator: %1</source>
         <translation>operátor přebil: %1</translation>
+    </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Bez stínu: %1</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2440,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>This source is no CAN bus: it has no frames, and these are its values.</source>
         <translation>Tento zdroj není sběrnice CAN: nemá rámce, zde jsou jeho hodnoty.</translation>
     </message>
+    <message>
+        <source>way of the tracks</source>
+        <translation>dráha pásů</translation>
+    </message>
 </context>
 <context>
     <name>terratact::StatusHeader</name>
@@ -2682,6 +2718,14 @@ F1</translation>
     <message>
         <source>or %1 m (%2 %)</source>
         <translation>nebo %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>ghost</source>
+        <translation>stín</translation>
+    </message>
+    <message>
+        <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
+        <translation>stín posledního odhadu · ujeto %1 m · ± %2 cm</translation>
     </message>
 </context>
 <context>

@@ -472,6 +472,34 @@
         <source>saturated</source>
         <translation>gesättigt</translation>
     </message>
+    <message>
+        <source>the robot reports no odometry</source>
+        <translation>der Roboter meldet keinen zurückgelegten Weg</translation>
+    </message>
+    <message>
+        <source>the robot has driven too far since the last estimate</source>
+        <translation>der Roboter ist seit der letzten Schätzung zu weit gefahren</translation>
+    </message>
+    <message>
+        <source>the last estimate has become too uncertain</source>
+        <translation>die letzte Schätzung ist zu unsicher geworden</translation>
+    </message>
+    <message>
+        <source>the robot has tilted too much since the last estimate</source>
+        <translation>der Roboter hat sich seit der letzten Schätzung zu stark geneigt</translation>
+    </message>
+    <message>
+        <source>the robot has turned since the last estimate</source>
+        <translation>der Roboter hat sich seit der letzten Schätzung gedreht</translation>
+    </message>
+    <message>
+        <source>telemetry was missing while the robot drove</source>
+        <translation>während der Fahrt fehlte die Telemetrie</translation>
+    </message>
+    <message>
+        <source>nothing of the last estimate is left in view</source>
+        <translation>von der letzten Schätzung ist nichts mehr im Bild</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1214,6 +1242,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>overridden by the operator: %1</source>
         <translation>vom Bediener übergangen: %1</translation>
+    </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Kein Schatten: %1</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2440,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>This source is no CAN bus: it has no frames, and these are its values.</source>
         <translation>Diese Quelle ist kein CAN-Bus: sie hat keine Rahmen, dies sind ihre Werte.</translation>
     </message>
+    <message>
+        <source>way of the tracks</source>
+        <translation>Weg der Ketten</translation>
+    </message>
 </context>
 <context>
     <name>terratact::StatusHeader</name>
@@ -2682,6 +2718,14 @@ F1</translation>
     <message>
         <source>or %1 m (%2 %)</source>
         <translation>oder %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>ghost</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
+        <translation>Schatten der letzten Schätzung · %1 m gefahren · ± %2 cm</translation>
     </message>
 </context>
 <context>

@@ -142,6 +142,8 @@ TEST(Absolem, readsEveryKeyIntoItsPlace)
     EXPECT_EQ(robot.armReachBegin, 0.3);
     EXPECT_EQ(robot.armReachEnd, 0.8);
     EXPECT_EQ(robot.armSd, 0.03);
+    EXPECT_EQ(robot.travelledSdShare, 0.10);
+    EXPECT_EQ(robot.pitchSd, 0.0087);
 }
 
 TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
@@ -164,7 +166,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
             << section << key;
         ++keys;
     }
-    EXPECT_EQ(keys, 37);
+    EXPECT_EQ(keys, 39);
     EXPECT_TRUE(refusesChange("[arm]", "[arms]", {"arm is missing"}));
     EXPECT_TRUE(refuses(absolem + "\n[laser]\n", {"'laser' is not a known key"}));
 }
