@@ -104,7 +104,12 @@ Result<Classes> readClasses(const std::string& path, const std::string& column)
 {
     auto text = readFile(path, kMostBytes);
     if (!text) return text.error();
-    IndexFile file(path, *std::move(text));
+    return classesFrom(path, *std::move(text), column);
+}
+
+Result<Classes> classesFrom(const std::string& name, std::string text, const std::string& column)
+{
+    IndexFile file(name, std::move(text));
     const auto header = file.next();
     if (!header) return header.error();
     const auto row = indexOf(*header, "row");

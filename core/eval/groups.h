@@ -30,6 +30,9 @@ using Classes = std::map<std::string, std::string>;
 /// a quote does not end, a row appears twice.
 Result<Classes> readClasses(const std::string& path, const std::string& column);
 
+/// The same for a text at hand, which errors call `name`.
+Result<Classes> classesFrom(const std::string& name, std::string text, const std::string& column);
+
 /// What a scene's run is called where the index does not know it.
 inline constexpr std::string_view kNoClass = "(none)";
 

@@ -103,20 +103,29 @@ Status readTomlFile(const std::string& path, const std::function<void(TomlSectio
 {
     const Result<std::string> text = readFile(path, kMostBytes);
     if (!text) return text.error();
-    if (text->empty()) return fileError(path, "is empty");
-    if (nestingDepth(*text) > kDeepest)
-        return fileError(path, "nests deeper than " + std::to_string(kDeepest) + " levels");
+    return readToml(path, *text, read);
+}
+
+Status readToml(const std::string& name, const std::string& text,
+                const std::function<void(TomlSection&)>& read)
+{
+    if (text.empty()) return fileError(name, "is empty");
+    if (text.size() > kMostBytes)
+        return fileError(name, "is larger than the " + std::to_string(kMostBytes)
+                                   + " bytes allowed here");
+    if (nestingDepth(text) > kDeepest)
+        return fileError(name, "nests deeper than " + std::to_string(kDeepest) + " levels");
     try {
-        const toml::table table = toml::parse(std::string_view(*text));
+        const toml::table table = toml::parse(std::string_view(text));
         TomlSection file(table, "");
         read(file);
         file.refuseUnknown();
         return Done{};
     } catch (const toml::parse_error& error) {
-        return fileError(path, "line " + std::to_string(error.source().begin.line)
+        return fileError(name, "line " + std::to_string(error.source().begin.line)
                                    + ": is not TOML: " + std::string(error.description()));
     } catch (const TomlRefused& refused) {
-        return fileError(path, refused.cause);
+        return fileError(name, refused.cause);
     }
 }
 
