@@ -55,9 +55,8 @@ bool looksLikeHeight(std::string_view name)
 bool isRunName(std::string_view text)
 {
     return !text.empty() && text.size() <= CsvReader::kLongestField
-        && std::none_of(text.begin(), text.end(), [](char c) {
-               return static_cast<unsigned char>(c) < ' ' || c == '\x7f' || c == ',' || c == '"';
-           });
+        && std::none_of(text.begin(), text.end(),
+                        [](char c) { return isControl(c) || c == ',' || c == '"'; });
 }
 
 /// Why a value is refused in a column; empty where it is fine.  An infinity is beyond every range.

@@ -41,5 +41,5 @@ for log in demo absolem; do
   sed -E 's/.* ([0-9A-F])([0-9A-F]{2})#([0-9A-F]*)$/\2 \1 \3/' "docs/can_$log.log" |
     while read -r low high data; do
       printf '40%s0%s1%x%s\n' "$low" "$high" $((${#data} / 2)) "$(printf '%-16s' "$data" | tr ' ' 0)"
-    done | xxd -r -p >"$corpora/can_frames/$log"
+    done | python3 -c 'import sys; sys.stdout.buffer.write(bytes.fromhex(sys.stdin.read()))' >"$corpora/can_frames/$log"
 done

@@ -1,6 +1,7 @@
-// The numbers of a model file: the first byte says how many training rows a real model has, then 10 bytes each change
-// one of its numbers (two say which, eight are the new one).  A model that is refused may not be written; one that is
+// The numbers of a model file: the low bits of the first byte say how many training rows a real model has, its high ones
+// the method; then 10 bytes each change one number (two say which, eight are the new one).  A model that is refused may not be written; one that is
 // accepted survives a file, and estimates a terrain in finite numbers or says why it cannot.
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -92,34 +93,31 @@ void change(ModelData& model, const std::uint8_t* data, std::size_t size)
     }
 }
 
-void promiseEstimate(const Proprioception& s, const RobotModel& robot, const Models& models,
-                     Method method)
-{
-    Settings settings;
-    settings.method = method;
-    settings.draws = 8;
-    settings.chains = 2;
-    settings.burnIn = 2;
-    const TerrainEstimate estimate = estimateTerrain(s, {}, robot, models, settings);
-    for (std::size_t i = 0; i < kBins; ++i)
-        for (const double value : {estimate.height[i], estimate.mean[i], estimate.sd[i],
-                                   estimate.q10[i], estimate.q90[i]})
-            promise(std::isfinite(value), "an estimate is finite");
-}
-
-void promiseEstimates(const ModelData& model)
+TerrainEstimate estimateBy(Method method, const ModelData& model)
 {
     static const RobotModel robot = absolem();
     Proprioception s{
         .pitch = 0.1, .front = -0.3, .rear = 0.2, .frontCurrent = 2.0, .rearCurrent = 1.0};
     s.force.fill(1.0);
-    for (const Method method : {Method::Joint, Method::Local, Method::Clearance, Method::Pafc})
-        try {
-            const Models models(model, robot);
-            promiseEstimate(s, robot, models, method);
-        } catch (const std::invalid_argument&) {
-            continue;  // which the console shows
-        }
+    Settings settings;
+    settings.method = method;
+    settings.draws = 8;
+    settings.chains = 2;
+    settings.burnIn = 2;
+    return estimateTerrain(s, {}, robot, Models(model, robot), settings);
+}
+
+void promiseEstimate(Method method, const ModelData& model)
+{
+    try {
+        const TerrainEstimate estimate = estimateBy(method, model);
+        for (std::size_t i = 0; i < kBins; ++i)
+            for (const double value : {estimate.height[i], estimate.mean[i], estimate.sd[i],
+                                       estimate.q10[i], estimate.q90[i], estimate.rhat[i]})
+                promise(std::isfinite(value), "an estimate is finite");
+    } catch (const std::invalid_argument& error) {
+        promise(error.what()[0] != '\0', "what cannot be estimated says why");
+    }
 }
 
 }  // namespace
@@ -128,7 +126,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     static const ScratchFile file("numbers.ttm");
     if (size == 0) return 0;
-    ModelData model = realModel(1 + data[0] % 40);
+    constexpr std::array kTried{Method::Joint, Method::Local, Method::Pafc, Method::Clearance};
+    ModelData model = realModel(1 + data[0] % 4);
     change(model, data + 1, size - 1);
     try {
         promise(bool(writeModel(file.path(), model)), "a model can be written");
@@ -137,6 +136,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const Result<StoredModel> again = readModel(file.path());
     promise(again && same(again->data, model), "a model survives being written and read");
-    promiseEstimates(again->data);
+    promiseEstimate(kTried[data[0] / 64U], again->data);
     return 0;
 }

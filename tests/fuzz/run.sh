@@ -16,6 +16,7 @@ targets=("$@")
 scratch=$(mktemp -d -p "$([ -w /dev/shm ] && echo /dev/shm || echo "${TMPDIR:-/tmp}")")
 trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
 export TMPDIR=$scratch OPENBLAS_NUM_THREADS=1 UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_OPTIONS=quarantine_size_mb=16:malloc_context_size=8:strict_string_checks=1  # quicker, and within 256 MiB
 mkdir -p "$build/findings"
 
 # run_target NAME: runs it; its output in $build/findings/NAME.log

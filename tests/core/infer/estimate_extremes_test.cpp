@@ -12,6 +12,7 @@
 #include "core/infer/estimator.h"
 #include "core/infer/gibbs.h"
 #include "core/terrain/kinematic_reconstruction.h"
+#include "tests/support/random_model.h"
 #include "tests/support/toy_clearance.h"
 #include "tests/support/toy_model.h"
 
@@ -253,6 +254,34 @@ GibbsProblem paperProblem(double ceiling, CeilingRule rule)
     problem.burnIn = 3;
     problem.keptPerChain = 25;
     return problem;
+}
+
+TEST(Estimate, aModelOfOneTrainingRowGivesOneAllTheSame)
+{
+    const Models one(randomModel(1), robot());
+    for (const Method method : {Method::Local, Method::Joint}) {
+        Settings settings;
+        settings.method = method;
+        const auto numbers = numbersOf(estimateTerrain(someScene().s, {}, robot(), one, settings));
+        EXPECT_TRUE(std::all_of(numbers.begin(), numbers.end(), [](double v) {
+            return std::isfinite(v);
+        })) << name(method);
+    }
+}
+
+TEST(Estimate, aModelWhoseNumbersOverflowIsRefusedWithAText)
+{
+    ModelData model = randomModel(20);
+    for (SurfaceProcess& process : model.clearance.covered) process.mean = 1e9;  // sinh: infinite
+    const Models wrong(model, robot());
+    for (const Method method : {Method::Local, Method::Joint}) {
+        Settings settings;
+        settings.method = method;
+        EXPECT_THROW(
+            static_cast<void>(estimateTerrain(someScene().s, {}, robot(), wrong, settings)),
+            std::invalid_argument)
+            << name(method);
+    }
 }
 
 TEST(Sampler, keepsBelowCeilingsThatLieBelowEveryTrainingHeight)

@@ -321,7 +321,7 @@ TEST_F(ModelFile, theHashDependsOnEveryPart)
 
 TEST_F(ModelFile, throwsRatherThanWriteAModelThatItWouldRefuse)
 {
-    const std::array<std::function<void(ModelData&)>, 9> faults{
+    const std::array<std::function<void(ModelData&)>, 12> faults{
         [](ModelData& m) { m.heights(0, 0) = std::numeric_limits<double>::quiet_NaN(); },
         [](ModelData& m) { m.heights.resize(0, kBins), m.features.resize(0, 11); },
         [](ModelData& m) { m.features.resize(2, 11); },
@@ -331,6 +331,9 @@ TEST_F(ModelFile, throwsRatherThanWriteAModelThatItWouldRefuse)
         [](ModelData& m) { m.paf.bins[2].lengthScale.conservativeResize(20); },
         [](ModelData& m) { m.paf.bins[2].lengthScale[4] = 0.0; },
         [](ModelData& m) { m.inducing = -1; },
+        [](ModelData& m) { m.clearance.covered[0].weights[2] = -1e16; },
+        [](ModelData& m) { m.clearance.residuals(2, 10) = -1e10; },
+        [](ModelData& m) { m.clearance.featureMean[10] = 1e10; },
     };
     const std::string before = contentOf(path);
     for (const auto& fault : faults) {
