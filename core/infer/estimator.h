@@ -29,8 +29,7 @@ struct Models {
 
 /// The estimate of one scene by settings.method, whichever that is.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for settings out of range, an s that lacks a feature, or a model whose numbers
-/// leave this scene no finite estimate; Cancelled.
+/// Throws std::invalid_argument for settings out of range or an s that lacks a feature; Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
                                 const Settings& settings, const Watch& watch = {});

@@ -1,6 +1,7 @@
-// The numbers of a model file: the low bits of the first byte say how many training rows a real model has, its high ones
-// the method; then 10 bytes each change one number (two say which, eight are the new one).  A model that is refused may not be written; one that is
-// accepted survives a file, and estimates a terrain in finite numbers or says why it cannot.
+// The numbers of a model file.  Of the first byte the lowest two bits say how many training rows a real model has, the
+// next whether it goes through a file, the highest two which method estimates; then 10 bytes each change one number
+// (two say which, eight are the new one).  A model that is accepted survives a file, and estimates a terrain in finite
+// numbers or says why it cannot.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -8,8 +9,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/infer/closed_form.h"
 #include "core/infer/estimator.h"
+#include "core/infer/reconstruct.h"
 #include "core/learn/model_file.h"
+#include "core/learn/training.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/support/absolem.h"
@@ -19,6 +23,8 @@ using namespace terratact;
 using namespace terratact::fuzz;
 
 namespace {
+
+constexpr unsigned kThroughFile = 4;  // bit of the first byte
 
 using Numbers = std::vector<double*>;
 
@@ -104,6 +110,10 @@ TerrainEstimate estimateBy(Method method, const ModelData& model)
     settings.draws = 8;
     settings.chains = 2;
     settings.burnIn = 2;
+    if (isClosedForm(method))
+        return reconstructClosedForm(s, {}, robot, ClearanceModel(model), settings);
+    if (method == Method::Pafc)
+        return reconstruct(s, {}, robot, BinModels(model, FeatureSet::Paf), settings);
     return estimateTerrain(s, {}, robot, Models(model, robot), settings);
 }
 
@@ -120,22 +130,30 @@ void promiseEstimate(Method method, const ModelData& model)
     }
 }
 
+void promiseRoundTrip(const ModelData& model)
+{
+    static const ScratchFile file("numbers.ttm");
+    promise(bool(writeModel(file.path(), model)), "a model can be written");
+    const Result<StoredModel> again = readModel(file.path());
+    promise(again && same(again->data, model), "a model survives being written and read");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    static const ScratchFile file("numbers.ttm");
-    if (size == 0) return 0;
     constexpr std::array kTried{Method::Joint, Method::Local, Method::Pafc, Method::Clearance};
-    ModelData model = realModel(1 + data[0] % 4);
+    if (size == 0) return 0;
+    const Method method = kTried[data[0] / 64U];
+    ModelData model =
+        realModel(method == Method::Clearance ? kFewestTrainingRows : 1 + data[0] % 4);
     change(model, data + 1, size - 1);
     try {
-        promise(bool(writeModel(file.path(), model)), "a model can be written");
+        promise(!contentHash(model).empty(), "an accepted model has a hash");
     } catch (const std::invalid_argument&) {
-        return 0;
+        return 0;  // refused
     }
-    const Result<StoredModel> again = readModel(file.path());
-    promise(again && same(again->data, model), "a model survives being written and read");
-    promiseEstimate(kTried[data[0] / 64U], again->data);
+    if (data[0] & kThroughFile) promiseRoundTrip(model);
+    promiseEstimate(method, model);
     return 0;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/infer/closed_form.h"
 #include "core/infer/convergence.h"
 #include "core/infer/estimator.h"
 #include "core/infer/gibbs.h"
@@ -258,11 +259,12 @@ GibbsProblem paperProblem(double ceiling, CeilingRule rule)
 
 TEST(Estimate, aModelOfOneTrainingRowGivesOneAllTheSame)
 {
-    const Models one(randomModel(1), robot());
+    const ClearanceModel one(randomModel(1));
     for (const Method method : {Method::Local, Method::Joint}) {
         Settings settings;
         settings.method = method;
-        const auto numbers = numbersOf(estimateTerrain(someScene().s, {}, robot(), one, settings));
+        const auto numbers =
+            numbersOf(reconstructClosedForm(someScene().s, {}, robot(), one, settings));
         EXPECT_TRUE(std::all_of(numbers.begin(), numbers.end(), [](double v) {
             return std::isfinite(v);
         })) << name(method);
@@ -273,12 +275,12 @@ TEST(Estimate, aModelWhoseNumbersOverflowIsRefusedWithAText)
 {
     ModelData model = randomModel(20);
     for (SurfaceProcess& process : model.clearance.covered) process.mean = 1e9;  // sinh: infinite
-    const Models wrong(model, robot());
+    const ClearanceModel wrong(model);
     for (const Method method : {Method::Local, Method::Joint}) {
         Settings settings;
         settings.method = method;
         EXPECT_THROW(
-            static_cast<void>(estimateTerrain(someScene().s, {}, robot(), wrong, settings)),
+            static_cast<void>(reconstructClosedForm(someScene().s, {}, robot(), wrong, settings)),
             std::invalid_argument)
             << name(method);
     }
