@@ -4,7 +4,8 @@
 # Runs the programs of `cmake/build.sh fuzz`, all of them by default, SECONDS each and two at a time, from the seeds in
 # the repository and from what earlier runs found (build/fuzz/corpora).  Fails where a program crashed, broke a promise,
 # took over 2 s for one input or over 256 MiB, and names the input: the program reproduces it with that file as its
-# argument.  TERRATACT_FUZZ_JOBS: how many run at a time.
+# argument.  TERRATACT_FUZZ_JOBS: how many run at a time; TERRATACT_FUZZ_TIMEOUT: those 2 s, which are of the wall's
+# clock, for a machine that is busy otherwise.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=build/fuzz
@@ -27,7 +28,7 @@ run_target() {
   # shellcheck disable=SC2207
   [ ! -e "tests/fuzz/$name.options" ] || options+=($(cat "tests/fuzz/$name.options"))
   [ ! -d "tests/fuzz/corpora/$name" ] || seeds+=("tests/fuzz/corpora/$name")
-  "$build/fuzz/$name" "$own" "${seeds[@]}" -rss_limit_mb=256 -timeout=2 -max_total_time="$seconds" \
+  "$build/fuzz/$name" "$own" "${seeds[@]}" -rss_limit_mb=256 -timeout="${TERRATACT_FUZZ_TIMEOUT:-2}" -max_total_time="$seconds" \
     -print_final_stats=1 -artifact_prefix="$build/findings/$name-" "${options[@]}" >"$build/findings/$name.log" 2>&1
 }
 
