@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/resources.h"
 #include "core/infer/quality.h"
+#include "core/learn/scene_file.h"
 
 namespace terratact {
 
@@ -187,7 +188,7 @@ void addSimulate(CLI::App& app, Arguments& a)
     c->add_option("--out", a.simulate.out, "Scenes CSV to write")->required();
     addNumber(*c, "--seed", a.simulate.seed, "Seed of terrain and noise");
     c->add_option("--count", a.simulate.count, "Scenes (default: 1400, or every stop over a file)")
-        ->check(CLI::Range(1, 1'000'000));
+        ->check(CLI::Range(1, static_cast<int>(kMostScenes)));
     addNumber(*c, "--step", a.simulate.step, "Distance of a file's heights [m]")
         ->check(CLI::Range(0.001, 1.0));
     c->add_flag("--blocks", a.simulate.blocks,

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/infer/draw_summary.h"
 #include "core/infer/measured_bins.h"
 #include "core/learn/clearance.h"
 #include "core/learn/hyperparameters.h"
@@ -154,7 +155,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
         estimate.ess[i] = settings.draws;
     }
     estimate.draws = heightDraws(distribution, estimate);
-    return estimate;
+    return finite(std::move(estimate));
 }
 
 }  // namespace terratact

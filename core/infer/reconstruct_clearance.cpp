@@ -84,7 +84,7 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
                      models.gp(draws.bins[k], regimeOf(estimate.ceiling[i]), settings.inducing));
     }
     conclude(estimate, draws, known);
-    return estimate;
+    return finite(std::move(estimate));
 }
 
 }  // namespace terratact

@@ -21,7 +21,7 @@ inline constexpr double kExactSd = 0.001;
 /// Convergence is judged over all bins that are drawn.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for another method, settings or readings out of range, an s that lacks a
-/// feature, and where a bin is in a regime that was not trained; Cancelled.
+/// feature, and where a bin is in a regime that was not trained or the model gives no finite estimate; Cancelled.
 TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
                                      const RobotModel& robot, const ClearanceConditionals& models,
                                      const Settings& settings, const Watch& watch = {},

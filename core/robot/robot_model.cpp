@@ -192,4 +192,12 @@ Result<RobotModel> readRobotModel(const std::string& path)
     return robot;
 }
 
+Result<RobotModel> robotModelFrom(const std::string& name, const std::string& text)
+{
+    RobotModel robot;
+    const Status read = readToml(name, text, [&](TomlSection& file) { robot = robotOf(file); });
+    if (!read) return read.error();
+    return robot;
+}
+
 }  // namespace terratact

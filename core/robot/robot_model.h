@@ -77,4 +77,7 @@ struct RobotModel {
 /// over 64 KiB or nested deeper than 16 levels are refused before they are parsed.
 Result<RobotModel> readRobotModel(const std::string& path);
 
+/// The same for a text at hand, which errors call `name`.
+Result<RobotModel> robotModelFrom(const std::string& name, const std::string& text);
+
 }  // namespace terratact

@@ -65,9 +65,11 @@ double TomlSection::number(std::string_view key, TomlRange range)
 std::string TomlSection::text(std::string_view key)
 {
     const auto* const value = node(key).as_string();
-    if (!value || value->get().empty() || value->get().size() > 100)
-        throw TomlRefused{tomlLine(node(key)) + ": " + path(key)
-                          + " is not a text of 1 to 100 characters"};
+    if (!value || value->get().empty() || value->get().size() > 100
+        || std::any_of(value->get().begin(), value->get().end(), isControl))
+        throw TomlRefused{
+            tomlLine(node(key)) + ": " + path(key)
+            + " is not a text of 1 to 100 characters, none of them a control character"};
     return value->get();
 }
 
@@ -103,20 +105,29 @@ Status readTomlFile(const std::string& path, const std::function<void(TomlSectio
 {
     const Result<std::string> text = readFile(path, kMostBytes);
     if (!text) return text.error();
-    if (text->empty()) return fileError(path, "is empty");
-    if (nestingDepth(*text) > kDeepest)
-        return fileError(path, "nests deeper than " + std::to_string(kDeepest) + " levels");
+    return readToml(path, *text, read);
+}
+
+Status readToml(const std::string& name, const std::string& text,
+                const std::function<void(TomlSection&)>& read)
+{
+    if (text.empty()) return fileError(name, "is empty");
+    if (text.size() > kMostBytes)
+        return fileError(name, "is larger than the " + std::to_string(kMostBytes)
+                                   + " bytes allowed here");
+    if (nestingDepth(text) > kDeepest)
+        return fileError(name, "nests deeper than " + std::to_string(kDeepest) + " levels");
     try {
-        const toml::table table = toml::parse(std::string_view(*text));
+        const toml::table table = toml::parse(std::string_view(text));
         TomlSection file(table, "");
         read(file);
         file.refuseUnknown();
         return Done{};
     } catch (const toml::parse_error& error) {
-        return fileError(path, "line " + std::to_string(error.source().begin.line)
+        return fileError(name, "line " + std::to_string(error.source().begin.line)
                                    + ": is not TOML: " + std::string(error.description()));
     } catch (const TomlRefused& refused) {
-        return fileError(path, refused.cause);
+        return fileError(name, refused.cause);
     }
 }
 

@@ -44,7 +44,7 @@ public:
     bool has(std::string_view key) const { return table_.contains(key); }
 
     double number(std::string_view key, TomlRange range);
-    std::string text(std::string_view key);  ///< 1 to 100 characters
+    std::string text(std::string_view key);  ///< 1 to 100 bytes, none of them a control character
     /// The position of the key's text among the choices.
     std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices);
 
@@ -71,5 +71,9 @@ private:
 /// it cannot be read, is empty, larger than 64 KiB, nests too deep for the parser, is not TOML, or
 /// `read` refused it.
 Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read);
+
+/// The same for a text at hand, which errors call `name`.
+Status readToml(const std::string& name, const std::string& text,
+                const std::function<void(TomlSection&)>& read);
 
 }  // namespace terratact

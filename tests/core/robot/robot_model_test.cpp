@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
 #include <stdexcept>
 
+#include "core/text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
@@ -265,8 +267,20 @@ TEST_F(RobotFile, refusesWhatIsNotToml)
     EXPECT_TRUE(refused(readRobotModel(dir.file("none")), dir.file("none"), {"cannot be opened"}));
 }
 
+TEST_F(RobotFile, quotesNoControlCharacterOfAFile)
+{
+    for (const char* text : {"a = 1\x1b[31m\n", "\x01 = 1\n", "a = \"\x7f\"\n", "a = ,,\x0b\n"}) {
+        const Result<RobotModel> robot = robotModelFrom("text", text);
+        ASSERT_TRUE(refused(robot, "text", {"not TOML"}));
+        EXPECT_TRUE(std::none_of(robot.error().text.begin(), robot.error().text.end(), isControl))
+            << text;
+    }
+}
+
 TEST_F(RobotFile, refusesHugeAndDeepFilesBeforeParsingThem)
 {
+    EXPECT_TRUE(refused(robotModelFrom("text", absolem + std::string(65536, '#')), "text",
+                        {"larger than the 65536 bytes"}));
     EXPECT_TRUE(refuses(absolem + std::string(65536, '#'), {"larger than the 65536 bytes"}));
     std::string dotted = "a", braces = "a = ";
     for (int i = 0; i < 10000; ++i) dotted += ".a";
