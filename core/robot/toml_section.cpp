@@ -101,13 +101,6 @@ void TomlSection::refuseUnknown() const
                               + " is not a known key"};
 }
 
-Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read)
-{
-    const Result<std::string> text = readFile(path, kMostBytes);
-    if (!text) return text.error();
-    return readToml(path, *text, read);
-}
-
 Status readToml(const std::string& name, const std::string& text,
                 const std::function<void(TomlSection&)>& read)
 {
@@ -129,6 +122,13 @@ Status readToml(const std::string& name, const std::string& text,
     } catch (const TomlRefused& refused) {
         return fileError(name, refused.cause);
     }
+}
+
+Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read)
+{
+    const Result<std::string> text = readFile(path, kMostBytes);
+    if (!text) return text.error();
+    return readToml(path, *text, read);
 }
 
 }  // namespace terratact

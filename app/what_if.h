@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "core/infer/estimator.h"
+#include "core/infer/verdict.h"
+#include "core/log/session_reader.h"
+#include "core/result.h"
+
+namespace terratact {
+
+// Recorded estimates, computed again: as they were, or with other settings or another model.
+
+/// The robot of a session.  Errors name the session's file.
+Result<RobotModel> robotOf(const SessionReader& session);
+
+/// The first of `paths` whose file's SHA-256 is the row's.  Errors say what was looked at: there is none.
+Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string> paths);
+
+/// A recorded estimate with its draws.  Errors name the session's file.
+Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
+
+/// The estimate of the row's scene with its readings, in their order, and the session's robot.  With the row's
+/// own model and settings that is the recorded one, bit for bit, unless time had ended its sampling
+/// (Ending::Time).
+/// models: for that robot.  Errors name the session's file.  Throws Cancelled.
+Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
+                                      const Models& models, const Settings& settings,
+                                      const Watch& watch = {});
+
+/// How far one bin moved, after − before [m].
+struct BinDifference {
+    double mean = 0.0, sd = 0.0, q10 = 0.0, q90 = 0.0, height = 0.0;
+    bool operator==(const BinDifference&) const = default;
+};
+
+struct Differences {
+    std::array<BinDifference, kBins> bin{};
+    int largestBin = 0;      ///< where the height moved most
+    Verdict before, after;   ///< as if the robot were heard
+    bool identical = false;  ///< every number, bit for bit, the draws among them, and every word
+    double largest() const;  ///< [m] |height| of largestBin
+};
+
+/// stepLimit: [m] of the verdicts.  Throws as verdictOf does.
+Differences differencesBetween(const TerrainEstimate& before, const TerrainEstimate& after,
+                               const Measurement& scene, double stepLimit);
+
+}  // namespace terratact
