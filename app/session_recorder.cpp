@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 #include "app/steady_now.h"
@@ -290,18 +291,23 @@ Status SessionRecorder::write()
     for (const FrameRow& frame : batch_.frames)
         if (Status added = writer_->add(frame); !added) return added;
     for (const Row& row : batch_.rows) {
-        Status added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
-        if (!added) return added;
+        try {
+            Status added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
+            if (!added) return added;
+        } catch (const std::invalid_argument&) {
+            miss(now(), 0, 1);  // a row that no session can hold must not end the recording
+        }
     }
     if (batch_.missingFrames + batch_.missingRows == 0) return Done{};
-    return writer_->add(
-        EventRow{.time = batch_.missingSince,
-                 .kind = EventKind::Gap,
-                 .subject = "queue full",
-                 .text = std::to_string(batch_.missingFrames) + " frames and "
-                       + std::to_string(batch_.missingRows)
-                       + " other rows found no room while the disk was slow or full",
-                 .number = static_cast<double>(batch_.missingFrames)});
+    return writer_->add(EventRow{
+        .time = batch_.missingSince,
+        .kind = EventKind::Gap,
+        .subject = "missing",
+        .text = std::to_string(batch_.missingFrames) + " frames and "
+              + std::to_string(batch_.missingRows)
+              + " other rows are not here: there was no room while the disk was slow or full, or "
+                "they could not be written",
+        .number = static_cast<double>(batch_.missingFrames)});
 }
 
 void SessionRecorder::remember(const Row& row)

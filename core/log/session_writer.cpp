@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -277,6 +278,51 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
     }
 }
 
+namespace {
+
+void requireFinite(std::initializer_list<double> values)
+{
+    for (const double value : values)
+        if (!std::isfinite(value))
+            throw std::invalid_argument("SessionWriter: a number that is not finite");
+}
+
+void requireFinite(const Heights& heights)
+{
+    for (const double height : heights) requireFinite({height});
+}
+
+void requireFinite(const SceneRow& row)
+{
+    const Measurement& m = row.measurement;
+    requireFinite({m.time, m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight,
+                   m.frontLeftCurrent, m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent,
+                   m.travelled.value_or(0.0), m.turned.value_or(0.0)});
+    for (const double force : m.force) requireFinite({force});
+    if (m.arm) requireFinite({m.arm->height, m.arm->sd});
+    if (row.truth) requireFinite(*row.truth);
+}
+
+void requireFinite(const EstimateRow& row)
+{
+    const TerrainEstimate& e = row.estimate;
+    requireFinite({row.seconds, row.stepLimit, e.novelty});
+    for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})
+        requireFinite(*values);
+    for (const Heights& draw : e.draws) requireFinite(draw);
+    for (const ArmReading& reading : row.readings) requireFinite({reading.height, reading.sd});
+}
+
+void requireFinite(const ProposalRow& row)
+{
+    requireFinite({row.height, row.q10, row.q90, row.sd, row.limit, row.armSd, row.seconds,
+                   row.stepLimit, row.bitsBefore});
+    for (const OfferedBin& offer : row.offers)
+        requireFinite({offer.varianceShare, offer.bitsAfter});
+}
+
+}  // namespace
+
 Status SessionWriter::add(const FrameRow& row)
 {
     return attempt(*impl_, [&] {
@@ -303,6 +349,7 @@ Status SessionWriter::add(const ModelRow& row)
 
 Status SessionWriter::add(const SceneRow& row)
 {
+    requireFinite(row);
     requireNext(row.id, impl_->lastScene);
     return attempt(*impl_, [&] {
         impl_->start(row.time);
@@ -312,6 +359,7 @@ Status SessionWriter::add(const SceneRow& row)
 
 Status SessionWriter::add(const EstimateRow& row)
 {
+    requireFinite(row);
     requireKnown(row.scene, impl_->lastScene, false);
     requireKnown(row.model, impl_->lastModel, false);
     requireNext(row.id, impl_->lastEstimate);
@@ -323,6 +371,7 @@ Status SessionWriter::add(const EstimateRow& row)
 
 Status SessionWriter::add(const ProposalRow& row)
 {
+    requireFinite(row);
     requireKnown(row.estimate, impl_->lastEstimate, false);
     requireNext(row.id, impl_->lastProposal);
     return attempt(*impl_, [&] {
@@ -333,6 +382,7 @@ Status SessionWriter::add(const ProposalRow& row)
 
 Status SessionWriter::add(const EventRow& row)
 {
+    requireFinite({row.number.value_or(0.0)});
     requireKnown(row.estimate, impl_->lastEstimate, true);
     requireKnown(row.proposal, impl_->lastProposal, true);
     return attempt(*impl_, [&] {

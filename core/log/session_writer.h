@@ -27,7 +27,8 @@ public:
     ~SessionWriter();
 
     // The id of a model, scene, estimate or proposal is larger than any before of its kind, and what they refer to
-    // has been added; throw std::invalid_argument otherwise.  Events are numbered here.
+    // has been added, and every number is finite; throw std::invalid_argument otherwise, and nothing has happened.
+    // Events are numbered here.
     Status add(const FrameRow& row);
     Status add(const ModelRow& row);
     Status add(const SceneRow& row);
