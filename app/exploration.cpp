@@ -34,6 +34,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 modelTrouble_.clear();
                 // What is shown rests on the model before.
                 if (estimate_ && !exploring(state_.phase)) pending_.aborted = true;
+                if (!estimate_) track_.reset();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
             });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
@@ -55,7 +56,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 live_.reset();
                 estimate_ = estimate;
                 estimateSeconds_ = seconds;
-                track_.emplace(robot_, estimate, scene_->measurement);
+                if (scene_) track_.emplace(robot_, estimate, scene_->measurement);
                 advice_ = advice;
                 pending_.estimateReady = true;
                 pending_.probeWanted = advice.bin.has_value();

@@ -69,7 +69,7 @@ ImuMotion DeadReckoning::motion() const
 
 GhostTrack::GhostTrack(const RobotModel& robot, const TerrainEstimate& estimate,
                        const Measurement& scene, const GhostLimits& limits)
-    : estimate_(estimate), limits_(limits), scene_(scene), last_(scene)
+    : estimate_(estimate), limits_(limits), scene_(scene)
 {
     if (!scene.travelled) {
         end(NoGhost::NoOdometry);
@@ -83,9 +83,9 @@ void GhostTrack::take(const Measurement& measurement)
 {
     if (why_) return;
     if (!measurement.travelled) return end(NoGhost::NoOdometry);
-    const bool silent = std::abs(measurement.time - last_.time) > limits_.silence;
-    last_ = measurement;
-    if (silent) return end(NoGhost::Unheard);
+    const double silence = std::abs(measurement.time - heard_.value_or(measurement.time));
+    heard_ = measurement.time;
+    if (silence > limits_.silence) return end(NoGhost::Unheard);
     reckoning_->take(*measurement.travelled, measurement.pitch);
     ghost_ = ghostOf(estimate_, reckoning_->motion());
     if (const auto why = judge(measurement)) end(*why);

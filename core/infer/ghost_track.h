@@ -45,7 +45,8 @@ struct GhostLimits {
 /// Follows one estimate along the telemetry after its scene.  What has ended stays ended.
 class GhostTrack {
 public:
-    /// scene: the telemetry that the estimate rests on.
+    /// scene: the telemetry that the estimate rests on.  It may be long ago: estimates and probes take their time,
+    /// and the robot stands meanwhile.
     GhostTrack(const RobotModel& robot, const TerrainEstimate& estimate, const Measurement& scene,
                const GhostLimits& limits = {});
 
@@ -62,7 +63,8 @@ private:
 
     TerrainEstimate estimate_;
     GhostLimits limits_;
-    Measurement scene_, last_;
+    Measurement scene_;
+    std::optional<double> heard_;  ///< [s] of the newest telemetry
     std::optional<DeadReckoning> reckoning_;
     std::optional<Ghost> ghost_;
     std::optional<NoGhost> why_;

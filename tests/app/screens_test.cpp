@@ -178,7 +178,8 @@ TEST_F(Screens, ofAWholeExploration)
             const auto ghost = window->exploration().ghost();
             return ghost && ghost->motion.way > 0.2;
         },
-        60000));
+        60000))
+        << window->exploration().whyNoGhost().toStdString();
     QTest::keyRelease(window.get(), Qt::Key_S);
     picture("16_ghost");
     QTest::keyClick(window.get(), Qt::Key_F12);

@@ -194,6 +194,8 @@ struct Track : testing::Test {
     {
         GhostTrack track(absolem(), estimate, m);
         Measurement next = m;
+        next.time += 60.0;  // of estimating and probing
+        track.take(next);
         next.time += 0.05;
         change(next);
         track.take(next);
