@@ -178,10 +178,11 @@ private:
             fmt::print("reproduced bit for bit\n");
             return;
         }
-        if (r.asRecorded)
-            fmt::print("{}\n", endedByTime(r)
-                                   ? "its sampling was ended by time, which nothing repeats"
-                                   : "NOT reproduced");
+        if (r.asRecorded && endedByTime(r))
+            fmt::print("its sampling was ended by time, which nothing repeats\n");
+        else if (r.asRecorded)
+            fmt::print("NOT reproduced, heights differ by up to {:.1g} m{}\n", d.largest(),
+                       d.largest() < 1e-6 ? ": another processor's last bits?" : "");
         else
             fmt::print("now {}{}\n", name(r.again.settings.method),
                        d.identical ? ", the same bit for bit" : "");

@@ -26,13 +26,20 @@ class RecordedDrive {
 public:
     static constexpr double kStep = 3.0;  ///< [m] where the ground rises
 
+    struct Options {
+        double startBefore = 0.9;  ///< [m] the robot's middle before the step
+        std::int64_t later = 0;    ///< [s] of the calendar
+        double lie = 0.0;          ///< [m] added to the heights that are recorded
+    };
     RecordedDrive(const std::string& path, const std::string& robotFile,
-                  const std::string& modelFile, double startBefore)
+                  const std::string& modelFile, const Options& options)
         : robotText_(*readFile(robotFile, 65536)), model_(*robotModelFrom(robotText_, robotFile)),
-          models_(readModel(modelFile)->data, model_), robot_(model_, robotBefore(startBefore), {}),
-          console_(model_, {}), writer_(begin(path)), modelRow_{.id = 1,
-                                                                .name = "default.ttm",
-                                                                .hash = *sha256OfFile(modelFile)}
+          models_(readModel(modelFile)->data, model_),
+          robot_(model_, robotBefore(options.startBefore), {}), console_(model_, {}),
+          lie_(options.lie),
+          writer_(begin(path, options.later)), modelRow_{.id = 1,
+                                                         .name = "default.ttm",
+                                                         .hash = *sha256OfFile(modelFile)}
     {
         require(writer_.add(modelRow_));
         event({.kind = EventKind::Session, .subject = "begun"});
@@ -113,15 +120,16 @@ private:
         return SimulatedRobot(absolem, stepTerrain(0.24, kStep, 6.0), options);
     }
 
-    SessionWriter begin(const std::string& path) const
+    SessionWriter begin(const std::string& path, std::int64_t later) const
     {
-        auto writer = SessionWriter::create(path, {.wallTime = 1'793'000'000'000'000'000,
-                                                   .program = "terratact-console test",
-                                                   .source = "SIMULATED ROBOT",
-                                                   .bus = "can0",
-                                                   .transmits = true,
-                                                   .robot = robotText_,
-                                                   .robotHash = sha256Hex(robotText_)});
+        auto writer =
+            SessionWriter::create(path, {.wallTime = (1'793'000'000 + later) * 1'000'000'000,
+                                         .program = "terratact-console test",
+                                         .source = "SIMULATED ROBOT",
+                                         .bus = "can0",
+                                         .transmits = true,
+                                         .robot = robotText_,
+                                         .robotHash = sha256Hex(robotText_)});
         if (!writer) throw std::runtime_error(writer.error().text);
         return std::move(*writer);
     }
@@ -184,6 +192,7 @@ private:
                         .readings = std::move(readings)};
         row.estimate = estimateTerrain(proprioception(scene.measurement), row.readings, model_,
                                        models_, settings);
+        for (double& height : row.estimate.height) height += lie_;
         require(writer_.add(row));
         return row;
     }
@@ -229,6 +238,7 @@ private:
     Models models_;
     RobotOnBus robot_;
     ConsoleLink console_;
+    double lie_;
     SessionWriter writer_;
     ModelRow modelRow_;
     double time_ = 0.0;  ///< [s]
@@ -237,18 +247,18 @@ private:
     std::optional<Measurement> latest_;
 };
 
-/// A drive up to a step with two explorations, one by `local` and one by `pafc`, both with a probe if one is
-/// proposed; sealed.
-inline void recordDrive(const std::string& path)
+/// A drive up to a step with two explorations: one by `pafc` on flat ground, where nothing is to be probed, one by
+/// `local` before the step, with a probe.  Sealed.
+inline void recordDrive(const std::string& path, const RecordedDrive::Options& options = {})
 {
     RecordedDrive drive(path, TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml",
-                        TERRATACT_SOURCE_DIR "/resources/models/default.ttm", 0.9);
+                        TERRATACT_SOURCE_DIR "/resources/models/default.ttm", options);
     drive.arm();
     drive.driveTo(0.6);
-    drive.explore({.seed = 7});
+    drive.explore({.method = Method::Pafc, .draws = 64, .seed = 7});
     drive.mark("before the step, \"closer\" now");
     drive.driveTo(0.47);
-    drive.explore({.method = Method::Pafc, .draws = 64, .seed = 8});
+    drive.explore({.seed = 8});
     drive.seal();
 }
 
