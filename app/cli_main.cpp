@@ -11,6 +11,7 @@
 #include "app/can_commands.h"
 #include "app/commands.h"
 #include "app/resources.h"
+#include "app/session_commands.h"
 #include "core/infer/quality.h"
 #include "core/learn/scene_file.h"
 
@@ -168,6 +169,14 @@ struct Arguments {
     CanDecodeOptions canDecode;
     CanMonitorOptions canMonitor;
     std::string canCheck;
+    std::vector<std::string> sessions;  ///< of session info and recover
+    VerifyOptions sessionVerify;
+    SessionExportOptions sessionExport;
+    SessionScenesOptions sessionScenes;
+    SessionReportOptions sessionReport;
+    SessionMergeOptions sessionMerge;
+    SessionImportOptions sessionImport;
+    WhatIfOptions whatIf;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -460,6 +469,127 @@ void addCan(CLI::App& app, Arguments& a)
     check->add_option("interface", a.canCheck, "Such as can0")->required();
 }
 
+CLI::Option* addSessionFiles(CLI::App& app, std::vector<std::string>& files)
+{
+    return app.add_option("files", files, "Sessions (*.tts)")->required();
+}
+
+/// Takes the place of a value by one of a set of names.
+template <class Enum, class FromName>
+CLI::Validator maybeNamed(std::optional<Enum>& value, FromName fromName, const std::string& choices)
+{
+    return CLI::Validator(
+        [&value, fromName, choices](std::string& text) -> std::string {
+            value = fromName(text);
+            return value ? "" : fmt::format("{} is none of {}", text, choices);
+        },
+        choices);
+}
+
+void addSessionExport(CLI::App& session, Arguments& a)
+{
+    auto* c = session.add_subcommand("export", "Write frames, signals, estimates or events for "
+                                               "other programs");
+    SessionExportOptions& o = a.sessionExport;
+    c->add_option("file", o.file, "Session (*.tts)")->required();
+    c->add_option("--out", o.out, "File to write")->required();
+    c->add_option("--format", a.scratch,
+                  "Of the file; without it by the ending .log, .asc, .csv or "
+                  ".mcap")
+        ->check(maybeNamed(o.format, exportFormatFromName, "candump|asc|csv|mcap"));
+    c->add_option("--what", a.scratch, "Which rows (CSV: frames if not said; MCAP: all)")
+        ->check(
+            maybeNamed(o.selection.what, exportKindFromName, "frames|signals|estimates|events"));
+    c->add_option("--from", o.selection.from, "Seconds since the session's start");
+    c->add_option("--to", o.selection.to, "Seconds since the session's start");
+}
+
+void addSessionScenes(CLI::App& session, Arguments& a)
+{
+    auto* c =
+        session.add_subcommand("scenes", "Write captured scenes as CSV for train, reconstruct "
+                                         "and evaluate");
+    addSessionFiles(*c, a.sessionScenes.files);
+    c->add_option("--out", a.sessionScenes.out, "Scenes CSV to write")->required();
+    c->add_flag("--measured", a.sessionScenes.measured,
+                "Where no truth is known, the heights that contacts and the arm measured");
+}
+
+void addSessionWhatIf(CLI::App& session, Arguments& a)
+{
+    auto* c = session.add_subcommand("what-if", "Compute recorded estimates again, as they were or "
+                                                "with other settings");
+    WhatIfOptions& o = a.whatIf;
+    c->add_option("files", o.files, "Sessions (*.tts), or folders of them")->required();
+    auto* one = c->add_option("--estimate", o.estimate, "This one alone, by its number")
+                    ->check(CLI::Range(1, 1'000'000'000));
+    c->add_flag_callback(
+         "--all", [] {}, "All estimates, which is so without it")
+        ->excludes(one);
+    c->add_option("--method", a.scratch, "Another method")
+        ->check(maybeNamed(o.method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local"));
+    c->add_option("--quality", a.scratch,
+                  "Draws, chains, burn-in, precision and inducing rows of a "
+                  "preset")
+        ->check(maybeNamed(o.quality, qualityFromName, "fast|balanced|accurate"));
+    c->add_option("--threshold", o.threshold, "Another force of a contact [N]")
+        ->check(CLI::Range(0.0, 1000.0));
+    c->add_option("--seed", o.seed, "Another seed of the random numbers");
+    c->add_option("--model", o.model,
+                  "Another model (*.ttm), or where the session's is, if it is "
+                  "not the shipped one");
+    c->add_option("--out", o.out, "CSV to write, a row for each bin");
+}
+
+void addSession(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("session", "Look at recorded sessions, check and export them: "
+                                            "docs/sessions.md");
+    c->require_subcommand(1);
+    addSessionFiles(*c->add_subcommand("info", "What is in them, and whether it holds"),
+                    a.sessions);
+    auto* verify = c->add_subcommand("verify", "Check every hash; exit code 0: all is as it was "
+                                               "recorded");
+    addSessionFiles(*verify, a.sessionVerify.files);
+    verify->add_option("--link", a.sessionVerify.link,
+                       "Last link of the chain as it was noted elsewhere: shows that nothing was "
+                       "cut off");
+    addSessionFiles(*c->add_subcommand("recover", "Close sessions whose program died"), a.sessions);
+    addSessionExport(*c, a);
+    addSessionScenes(*c, a);
+    auto* report =
+        c->add_subcommand("report", "One page about a scene: profile, numbers, settings, "
+                                    "decisions");
+    report->add_option("file", a.sessionReport.file, "Session (*.tts)")->required();
+    report->add_option("--scene", a.sessionReport.scene, "Its number; without it the last")
+        ->check(CLI::Range(1, 1'000'000'000));
+    report
+        ->add_option("--out", a.sessionReport.out, "PDF, SVG, PNG or HTML to write, by the ending")
+        ->required();
+    auto* merge = c->add_subcommand("merge", "Put sessions of one drive together");
+    addSessionFiles(*merge, a.sessionMerge.files);
+    merge->add_option("--out", a.sessionMerge.out, "Session to write (*.tts)")->required();
+    addSessionWhatIf(*c, a);
+    auto* import = c->add_subcommand("import", "Make a session of a log of candump or python-can");
+    import->add_option("log", a.sessionImport.log, "Log to read")->required();
+    import->add_option("--out", a.sessionImport.out, "Session to write (*.tts)")->required();
+    import->add_option("--interface", a.sessionImport.interface, "Of a log that holds several");
+    addRobot(*import, a.sessionImport.robot);
+}
+
+Status runSession(const CLI::App& session, const Arguments& a)
+{
+    if (session.got_subcommand("info")) return showSessions(a.sessions);
+    if (session.got_subcommand("verify")) return verifySessions(a.sessionVerify);
+    if (session.got_subcommand("recover")) return recoverSessions(a.sessions);
+    if (session.got_subcommand("export")) return exportSession(a.sessionExport);
+    if (session.got_subcommand("scenes")) return exportScenes(a.sessionScenes);
+    if (session.got_subcommand("report")) return reportSession(a.sessionReport);
+    if (session.got_subcommand("merge")) return mergeSessions(a.sessionMerge);
+    if (session.got_subcommand("import")) return importLog(a.sessionImport);
+    return whatIf(a.whatIf);
+}
+
 Status runCan(const CLI::App& can, const Arguments& a)
 {
     if (can.got_subcommand("decode")) return decodeCanLog(a.canDecode);
@@ -493,6 +623,7 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("panel")) return checkPanel(a.panelCheck);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.got_subcommand("can")) return runCan(*app.get_subcommand("can"), a);
+    if (app.got_subcommand("session")) return runSession(*app.get_subcommand("session"), a);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
     return showModel(a.modelPath, a.modelCsv);
@@ -503,10 +634,10 @@ void useShippedFiles(Arguments& a)
     for (std::string* robot :
          {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot, &a.evaluate.robot,
           &a.merge.robot, &a.demo.robot, &a.contacts.robot, &a.tradeoff.robot, &a.calibrate.robot,
-          &a.onBus.robot, &a.ghost.robot})
+          &a.onBus.robot, &a.ghost.robot, &a.sessionImport.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
     for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model,
-                               &a.tradeoff.model, &a.ghost.model})
+                               &a.tradeoff.model, &a.ghost.model, &a.whatIf.shippedModel})
         if (model->empty()) *model = resourcePath("models/default.ttm");
 }
 
@@ -542,6 +673,7 @@ int realMain(int argc, char** argv)
     addDemo(app, arguments);
     addRobotOnBus(app, arguments);
     addCan(app, arguments);
+    addSession(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
