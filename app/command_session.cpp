@@ -175,9 +175,13 @@ Status verifySessions(const VerifyOptions& options)
 Status recoverSessions(const std::vector<std::string>& files)
 {
     for (const std::string& file : files) {
-        const Result<bool> recovered = recoverSession(file);
-        if (!recovered) return recovered.error();
-        fmt::print("{}: {}\n", file, *recovered ? "recovered and closed" : "was closed already");
+        const auto recovery = recoverSession(file);
+        if (!recovery) return recovery.error();
+        if (*recovery == SessionRecovery::InUse)
+            return Error{file + ": somebody has it open, most likely who records it"};
+        fmt::print("{}: {}\n", file,
+                   *recovery == SessionRecovery::Recovered ? "recovered and closed"
+                                                           : "was closed already");
     }
     return Done{};
 }

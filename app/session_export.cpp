@@ -270,7 +270,7 @@ public:
     McapExporter(std::ostream& out, const SessionReader& session, std::optional<ExportKind> what)
         : session_(session), what_(what), mcap_(out, session.start().program)
     {
-        if (const auto robot = robotModelFrom(session.start().robot, session.path()); robot)
+        if (const auto robot = robotModelFrom(session.path(), session.start().robot); robot)
             listener_ = std::make_unique<TelemetryListener>(*robot);
     }
 

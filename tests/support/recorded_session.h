@@ -33,7 +33,7 @@ public:
     };
     RecordedDrive(const std::string& path, const std::string& robotFile,
                   const std::string& modelFile, const Options& options)
-        : robotText_(*readFile(robotFile, 65536)), model_(*robotModelFrom(robotText_, robotFile)),
+        : robotText_(*readFile(robotFile, 65536)), model_(*robotModelFrom(robotFile, robotText_)),
           models_(readModel(modelFile)->data, model_),
           robot_(model_, robotBefore(options.startBefore), {}), console_(model_, {}),
           lie_(options.lie),
