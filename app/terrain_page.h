@@ -7,6 +7,7 @@
 #include "app/preferences.h"
 #include "core/atem/atem_machine.h"
 #include "core/infer/estimate.h"
+#include "core/infer/ghost.h"
 #include "core/infer/verdict.h"
 #include "core/robot/robot_model.h"
 #include "widgets/atem_panel.h"
