@@ -49,7 +49,9 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
         work();
         tap_.tick(steadyNow());
         if (!count) return count.error();
-        tap_.take(std::span(frames_).first(*count));
+        const auto received = std::span<const BusFrame>(frames_).first(*count);
+        tap_.take(received);
+        if (options_.heard && !received.empty()) options_.heard(received);
         pending_.insert(pending_.end(), frames_.begin(),
                         frames_.begin() + static_cast<std::ptrdiff_t>(*count));
         waiting_ = pending_.size();

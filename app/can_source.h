@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 
 #include "app/bus_tap.h"
 #include "core/atem/console_link.h"
@@ -42,6 +43,8 @@ public:
         std::function<Heights()> truth{};
         bool waits = false;  ///< next() brings nothing before begin(): a replay for its viewer
         std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: not known
+        /// Hears every frame in the thread that calls next(), before it means anything; empty: nobody.
+        std::function<void(std::span<const BusFrame>)> heard{};
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 

@@ -1,11 +1,14 @@
 #include "app/canvas.h"
 
+#include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 
 #include "core/file_write.h"
 
@@ -56,6 +59,18 @@ cairo_status_t renderSvg(std::string& bytes, int width, int height,
     const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, width, height),
                           cairo_surface_destroy);
     paint(surface.get(), draw);
+    cairo_surface_finish(surface.get());
+    return cairo_surface_status(surface.get());
+}
+
+cairo_status_t renderPdf(std::string& bytes, int width, int height,
+                         const std::function<void(Canvas&)>& draw)
+{
+    constexpr double kPoint = 72.0 / 150.0;  // of a pixel
+    const Surface surface(
+        cairo_pdf_surface_create_for_stream(append, &bytes, kPoint * width, kPoint * height),
+        cairo_surface_destroy);
+    paint(surface.get(), [&](Canvas& canvas) { canvas.place({}, kPoint, draw); });
     cairo_surface_finish(surface.get());
     return cairo_surface_status(surface.get());
 }
@@ -180,6 +195,43 @@ std::string Canvas::fitted(std::string words, double width, const TextStyle& sty
     return words + "…";
 }
 
+std::vector<std::string> Canvas::wrapped(std::string_view words, double width,
+                                         const TextStyle& style)
+{
+    std::vector<std::string> lines;
+    std::string line;
+    const auto fits = [&](const std::string& text) { return textWidth(text, style) <= width; };
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        std::string word(words.substr(0, end));
+        words.remove_prefix(std::min(end + 1, words.size()));
+        if (!line.empty() && fits(line + " " + word)) {
+            line += " " + word;
+            continue;
+        }
+        if (!line.empty()) lines.push_back(line);
+        line = word;
+        while (!fits(line)) {
+            std::string head = line;
+            while (!head.empty() && !fits(head)) dropLast(head);
+            if (head.empty()) break;  // not even one letter
+            line.erase(0, head.size());
+            lines.push_back(std::move(head));
+        }
+    }
+    if (!line.empty()) lines.push_back(line);
+    return lines;
+}
+
+void Canvas::place(Point at, double scale, const std::function<void(Canvas&)>& draw)
+{
+    cairo_save(context_);
+    cairo_translate(context_, at.x, at.y);
+    cairo_scale(context_, scale, scale);
+    draw(*this);
+    cairo_restore(context_);
+}
+
 std::string signedNumber(double value, int digits)
 {
     const std::string text = fmt::format("{:+.{}f}", value, digits);
@@ -190,15 +242,25 @@ std::string signedNumber(double value, int digits)
 Status writePicture(const std::string& path, int width, int height,
                     const std::function<void(Canvas&)>& draw)
 {
-    const bool svg = path.ends_with(".svg");
-    if (!svg && !path.ends_with(".png"))
-        return Error{path + ": a figure's file ends in .png or .svg"};
+    const auto render = path.ends_with(".svg") ? renderSvg
+                      : path.ends_with(".png") ? renderPng
+                      : path.ends_with(".pdf") ? renderPdf
+                                               : nullptr;
+    if (!render) return Error{path + ": a figure's file ends in .png, .svg or .pdf"};
     std::string bytes;
-    const cairo_status_t status =
-        svg ? renderSvg(bytes, width, height, draw) : renderPng(bytes, width, height, draw);
+    const cairo_status_t status = render(bytes, width, height, draw);
     if (status != CAIRO_STATUS_SUCCESS)
         return Error{path + ": cannot be drawn: " + cairo_status_to_string(status)};
     return writeFileAtomically(path, bytes);
+}
+
+std::string svgText(int width, int height, const std::function<void(Canvas&)>& draw)
+{
+    std::string text;
+    if (const cairo_status_t status = renderSvg(text, width, height, draw);
+        status != CAIRO_STATUS_SUCCESS)
+        throw std::runtime_error(cairo_status_to_string(status));
+    return text;
 }
 
 int drawKey(Canvas& canvas, Point topLeft, double right, const std::vector<KeyEntry>& entries)

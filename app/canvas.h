@@ -56,6 +56,10 @@ public:
     double textWidth(std::string_view words, const TextStyle& style);
     /// The words, cut and ended with "…" where they would be wider than `width`.
     std::string fitted(std::string words, double width, const TextStyle& style);
+    /// The words in lines that are no wider than `width`; a longer word is broken.
+    std::vector<std::string> wrapped(std::string_view words, double width, const TextStyle& style);
+    /// What `draw` draws, with its origin at `at` and `scale` times as large.
+    void place(Point at, double scale, const std::function<void(Canvas&)>& draw);
 
 private:
     void apply(Colour colour);
@@ -69,10 +73,14 @@ private:
 /// "+0.1", "0.0", "−0.2": with its sign and a true minus.
 std::string signedNumber(double value, int digits);
 
-/// Draws a picture and puts it at `path`, PNG or SVG by the file's ending; width, height: [px].  Written to
-/// a temporary name, then renamed.  Errors name the file: another ending, or it cannot be written.
+/// Draws a picture and puts it at `path`, PNG, SVG or PDF by the file's ending; width, height: [px], 150 of which
+/// are an inch of a PDF.  Written to a temporary name, then renamed.  Errors name the file: another ending, or it
+/// cannot be written.
 Status writePicture(const std::string& path, int width, int height,
                     const std::function<void(Canvas&)>& draw);
+
+/// The same picture as the text of an SVG file.
+std::string svgText(int width, int height, const std::function<void(Canvas&)>& draw);
 
 /// One entry of a figure's key: how to draw its sample at a place, and what it means.
 struct KeyEntry {

@@ -11,7 +11,9 @@
 #include "app/can_commands.h"
 #include "app/commands.h"
 #include "app/resources.h"
+#include "app/session_commands.h"
 #include "core/infer/quality.h"
+#include "core/learn/scene_file.h"
 
 namespace terratact {
 
@@ -159,6 +161,7 @@ struct Arguments {
     MergeOptions merge;
     TradeoffOptions tradeoff;
     ContactsOptions contacts;
+    GhostOptions ghost;
     std::string probes;
     CalibrateOptions calibrate;
     RobotOptions onBus;
@@ -166,6 +169,14 @@ struct Arguments {
     CanDecodeOptions canDecode;
     CanMonitorOptions canMonitor;
     std::string canCheck;
+    std::vector<std::string> sessions;  ///< of session info and recover
+    VerifyOptions sessionVerify;
+    SessionExportOptions sessionExport;
+    SessionScenesOptions sessionScenes;
+    SessionReportOptions sessionReport;
+    SessionMergeOptions sessionMerge;
+    SessionImportOptions sessionImport;
+    WhatIfOptions whatIf;
     std::string modelPath;
     std::string modelData;
     bool modelCsv = false;
@@ -186,7 +197,7 @@ void addSimulate(CLI::App& app, Arguments& a)
     c->add_option("--out", a.simulate.out, "Scenes CSV to write")->required();
     addNumber(*c, "--seed", a.simulate.seed, "Seed of terrain and noise");
     c->add_option("--count", a.simulate.count, "Scenes (default: 1400, or every stop over a file)")
-        ->check(CLI::Range(1, 1'000'000));
+        ->check(CLI::Range(1, static_cast<int>(kMostScenes)));
     addNumber(*c, "--step", a.simulate.step, "Distance of a file's heights [m]")
         ->check(CLI::Range(0.001, 1.0));
     c->add_flag("--blocks", a.simulate.blocks,
@@ -313,6 +324,31 @@ void addContacts(CLI::App& app, Arguments& a)
         ->check(CLI::Range(0.0, 1000.0));
 }
 
+void addGhost(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand(
+        "ghost", "What the last estimate is worth at the next scene of simulated drives");
+    addRobot(*c, a.ghost.robot);
+    c->add_option("--model", a.ghost.model, "Model (*.ttm)")->default_str("the shipped one");
+    c->add_option("--terrain", a.ghost.terrain, "boxes, varied, or a CSV file of profiles")
+        ->capture_default_str();
+    addNumber(*c, "--drives", a.ghost.drives, "Drives; of a file every profile, at most so many")
+        ->check(CLI::Range(1, 100'000));
+    addNumber(*c, "--spacing", a.ghost.spacing, "Driven between two scenes [m]")
+        ->check(CLI::Range(0.01, 1.0));
+    addNumber(*c, "--step", a.ghost.step, "Distance of a file's heights [m]")
+        ->check(CLI::Range(0.001, 1.0));
+    c->add_flag("--blocks", a.ghost.blocks,
+                "A file's heights are flat-topped blocks with vertical faces");
+    c->add_option("--methods", a.methods, "Methods to compare (default: local and clearance)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"clearance", "joint", "local"}));
+    addNumber(*c, "--sd-factor", a.ghost.sdFactor,
+              "Of the ghost's sd where it is a measurement of the next estimate")
+        ->check(CLI::Range(0.1, 100.0));
+    addNumber(*c, "--seed", a.ghost.settings.seed, "Seed of terrain, noise and estimates");
+}
+
 void addProbes(CLI::App& app, Arguments& a)
 {
     auto* c = app.add_subcommand("probes", "The sd of an arm's readings, from a recording of them");
@@ -433,6 +469,127 @@ void addCan(CLI::App& app, Arguments& a)
     check->add_option("interface", a.canCheck, "Such as can0")->required();
 }
 
+CLI::Option* addSessionFiles(CLI::App& app, std::vector<std::string>& files)
+{
+    return app.add_option("files", files, "Sessions (*.tts)")->required();
+}
+
+/// Takes the place of a value by one of a set of names.
+template <class Enum, class FromName>
+CLI::Validator maybeNamed(std::optional<Enum>& value, FromName fromName, const std::string& choices)
+{
+    return CLI::Validator(
+        [&value, fromName, choices](std::string& text) -> std::string {
+            value = fromName(text);
+            return value ? "" : fmt::format("{} is none of {}", text, choices);
+        },
+        choices);
+}
+
+void addSessionExport(CLI::App& session, Arguments& a)
+{
+    auto* c = session.add_subcommand("export", "Write frames, signals, estimates or events for "
+                                               "other programs");
+    SessionExportOptions& o = a.sessionExport;
+    c->add_option("file", o.file, "Session (*.tts)")->required();
+    c->add_option("--out", o.out, "File to write")->required();
+    c->add_option("--format", a.scratch,
+                  "Of the file; without it by the ending .log, .asc, .csv or "
+                  ".mcap")
+        ->check(maybeNamed(o.format, exportFormatFromName, "candump|asc|csv|mcap"));
+    c->add_option("--what", a.scratch, "Which rows (CSV: frames if not said; MCAP: all)")
+        ->check(
+            maybeNamed(o.selection.what, exportKindFromName, "frames|signals|estimates|events"));
+    c->add_option("--from", o.selection.from, "Seconds since the session's start");
+    c->add_option("--to", o.selection.to, "Seconds since the session's start");
+}
+
+void addSessionScenes(CLI::App& session, Arguments& a)
+{
+    auto* c =
+        session.add_subcommand("scenes", "Write captured scenes as CSV for train, reconstruct "
+                                         "and evaluate");
+    addSessionFiles(*c, a.sessionScenes.files);
+    c->add_option("--out", a.sessionScenes.out, "Scenes CSV to write")->required();
+    c->add_flag("--measured", a.sessionScenes.measured,
+                "Where no truth is known, the heights that contacts and the arm measured");
+}
+
+void addSessionWhatIf(CLI::App& session, Arguments& a)
+{
+    auto* c = session.add_subcommand("what-if", "Compute recorded estimates again, as they were or "
+                                                "with other settings");
+    WhatIfOptions& o = a.whatIf;
+    c->add_option("files", o.files, "Sessions (*.tts), or folders of them")->required();
+    auto* one = c->add_option("--estimate", o.estimate, "This one alone, by its number")
+                    ->check(CLI::Range(1, 1'000'000'000));
+    c->add_flag_callback(
+         "--all", [] {}, "All estimates, which is so without it")
+        ->excludes(one);
+    c->add_option("--method", a.scratch, "Another method")
+        ->check(maybeNamed(o.method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local"));
+    c->add_option("--quality", a.scratch,
+                  "Draws, chains, burn-in, precision and inducing rows of a "
+                  "preset")
+        ->check(maybeNamed(o.quality, qualityFromName, "fast|balanced|accurate"));
+    c->add_option("--threshold", o.threshold, "Another force of a contact [N]")
+        ->check(CLI::Range(0.0, 1000.0));
+    c->add_option("--seed", o.seed, "Another seed of the random numbers");
+    c->add_option("--model", o.model,
+                  "Another model (*.ttm), or where the session's is, if it is "
+                  "not the shipped one");
+    c->add_option("--out", o.out, "CSV to write, a row for each bin");
+}
+
+void addSession(CLI::App& app, Arguments& a)
+{
+    auto* c = app.add_subcommand("session", "Look at recorded sessions, check and export them: "
+                                            "docs/sessions.md");
+    c->require_subcommand(1);
+    addSessionFiles(*c->add_subcommand("info", "What is in them, and whether it holds"),
+                    a.sessions);
+    auto* verify = c->add_subcommand("verify", "Check every hash; exit code 0: all is as it was "
+                                               "recorded");
+    addSessionFiles(*verify, a.sessionVerify.files);
+    verify->add_option("--link", a.sessionVerify.link,
+                       "Last link of the chain as it was noted elsewhere: shows that nothing was "
+                       "cut off");
+    addSessionFiles(*c->add_subcommand("recover", "Close sessions whose program died"), a.sessions);
+    addSessionExport(*c, a);
+    addSessionScenes(*c, a);
+    auto* report =
+        c->add_subcommand("report", "One page about a scene: profile, numbers, settings, "
+                                    "decisions");
+    report->add_option("file", a.sessionReport.file, "Session (*.tts)")->required();
+    report->add_option("--scene", a.sessionReport.scene, "Its number; without it the last")
+        ->check(CLI::Range(1, 1'000'000'000));
+    report
+        ->add_option("--out", a.sessionReport.out, "PDF, SVG, PNG or HTML to write, by the ending")
+        ->required();
+    auto* merge = c->add_subcommand("merge", "Put sessions of one drive together");
+    addSessionFiles(*merge, a.sessionMerge.files);
+    merge->add_option("--out", a.sessionMerge.out, "Session to write (*.tts)")->required();
+    addSessionWhatIf(*c, a);
+    auto* import = c->add_subcommand("import", "Make a session of a log of candump or python-can");
+    import->add_option("log", a.sessionImport.log, "Log to read")->required();
+    import->add_option("--out", a.sessionImport.out, "Session to write (*.tts)")->required();
+    import->add_option("--interface", a.sessionImport.interface, "Of a log that holds several");
+    addRobot(*import, a.sessionImport.robot);
+}
+
+Status runSession(const CLI::App& session, const Arguments& a)
+{
+    if (session.got_subcommand("info")) return showSessions(a.sessions);
+    if (session.got_subcommand("verify")) return verifySessions(a.sessionVerify);
+    if (session.got_subcommand("recover")) return recoverSessions(a.sessions);
+    if (session.got_subcommand("export")) return exportSession(a.sessionExport);
+    if (session.got_subcommand("scenes")) return exportScenes(a.sessionScenes);
+    if (session.got_subcommand("report")) return reportSession(a.sessionReport);
+    if (session.got_subcommand("merge")) return mergeSessions(a.sessionMerge);
+    if (session.got_subcommand("import")) return importLog(a.sessionImport);
+    return whatIf(a.whatIf);
+}
+
 Status runCan(const CLI::App& can, const Arguments& a)
 {
     if (can.got_subcommand("decode")) return decodeCanLog(a.canDecode);
@@ -455,12 +612,18 @@ Status run(const CLI::App& app, Arguments& a)
     }
     if (app.got_subcommand("merge")) return merge(a.merge);
     if (app.got_subcommand("contacts")) return showContacts(a.contacts);
+    if (app.got_subcommand("ghost")) {
+        if (a.methods.empty()) a.methods = {"local", "clearance"};
+        a.ghost.methods = methodsFrom(a.methods);
+        return judgeGhost(a.ghost);
+    }
     if (app.got_subcommand("probes")) return showProbes(a.probes);
     if (app.got_subcommand("calibrate")) return calibrateForces(a.calibrate);
     if (app.got_subcommand("robot")) return runRobot(a.onBus);
     if (app.got_subcommand("panel")) return checkPanel(a.panelCheck);
     if (app.got_subcommand("demo")) return demo(a.demo);
     if (app.got_subcommand("can")) return runCan(*app.get_subcommand("can"), a);
+    if (app.got_subcommand("session")) return runSession(*app.get_subcommand("session"), a);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
     return showModel(a.modelPath, a.modelCsv);
@@ -468,12 +631,13 @@ Status run(const CLI::App& app, Arguments& a)
 
 void useShippedFiles(Arguments& a)
 {
-    for (std::string* robot : {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot,
-                               &a.evaluate.robot, &a.merge.robot, &a.demo.robot, &a.contacts.robot,
-                               &a.tradeoff.robot, &a.calibrate.robot, &a.onBus.robot})
+    for (std::string* robot :
+         {&a.simulate.robot, &a.train.robot, &a.reconstruct.robot, &a.evaluate.robot,
+          &a.merge.robot, &a.demo.robot, &a.contacts.robot, &a.tradeoff.robot, &a.calibrate.robot,
+          &a.onBus.robot, &a.ghost.robot, &a.sessionImport.robot})
         if (robot->empty()) *robot = resourcePath("robots/absolem.toml");
-    for (std::string* model :
-         {&a.reconstruct.model, &a.evaluate.model, &a.demo.model, &a.tradeoff.model})
+    for (std::string* model : {&a.reconstruct.model, &a.evaluate.model, &a.demo.model,
+                               &a.tradeoff.model, &a.ghost.model, &a.whatIf.shippedModel})
         if (model->empty()) *model = resourcePath("models/default.ttm");
 }
 
@@ -501,6 +665,7 @@ int realMain(int argc, char** argv)
     addMerge(app, arguments);
     addTradeoff(app, arguments);
     addContacts(app, arguments);
+    addGhost(app, arguments);
     addProbes(app, arguments);
     addCalibrate(app, arguments);
     addModel(app, arguments);
@@ -508,6 +673,7 @@ int realMain(int argc, char** argv)
     addDemo(app, arguments);
     addRobotOnBus(app, arguments);
     addCan(app, arguments);
+    addSession(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

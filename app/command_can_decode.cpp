@@ -7,6 +7,7 @@
 
 #include "app/bus_statistics.h"
 #include "app/can_commands.h"
+#include "app/csv_field.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/text.h"
@@ -24,14 +25,6 @@ struct Bus {
     std::optional<double> first, last;  ///< [s]
 };
 
-std::string quoted(std::string_view field)
-{
-    if (field.find_first_of(",\"") == std::string_view::npos) return std::string(field);
-    std::string text = "\"";
-    for (const char c : field) text.append(c == '"' ? 2 : 1, c);
-    return text + "\"";
-}
-
 /// One row for each value, one for each frame without any.
 class CsvOutput {
 public:
@@ -46,13 +39,13 @@ public:
 
     void write(const LoggedFrame& logged, const FrameWords& words)
     {
-        const std::string begin =
-            fmt::format("{},{},{},{},{},{}", logged.time ? fmt::format("{:.6f}", *logged.time) : "",
-                        quoted(logged.interface), idText(logged.frame), quoted(words.name),
-                        words.counter ? std::to_string(*words.counter) : "", quoted(words.verdict));
+        const std::string begin = fmt::format(
+            "{},{},{},{},{},{}", logged.time ? fmt::format("{:.6f}", *logged.time) : "",
+            csvField(logged.interface), idText(logged.frame), csvField(words.name),
+            words.counter ? std::to_string(*words.counter) : "", csvField(words.verdict));
         for (const NamedValue& value : words.values)
-            out_ << begin << ',' << quoted(value.name) << ',' << quoted(value.value) << ','
-                 << quoted(value.unit) << '\n';
+            out_ << begin << ',' << csvField(value.name) << ',' << csvField(value.value) << ','
+                 << csvField(value.unit) << '\n';
         if (words.values.empty())
             out_ << begin << "," << (words.counter ? "," : "data," + bytesText(logged.frame))
                  << ",\n";

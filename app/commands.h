@@ -80,6 +80,21 @@ struct TradeoffOptions {
 /// Measures what settings cost and err: tradeoff.csv, presets.csv and a figure in `out`, a table on stdout.
 Status tradeoff(const TradeoffOptions& options);
 
+struct GhostOptions {
+    std::string robot, model;
+    std::string terrain = "varied";  ///< "boxes", "varied", or a file of profiles
+    double step = 0.1;               ///< [m] of a file of heights
+    bool blocks = false;             ///< heights of a file are flat-topped blocks
+    int drives = 60;                 ///< over random ground, or profiles of the file at most
+    double spacing = 0.3;            ///< [m] driven between two scenes
+    double sdFactor = 1.0;           ///< of the ghost's sd where it is a measurement
+    std::vector<Method> methods;
+    Settings settings;
+};
+/// Drives simulated robots from scene to scene and prints what the last estimate is worth at the next: as it is
+/// drawn, and as a weak measurement of the next estimate.
+Status judgeGhost(const GhostOptions& options);
+
 struct ContactsOptions {
     std::string robot, data;
     double threshold = Settings{}.forceThreshold;  ///< [N]

@@ -62,6 +62,8 @@ void ConsoleAlarms::look(double now, const AlarmSight& sight)
     judge("panel", !sight.panelTrouble.isEmpty(), sight.panelTrouble, Severity::Critical);
     judge("exploration", !sight.failedExploration.isEmpty(),
           tr("Exploration failed: %1").arg(sight.failedExploration), Severity::Caution);
+    judge("recording", !sight.notRecorded.isEmpty(), tr("Not recorded: %1").arg(sight.notRecorded),
+          Severity::Caution);
     judge("stop", sight.isStopped, tr("The robot is stopped and moves only after a release"),
           Severity::Caution);
     if (list_.takeSound(now) && soundOn_) sounder_->sound();

@@ -29,7 +29,7 @@ struct AlarmSight {
     std::optional<CanView> bus{};  ///< empty: the source is none
     std::string busName{};
     std::uint64_t wrongChecksums = 0;  ///< since the bus was opened
-    QString noModel{}, panelTrouble{}, failedExploration{};
+    QString noModel{}, panelTrouble{}, failedExploration{}, notRecorded{};
     bool isStopped = false;  ///< the robot says so
 };
 

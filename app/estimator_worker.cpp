@@ -11,6 +11,7 @@
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
+#include "core/learn/sha256.h"
 
 namespace terratact {
 
@@ -29,6 +30,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
                             .arg(stored->data.heights.rows())
                             .arg(QString::fromStdString(stored->data.command),
                                  QString::fromStdString(stored->contentHash.substr(0, 16)));
+        if (const auto hash = sha256OfFile(path)) model.hash = QString::fromStdString(*hash);
         model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
             TerrainEstimate estimate =
                 estimateTerrain(proprioception(request.measurement), request.arm, robot, *models,
@@ -95,7 +97,7 @@ void EstimatorWorker::take(const ModelLoader& load)
         auto model = load();
         if (model) {
             estimate_ = model->estimate;
-            emit modelLoaded(model->name, model->details);
+            emit modelLoaded(model->name, model->details, model->hash);
             return;
         }
         why = QString::fromStdString(model.error().text);

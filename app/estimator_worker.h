@@ -35,6 +35,7 @@ struct LoadedModel {
     Estimator estimate;
     QString name;     ///< "default.ttm"
     QString details;  ///< size, hash, how it was made
+    QString hash{};   ///< SHA-256 of its file
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
@@ -64,7 +65,7 @@ public:
 signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
     void loadRequested(const terratact::ModelLoader& load);              ///< likewise
-    void modelLoaded(const QString& name, const QString& details);
+    void modelLoaded(const QString& name, const QString& details, const QString& hash);
     void modelFailed(const QString& why);  ///< there is none
     void modelKept(const QString& why);    ///< the one before stays
     /// seconds: the estimate took.  advice: what the request's prober should touch, and what that buys.

@@ -34,6 +34,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                 modelTrouble_.clear();
                 // What is shown rests on the model before.
                 if (estimate_ && !exploring(state_.phase)) pending_.aborted = true;
+                if (!estimate_) track_.reset();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
             });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
@@ -47,11 +48,15 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
             [this](int job, const TerrainEstimate& estimate, double seconds,
                    const ProbeAdvice& advice) {
                 if (job == liveJob_) takeLive(estimate);
-                if (job == secondJob_) second_ = estimate;
+                if (job == secondJob_) {
+                    second_ = estimate;
+                    emit stands(true);
+                }
                 if (job != job_) return;
                 live_.reset();
                 estimate_ = estimate;
                 estimateSeconds_ = seconds;
+                if (scene_) track_.emplace(robot_, estimate, scene_->measurement);
                 advice_ = advice;
                 pending_.estimateReady = true;
                 pending_.probeWanted = advice.bin.has_value();
@@ -61,6 +66,8 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                     proposal_->id = ++lastProposal_;
                     proposedOn_ = grounds();
                 }
+                emit stands(false);
+                if (proposal_) emit proposed();
                 startSecond();
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
                 for (const std::string& warning : estimate.warnings)
@@ -97,18 +104,21 @@ QString Exploration::whyMoved() const
 void Exploration::request()
 {
     if (following()) return;
+    emit decided("explore", {});
     pending_.requested = true;
     driving_ = false;  // the halt comes from the exploration
 }
 
 void Exploration::abort()
 {
+    emit decided("abort", {});
     pending_.aborted = true;
 }
 
 void Exploration::approve(quint64 proposal)
 {
     if (!proposal_ || proposal_->id != proposal) return;
+    emit decided("approve", words::binName(proposal_->bin));
     pending_.approved = true;
     pending_.approvedFor = proposedOn_;
     approvedAt_ = now_;
@@ -116,7 +126,9 @@ void Exploration::approve(quint64 proposal)
 
 void Exploration::refuse(quint64 proposal)
 {
-    if (proposal_ && proposal_->id == proposal) pending_.refused = true;
+    if (!proposal_ || proposal_->id != proposal) return;
+    emit decided("refuse", words::binName(proposal_->bin));
+    pending_.refused = true;
 }
 
 void Exploration::choose(quint64 proposal, int bin)
@@ -126,9 +138,11 @@ void Exploration::choose(quint64 proposal, int bin)
         || std::none_of(ranked.begin(), ranked.end(),
                         [bin](const ProbeGain& gain) { return gain.bin == bin; }))
         return;
+    emit decided("choose", words::binName(bin));
     proposal_ = proposalFor(bin);
     proposal_->id = ++lastProposal_;
     proposedOn_ = grounds();
+    emit proposed();
     emit happened(tr("probe asked for at %1 instead").arg(words::binName(bin)), Weight::Note);
 }
 
@@ -162,6 +176,8 @@ ProbeProposal Exploration::proposalFor(int bin) const
 
 void Exploration::setStepLimit(double metres)
 {
+    if (metres == options_.stepLimit) return;
+    emit decided("limit", words::number(metres, 2));
     options_.stepLimit = metres;
 }
 
@@ -183,12 +199,14 @@ void Exploration::drive(int direction)
 {
     if (!whyNotDriving().isEmpty()) return;
     driving_ = true;
+    emit decided("drive", direction > 0 ? QStringLiteral("forward") : QStringLiteral("back"));
     command(DriveCommand{.speed = direction * options_.driveSpeed});
 }
 
 void Exploration::halt()
 {
     if (!std::exchange(driving_, false)) return;
+    emit decided("halt", {});
     command(HaltCommand{});
 }
 
@@ -198,6 +216,7 @@ void Exploration::stop()
         emit happened(tr("STOP not sent: %1").arg(whyFollowing_), Weight::Bad);
         return;  // nothing is stopped, so nothing must look so
     }
+    emit decided("stop", {});
     command(StopCommand{});
     stopSent_ = now_;
     pending_.stop = true;
@@ -208,6 +227,7 @@ void Exploration::stop()
 void Exploration::releaseStop()
 {
     if (state_.phase != AtemPhase::Stopped || following()) return;
+    emit decided("release stop", {});
     releasing_ = true;
     releaseBegan_ = stopSent_ = now_;
     command(ReleaseStopCommand{});
@@ -219,6 +239,7 @@ void Exploration::setSettings(const Settings& settings)
     const std::uint64_t seed = options_.settings.seed;
     options_.settings = settings;
     options_.settings.seed = seed;
+    emit decided("settings", words::text(name(settings.method)));
     emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
                       .arg(words::text(name(settings.method)))
                       .arg(settings.draws)
@@ -340,6 +361,7 @@ void Exploration::look(AtemInput& in)
 void Exploration::tick(double now, const std::optional<Received>& latest)
 {
     now_ = now;
+    trackGhost(latest);
     latest_ = latest;
     linkAlive_ = latest_ && now_ - secondsOf(latest_->arrived) <= options_.linkLostAfter;
     ended_ = following() && link_->view().ended;
@@ -366,8 +388,10 @@ void Exploration::advance()
         planarOverridden_ = false;
         emit happened(tr("the override has ended: left and right agree again"), Weight::Note);
     }
-    if (in.aborted && !exploring(state_.phase) && estimate_)
-        forget(tr("No estimate: explore the terrain (A)"));
+    if (in.aborted && !exploring(state_.phase)) {
+        track_.reset();
+        if (estimate_) forget(tr("No estimate: explore the terrain (A)"));
+    }
     if (moved_ && estimate_) forget(whyMoved());
 
     const AtemState before = state_;
@@ -396,6 +420,7 @@ void Exploration::follow()
     if (!latest_) return;
     const FollowInput in = followed();
     pending_ = AtemInput{};
+    if (in.aborted) track_.reset();
     if (in.linkLost) {  // who knows what the robot did meanwhile
         capturedPress_ = 0;
         commandedAt_ = latest_->count;
@@ -543,6 +568,7 @@ void Exploration::capture()
     readings_.clear();
     moved_ = false;
     movedAt_ = 0;
+    emit captured(*scene_);
 }
 
 EstimateRequest Exploration::requestFor(Method method) const
@@ -593,6 +619,7 @@ void Exploration::cancelEstimate()
 
 void Exploration::forget(const QString& why)
 {
+    if (estimate_) emit forgotten(why);
     estimate_.reset();
     second_.reset();
     scene_.reset();
@@ -600,6 +627,30 @@ void Exploration::forget(const QString& why)
     moved_ = false;
     movedAt_ = 0;
     whyNoEstimate_ = why;
+}
+
+void Exploration::trackGhost(const std::optional<Received>& latest)
+{
+    if (track_ && latest && (!latest_ || latest->count != latest_->count))
+        track_->take(latest->sample.measurement);
+}
+
+std::optional<NoGhost> Exploration::noGhost() const
+{
+    return linkAlive_ ? track_->why() : NoGhost::Unheard;
+}
+
+std::optional<Ghost> Exploration::ghost() const
+{
+    if (!track_ || estimate_ || live_ || noGhost()) return std::nullopt;
+    return track_->ghost();
+}
+
+QString Exploration::whyNoGhost() const
+{
+    if (!track_ || estimate_ || live_) return {};
+    const auto why = noGhost();
+    return why ? tr("No ghost: %1").arg(words::sentence(describe(*why))) : QString();
 }
 
 std::optional<double> Exploration::timeLeft() const
@@ -652,6 +703,7 @@ void Exploration::overrideDoubts()
     const Precondition doubt = planarity();
     if (doubt.level != Precondition::Level::Doubtful) return;
     planarOverridden_ = true;
+    emit decided("override", doubt.text);
     emit happened(tr("overridden by the operator: %1").arg(doubt.text), Weight::Doubt);
 }
 

@@ -11,6 +11,7 @@
 #include "core/atem/atem_machine.h"
 #include "core/atem/following.h"
 #include "core/eval/calibration_ledger.h"
+#include "core/infer/ghost_track.h"
 #include "core/infer/quality.h"
 #include "core/infer/verdict.h"
 #include "core/robot/robot_model.h"
@@ -95,7 +96,18 @@ public:
     /// Of telemetry while the flippers still move down, until estimate() stands: a preview by the local method,
     /// as often as the estimator keeps up with the telemetry.
     const std::optional<TerrainEstimate>& live() const { return live_; }
+    /// Where the last estimate lies now that the robot has moved on, until there is a new one; it decides nothing.
+    std::optional<Ghost> ghost() const;
+    QString whyNoGhost() const;  ///< of the last estimate, in words; empty: there is, or was none
     const std::optional<ProbeProposal>& proposal() const { return proposal_; }
+    const std::string& proposedOn() const
+    {
+        return proposedOn_;
+    }  ///< fingerprint of what it rests on
+    const std::vector<ArmReading>& readings() const
+    {
+        return readings_;
+    }  ///< of the arm at this pose
     std::optional<int> probingBin() const;
     double secondsInPhase() const { return now_ - state_.since; }
     QString whyNoEstimate() const
@@ -109,6 +121,12 @@ public:
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
+    // For whoever keeps a record.
+    void captured(const terratact::CapturedScene& scene);
+    void stands(bool second);  ///< an estimate, of the second method or not
+    void proposed();
+    void forgotten(const QString& why);                   ///< the estimate that stood
+    void decided(const char* what, const QString& text);  ///< by the operator
 
 private:
     void command(const Command& command);
@@ -133,6 +151,8 @@ private:
     void keepLive();
     void takeLive(const TerrainEstimate& estimate);
     void forget(const QString& why);
+    void trackGhost(const std::optional<Received>& latest);
+    std::optional<NoGhost> noGhost() const;
     void finishProbe(const ArmReading& reading);
     Precondition arming() const;  ///< of a link
     Precondition planarity() const;
@@ -167,8 +187,9 @@ private:
     bool moved_ = false;
     std::optional<TerrainEstimate> estimate_;
     double estimateSeconds_ = 0.0;
-    QString whyNoEstimate_;  ///< empty: there was none yet
-    ProbeAdvice advice_;     ///< of the estimate
+    QString whyNoEstimate_;            ///< empty: there was none yet
+    std::optional<GhostTrack> track_;  ///< of the last estimate
+    ProbeAdvice advice_;               ///< of the estimate
     std::optional<ProbeProposal> proposal_;
     std::string proposedOn_;  ///< grounds() when it was proposed
     double approvedAt_ = 0.0;

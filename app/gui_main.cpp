@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <span>
 #include <string>
 
 #include "app/can_check.h"
@@ -24,6 +25,7 @@
 #include "app/review_window.h"
 #include "app/robot_in_process.h"
 #include "app/robot_setup.h"
+#include "app/session_recorder.h"
 #include "app/steady_now.h"
 #include "app/tradeoff_csv.h"
 #include "app/what_if.h"
@@ -55,6 +57,8 @@ struct Arguments {
     std::string theme, layout, language;
     int fontScale = 0;  ///< [%] 0: as preferred
     bool safeMode = false;
+    std::string sessions;  ///< folder; empty: the user's
+    bool noRecord = false;
 };
 
 constexpr QSize kDefaultSize{1440, 900};
@@ -118,6 +122,9 @@ void addArguments(CLI::App& app, Arguments& arguments)
         ->check(CLI::IsMember({"en", "cs", "de"}));
     app.add_flag("--safe-mode", arguments.safeMode,
                  "Start with the defaults: preferences are neither read nor saved");
+    app.add_option("--sessions", arguments.sessions,
+                   "Folder of the recorded sessions (else one in the user's XDG state folder)");
+    app.add_flag("--no-record", arguments.noRecord, "Record nothing, whatever the preferences say");
     app.add_option("--size", arguments.size, "Size of the window (default: as it was left)")
         ->check([](const std::string& text) {
             const QSize size = sizeFrom(text);
@@ -177,14 +184,18 @@ Result<std::unique_ptr<BuiltInRobot>> builtInRobot(const RobotModel& model,
                                           *onBus);
 }
 
-std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& robot)
+using Heard = std::function<void(std::span<const BusFrame>)>;
+
+std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& robot,
+                                    const Heard& heard)
 {
     return std::make_unique<CanSource>(
         builtIn.bus.join("console"), robot,
         CanSource::Options{.mode = CanSource::Mode::Transmit,
                            .name = "SIMULATED ROBOT",
                            .link = {.seed = drawn()},
-                           .truth = [&builtIn] { return builtIn.robot.truth(); }});
+                           .truth = [&builtIn] { return builtIn.robot.truth(); },
+                           .heard = heard});
 }
 
 Result<std::unique_ptr<CanBus>> openBus(const Arguments& arguments)
@@ -202,7 +213,7 @@ Result<std::unique_ptr<CanBus>> openBus(const Arguments& arguments)
 }
 
 std::unique_ptr<CanSource> onBus(std::unique_ptr<CanBus> bus, const RobotModel& robot,
-                                 const Arguments& arguments)
+                                 const Arguments& arguments, const Heard& heard)
 {
     using Mode = CanSource::Mode;
     const Mode mode = !arguments.replay.empty() ? Mode::Replay
@@ -215,23 +226,27 @@ std::unique_ptr<CanSource> onBus(std::unique_ptr<CanBus> bus, const RobotModel& 
                                        CanSource::Options{.mode = mode,
                                                           .link = {.seed = drawn()},
                                                           .waits = mode == Mode::Replay,
-                                                          .bitrate = bitrate});
+                                                          .bitrate = bitrate,
+                                                          .heard = heard});
 }
 
 /// Where telemetry comes from and commands go to: a robot on a bus or in a log, or else one in `builtIn`.
 Status connect(MainWindow::Options& options, const Arguments& arguments,
                std::unique_ptr<BuiltInRobot>& builtIn)
 {
+    Heard heard;
+    if (const auto recorder = options.recorder)
+        heard = [recorder](std::span<const BusFrame> frames) { recorder->take(frames); };
     std::unique_ptr<CanSource> source;
     if (!arguments.can.empty() || !arguments.replay.empty()) {
         auto bus = openBus(arguments);
         if (!bus) return bus.error();
-        source = onBus(std::move(*bus), options.robot, arguments);
+        source = onBus(std::move(*bus), options.robot, arguments, heard);
     } else {
         auto robot = builtInRobot(options.robot, arguments);
         if (!robot) return robot.error();
         builtIn = std::move(*robot);
-        source = sourceOn(*builtIn, options.robot);
+        source = sourceOn(*builtIn, options.robot, heard);
     }
     options.link = source.get();
     options.source = std::move(source);
@@ -240,6 +255,34 @@ Status connect(MainWindow::Options& options, const Arguments& arguments,
     if (!panel) return panel.error();
     options.panel = std::make_unique<OperatorPanel>(*panel, openGpioLines);
     return Done{};
+}
+
+/// Records what happens, unless it has happened before (a replay) or is only for a picture.
+std::shared_ptr<SessionRecorder> recorderFor(const Arguments& arguments,
+                                             const std::string& robotPath,
+                                             const Preferences& preferences, QStringList& notices)
+{
+    if (arguments.noRecord || !arguments.replay.empty() || !arguments.screenshot.empty()) return {};
+    constexpr std::size_t kMost = 1U << 20U;  // bytes
+    const std::string folder = arguments.sessions.empty() ? sessionFolder() : arguments.sessions;
+    const auto notice = [&notices](const std::vector<std::string>& told) {
+        for (const std::string& text : told) notices << QString::fromStdString(text);
+    };
+    notice(recoverSessions(folder));
+    notice(applyRetention(folder, {.days = static_cast<double>(preferences.keepDays),
+                                   .gigabytes = static_cast<double>(preferences.keepGigabytes)}));
+    const bool simulated = arguments.can.empty();
+    const std::string robot =
+        readFile(robotPath, kMost) ? *readFile(robotPath, kMost) : std::string();
+    SessionRecorder::Options options;
+    options.folder = folder;
+    options.start = {.program = std::string("terratact-console ") + TERRATACT_VERSION,
+                     .source = simulated ? "SIMULATED ROBOT" : arguments.can,
+                     .bus = simulated ? "sim0" : arguments.can,
+                     .transmits = simulated || arguments.transmit,
+                     .robot = robot,
+                     .robotHash = sha256Hex(robot)};
+    return std::make_shared<SessionRecorder>(std::move(options));
 }
 
 /// "robots/absolem.toml\ncontent 0123456789abcdef"
@@ -390,6 +433,7 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     MainWindow::Options options;
     options.robot = *robot;
     options.robotDetails = fileDetails(robotPath);
+    options.recorder = recorderFor(arguments, robotPath, preferences, options.notices);
     if (const Status connected = connect(options, arguments, builtIn); !connected)
         return failed(connected.error().text);
 

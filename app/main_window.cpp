@@ -11,6 +11,7 @@
 #include <QPushButton>
 
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTime>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -19,9 +20,11 @@
 
 #include "app/alarms_page.h"
 #include "app/numbers_page.h"
+#include "app/open_file.h"
 #include "app/page.h"
 #include "app/resources.h"
 #include "app/robot_words.h"
+#include "app/session_scribe.h"
 #include "app/settings_page.h"
 #include "app/signals_page.h"
 #include "app/training_page.h"
@@ -74,14 +77,20 @@ MainWindow::MainWindow(Options options)
       exploration_(
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
       alarms_(std::make_unique<ConsoleAlarms>(std::move(options.sounder))),
-      meter_(std::chrono::duration<double>(kLook).count()), forceArrays_(robot_),
-      robotDetails_(std::move(options.robotDetails))
+      recorder_(std::move(options.recorder)), meter_(std::chrono::duration<double>(kLook).count()),
+      forceArrays_(robot_), robotDetails_(std::move(options.robotDetails))
 {
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
     setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
     build(options);
     connectAll();
+    if (recorder_) {
+        scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
+        recorder_->setOn(preferences_->current().record);
+    }
+    for (const QString& notice : options.notices)
+        events()->add(notice, Weight::Doubt, QTime::currentTime());
     offerQualities();
     offerViews();
     defineKeys();
@@ -113,6 +122,9 @@ void MainWindow::build(const Options& options)
     banner_ = new QLabel(this);
     banner_->setObjectName(QStringLiteral("banner"));
     banner_->setVisible(false);
+    notRecorded_ = new QLabel(this);
+    notRecorded_->setObjectName(QStringLiteral("banner"));
+    notRecorded_->setVisible(false);
 
     rail_ = new NavigationRail(this);
     pages_ = new QStackedWidget(this);
@@ -132,6 +144,17 @@ void MainWindow::build(const Options& options)
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
     connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
     addPages(options);
+    recording_ = new QPushButton(rail_);
+    recording_->setProperty("role", "quiet");
+    recording_->setVisible(recorder_ != nullptr);
+    connect(recording_, &QPushButton::clicked, this, &MainWindow::mark);
+    rail_->addTool(recording_);
+    auto* openButton = new QPushButton(tr("Open"), rail_);
+    openButton->setAccessibleName(openButton->text());
+    openButton->setToolTip(
+        tr("Review a session, a log or scenes in a window of its own; this one goes on (Ctrl+O)"));
+    connect(openButton, &QPushButton::clicked, this, &MainWindow::open);
+    rail_->addTool(openButton);
     auto* view = new QPushButton(tr("View"), rail_);
     view->setAccessibleName(view->text());
     view->setToolTip(tr("Layout, colours and size of the letters"));
@@ -148,6 +171,7 @@ void MainWindow::build(const Options& options)
     all->setSpacing(0);
     all->addWidget(header_);
     all->addWidget(banner_);
+    all->addWidget(notRecorded_);
     all->addLayout(below, 1);
     arrange();
 }
@@ -266,6 +290,7 @@ void MainWindow::applyPreferences(const Preferences& before)
         alarms_->setSoundOn(now.sound);
         alarmsPage_->table()->setSoundOn(now.sound);
     }
+    if (recorder_ && now.record != before.record) recorder_->setOn(now.record);
     if (now.obstacleLimit != before.obstacleLimit) {
         exploration_->setStepLimit(now.obstacleLimit);
         verdict()->setLimit(now.obstacleLimit);
@@ -379,6 +404,7 @@ void MainWindow::redraw(double now)
     redrawn_ = now;
     showLink(now, latest_);
     showAlarms(now);
+    showRecording();
     showArming(now);
     showTerrain(now);
     header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
@@ -423,6 +449,7 @@ AlarmSight MainWindow::alarmSight(double now) const
             link_->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
     }
     sight.noModel = modelTrouble_;
+    if (recorder_) sight.notRecorded = QString::fromStdString(recorder_->state().trouble);
     if (panel_ && !panel_->answers(now))
         sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
     const AtemState& state = exploration_->state();
@@ -439,6 +466,43 @@ void MainWindow::showAlarms(double now)
     const auto all = list.alarms().size();
     header_->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
                        static_cast<int>(all));
+}
+
+void MainWindow::showRecording()
+{
+    if (!scribe_) return;
+    scribe_->look(exploration_->linkAlive(), link_ ? std::optional(link_->view()) : std::nullopt,
+                  alarms_->list(), panel_ ? std::optional(panel_->state()) : std::nullopt);
+    const RecordingState state = recorder_->state();
+    const bool failed = state.on && !state.trouble.empty();
+    const QString text = failed    ? tr("✕ NOT\nRECORDED")
+                       : !state.on ? tr("○ not\nrecorded")
+                                   : tr("● REC\nmark K");
+    notRecorded_->setVisible(failed);
+    if (failed)
+        notRecorded_->setText(tr("NOT RECORDED: %1").arg(QString::fromStdString(state.trouble)));
+    recording_->setToolTip(state.recording
+                               ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames found no room\nA "
+                                    "click marks this moment (K)")
+                                     .arg(QString::fromStdString(state.path))
+                                     .arg(state.frames)
+                                     .arg(words::number(static_cast<double>(state.bytes) / 1e6, 1))
+                                     .arg(state.missing)
+                               : tr("Nothing is recorded"));
+    if (recording_->text() == text) return;
+    recording_->setText(text);
+    recording_->setAccessibleName(failed || !state.on ? tr("Not recorded")
+                                                      : tr("Recording; mark this moment"));
+    recording_->setProperty("role", failed ? "alarm" : "quiet");
+    recording_->style()->unpolish(recording_);
+    recording_->style()->polish(recording_);
+}
+
+void MainWindow::mark()
+{
+    if (!scribe_ || !recorder_->state().recording) return;
+    scribe_->mark({});
+    events()->add(tr("marked in the recording"), Weight::Note, QTime::currentTime());
 }
 
 QString MainWindow::linkDetails(const CanView& view) const
@@ -599,6 +663,8 @@ void MainWindow::showTerrain(double now)
     if (sight.second) sight.secondName = words::text(name(sight.second->settings.method));
     sight.live = pointer(exploration_->live());
     sight.whyNoEstimate = exploration_->whyNoEstimate();
+    sight.ghost = exploration_->ghost();
+    sight.whyNoGhost = exploration_->whyNoGhost();
     sight.verdict = exploration_->verdict();
     sight.state = exploration_->state();
     sight.timeLeft = exploration_->timeLeft();
@@ -613,6 +679,12 @@ void MainWindow::showTerrain(double now)
     sight.whyNotDriving = exploration_->whyNotDriving();
     if (sight.whyNotDriving.isEmpty()) sight.whyNotDriving = panelForbids(now);
     terrainPage_->setSight(sight);
+}
+
+void MainWindow::open()
+{
+    if (const QString why = openInAnotherWindow(this); !why.isEmpty())
+        events()->add(why, Weight::Bad, QTime::currentTime());
 }
 
 void MainWindow::showHelp()
@@ -663,6 +735,12 @@ void MainWindow::defineKeys()
                    rail_->button(page)->accessibleName(),
                    [this, page] { rail_->choose(page); }});
     keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { showHelp(); }});
+    keys_.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
+               tr("open a session, a log or scenes in another window"),
+               [this] { open(); }});
+
+    if (recorder_)
+        keys_.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
 
     keys_.addGroup(tr("Exploration"));
     keys_.add({{Qt::Key_A}, tr("explore the terrain"), [this] {

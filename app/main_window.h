@@ -16,6 +16,7 @@
 #include "app/model_trainer.h"
 #include "app/panel_control.h"
 #include "app/preference_store.h"
+#include "app/session_recorder.h"
 #include "app/terrain_page.h"
 #include "core/eval/tradeoff.h"
 
@@ -27,6 +28,7 @@ class QStackedWidget;
 namespace terratact {
 
 class AlarmsPage;
+class SessionScribe;
 class ArmingControl;
 class NavigationRail;
 class Page;
@@ -53,6 +55,8 @@ public:
         Exploration::Options exploration;
         std::unique_ptr<Sounder> sounder = desktopBeep();
         std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
+        std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
+        QStringList notices{};                         ///< of the start, for the list of events
         std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
     };
     explicit MainWindow(Options options);
@@ -81,6 +85,7 @@ public:
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
     TrainingPage* training() const { return training_; }
+    QPushButton* recordingButton() const { return recording_; }
     VerdictStrip* verdict() const { return terrainPage_->verdict(); }
     QPushButton* viewButton() const { return terrainPage_->viewButton(); }
     ConsoleAlarms& alarms() { return *alarms_; }
@@ -103,6 +108,8 @@ private:
     void addPages(const Options& options);
     AlarmSight alarmSight(double now) const;
     void showAlarms(double now);
+    void showRecording();
+    void mark();
     QString linkDetails(const CanView& view) const;
     QList<DiagnosticsSection> diagnostics() const;
     void addPage(Page* page, const QString& name, Qt::Key key, const QString& tip);
@@ -122,6 +129,7 @@ private:
     void preferModelInUse();
     void offerViews();
     void showHelp();
+    void open();
     void defineKeys();
     void applyPreferences(const Preferences& before);
     void arrange();    ///< the terrain page in the layout in force, at the font scale in force
@@ -141,6 +149,8 @@ private:
     std::unique_ptr<Exploration> exploration_;
     std::unique_ptr<PanelControl> panel_;  ///< may be null
     std::unique_ptr<ConsoleAlarms> alarms_;
+    std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
+    std::unique_ptr<SessionScribe> scribe_;      ///< likewise
     LoopMeter meter_;
     double prepared_ = 0.0;   ///< [s] the frame that is to be painted took to prepare
     double newestIn_ = -1.0;  ///< [s] when the telemetry in it came, where that is new
@@ -154,11 +164,13 @@ private:
     NavigationRail* rail_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     QLabel* banner_ = nullptr;
+    QLabel* notRecorded_ = nullptr;
     QLabel* help_ = nullptr;
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;
     TrainingPage* training_ = nullptr;
+    QPushButton* recording_ = nullptr;
     QAction* drawsAction_ = nullptr;
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;

@@ -23,6 +23,7 @@ public:
     /// The panel is there and was read lately: what an armed robot needs of it.
     bool answers(double now) const;
     bool stopPressed() const { return report_.state.stop; }
+    const PanelState& state() const { return report_.state; }
     Precondition precondition(double now) const;
     const PanelReader& reader() const { return reader_; }
 

@@ -148,6 +148,9 @@ void visit(Visitor visitor, Values& p)
     visitor.number("probe-above", p.probeAbove, 0.001, 1.0);
     visitor.number("roll-limit", p.rollLimit, 0.01, kRight);
     visitor.number("asymmetry-limit", p.asymmetryLimit, 0.01, kRight);
+    visitor.flag("record", p.record);
+    visitor.number("keep-days", p.keepDays, 0, kMostDays);
+    visitor.number("keep-gigabytes", p.keepGigabytes, 0, kMostGigabytes);
     visitor.path("model", p.model);
     visitor.path("robot", p.robot);
     visitor.bytes("window", p.window);

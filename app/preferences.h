@@ -28,11 +28,14 @@ struct Preferences {
     double rollLimit = Settings{}.rollLimit;            ///< [rad]
     double asymmetryLimit = Settings{}.asymmetryLimit;  ///< [rad]
     QString model, robot;                               ///< files; empty: the shipped ones
-    QByteArray window;  ///< QWidget::saveGeometry(); empty: none yet
+    bool record = true;                                 ///< what happens at the console
+    int keepDays = 0, keepGigabytes = 0;  ///< of recordings; 0: nothing is ever deleted
+    QByteArray window;                    ///< QWidget::saveGeometry(); empty: none yet
     bool operator==(const Preferences&) const = default;
 };
 
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;  ///< [%]
+inline constexpr int kMostDays = 10'000, kMostGigabytes = 100'000;
 inline constexpr int kPreferencesSchema = 1;
 
 /// The settings with what the preferences say about method, quality and limits.

@@ -13,7 +13,6 @@
 namespace terratact {
 namespace {
 
-constexpr int kWidth = 1200, kHeight = 700;
 constexpr double kPlotLeft = 84.0, kPlotRight = 1170.0, kPlotTop = 84.0, kPlotBottom = 586.0;
 
 constexpr double kProbeRoom = 50.0;  // [px] above all bars for the words "probe here"
@@ -339,8 +338,13 @@ private:
 
 Status writeProfileFigure(const std::string& path, const FigureInput& input)
 {
-    return writePicture(path, kWidth, kHeight,
-                        [&](Canvas& canvas) { Drawing(canvas, input).draw(); });
+    return writePicture(path, kProfileWidth, kProfileHeight,
+                        [&](Canvas& canvas) { drawProfile(canvas, input); });
+}
+
+void drawProfile(Canvas& canvas, const FigureInput& input)
+{
+    Drawing(canvas, input).draw();
 }
 
 std::string profileTable(const TerrainEstimate& estimate, const std::optional<Heights>& truth)

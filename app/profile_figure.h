@@ -9,6 +9,8 @@
 
 namespace terratact {
 
+class Canvas;
+
 /// What a picture of one exploration shows.
 struct FigureInput {
     TerrainEstimate estimate;
@@ -24,6 +26,10 @@ struct FigureInput {
 /// shape as well as colour; under the title the method and what makes the result doubtful.  PNG or SVG by
 /// the path's ending, under a temporary name, then renamed.  Errors name the file.
 Status writeProfileFigure(const std::string& path, const FigureInput& input);
+
+/// The same as a part of a larger picture: kProfileWidth × kProfileHeight from the canvas's origin.
+void drawProfile(Canvas& canvas, const FigureInput& input);
+inline constexpr int kProfileWidth = 1200, kProfileHeight = 700;  ///< [px]
 
 /// The profile as a table for a person, one row per bin, rear to front, with a heading.
 std::string profileTable(const TerrainEstimate& estimate, const std::optional<Heights>& truth);

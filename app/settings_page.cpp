@@ -82,10 +82,17 @@ SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> prese
         });
     });
 
+    const auto [recording, recordingForm] = card(tr("Recording"));
+    buildRecording(recordingForm);
+
+    auto* right = new QVBoxLayout;
+    right->setSpacing(10);
+    right->addWidget(look);
+    right->addWidget(recording);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(10);
     columns->addWidget(estimate, 1);
-    columns->addWidget(look, 1);
+    columns->addLayout(right, 1);
     auto* inside = new QWidget;
     auto* all = new QVBoxLayout(inside);
     all->setContentsMargins(12, 10, 12, 10);
@@ -184,6 +191,36 @@ void SettingsPage::buildLook(QFormLayout* form)
     connect(sound_, &QCheckBox::toggled, this, &SettingsPage::take);
 }
 
+QSpinBox* SettingsPage::limit(QFormLayout* form, const QString& label, int most,
+                              const QString& unit, const QString& tip)
+{
+    auto* box = new QSpinBox(this);
+    box->setRange(0, most);
+    box->setSpecialValueText(tr("never"));
+    box->setSuffix(QLatin1Char(' ') + unit);
+    box->setKeyboardTracking(false);
+    box->setMinimumHeight(kTarget);
+    box->setAccessibleName(label);
+    box->setToolTip(tip);
+    form->addRow(label, box);
+    connect(box, &QSpinBox::valueChanged, this, &SettingsPage::take);
+    return box;
+}
+
+void SettingsPage::buildRecording(QFormLayout* form)
+{
+    record_ = new QCheckBox(tr("Everything is recorded"), this);
+    record_->setMinimumHeight(kTarget);
+    record_->setToolTip(
+        tr("Frames, scenes, estimates, what was shown and decided, in one file per session"));
+    form->addRow(QString(), record_);
+    connect(record_, &QCheckBox::toggled, this, &SettingsPage::take);
+    keepDays_ = limit(form, tr("Delete a session after"), kMostDays, tr("days"),
+                      tr("At the next start; never: nothing is deleted"));
+    keepGigabytes_ = limit(form, tr("Delete the oldest beyond"), kMostGigabytes, tr("GB"),
+                           tr("Of all sessions together, at the next start"));
+}
+
 QWidget* SettingsPage::buildFiles()
 {
     auto* card = new Card(tr("Model and robot"), this);
@@ -247,6 +284,9 @@ void SettingsPage::show()
     language_->setCurrentIndex(indexOf(kLanguages, p.language));
     layout_->setCurrentIndex(static_cast<int>(p.layout));
     sound_->setChecked(p.sound);
+    record_->setChecked(p.record);
+    keepDays_->setValue(p.keepDays);
+    keepGigabytes_->setValue(p.keepGigabytes);
     showing_ = false;
     showCosts();
 }
@@ -270,6 +310,9 @@ void SettingsPage::take()
         p.language = kLanguages.at(at(language_));
         p.layout = static_cast<Layout>(at(layout_));
         p.sound = sound_->isChecked();
+        p.record = record_->isChecked();
+        p.keepDays = keepDays_->value();
+        p.keepGigabytes = keepGigabytes_->value();
     });
 }
 

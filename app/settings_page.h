@@ -32,6 +32,7 @@ public:
     QComboBox* themeBox() const { return theme_; }
     QDoubleSpinBox* thresholdBox() const { return threshold_; }
     QDoubleSpinBox* obstacleBox() const { return obstacle_; }
+    QCheckBox* recordBox() const { return record_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
     QString modelCard() const;
@@ -39,6 +40,9 @@ public:
 private:
     void buildEstimate(QFormLayout* form);
     void buildLook(QFormLayout* form);
+    void buildRecording(QFormLayout* form);
+    QSpinBox* limit(QFormLayout* form, const QString& label, int most, const QString& unit,
+                    const QString& tip);
     QWidget* buildFiles();
     QComboBox* choice(QFormLayout* form, const QString& label, const QStringList& names,
                       const QString& tip);
@@ -64,6 +68,9 @@ private:
     QComboBox* language_ = nullptr;
     QComboBox* layout_ = nullptr;
     QCheckBox* sound_ = nullptr;
+    QCheckBox* record_ = nullptr;
+    QSpinBox* keepDays_ = nullptr;
+    QSpinBox* keepGigabytes_ = nullptr;
     QLabel* model_ = nullptr;
     QLabel* robot_ = nullptr;
     QPushButton* chooseModel_ = nullptr;

@@ -119,6 +119,9 @@ std::vector<SignalRow> rowsOf(const Measurement& m)
     for (std::size_t i = 0; i < m.force.size(); ++i)
         rows.push_back(
             quantity(SignalsPage::tr("force %1").arg(i + 1), m.force[i], QStringLiteral("N")));
+    if (m.travelled)
+        rows.push_back(
+            quantity(SignalsPage::tr("way of the tracks"), *m.travelled, QStringLiteral("m")));
     return rows;
 }
 

@@ -264,6 +264,7 @@ void TerrainPage::showEstimate(const TerrainSight& sight)
         terrain_->clearEstimate(shownReason_);
         strip_->setNothing(QString());
     }
+    terrain_->setGhost(sight.ghost, sight.whyNoGhost);
     if (!isShown(shownSecond_, sight.second)) {
         shownSecond_ = copyOf(sight.second);
         terrain_->setSecond(shownSecond_, sight.secondName);

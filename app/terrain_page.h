@@ -7,6 +7,7 @@
 #include "app/preferences.h"
 #include "core/atem/atem_machine.h"
 #include "core/infer/estimate.h"
+#include "core/infer/ghost.h"
 #include "core/infer/verdict.h"
 #include "core/robot/robot_model.h"
 #include "widgets/atem_panel.h"
@@ -47,6 +48,8 @@ struct TerrainSight {
     QString secondName{};
     const TerrainEstimate* live = nullptr;  ///< a preview, shown instead
     QString whyNoEstimate{};
+    std::optional<Ghost> ghost{};  ///< where the last estimate lies now
+    QString whyNoGhost{};          ///< said where there is none; empty: nothing
     std::optional<Verdict> verdict{};
 
     AtemState state{};

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/file_read.h"
+#include "core/infer/reconstruct.h"
 #include "core/learn/sha256.h"
 #include "core/text.h"
 
@@ -48,7 +49,7 @@ bool identical(const TerrainEstimate& a, const TerrainEstimate& b)
 
 Result<RobotModel> robotOf(const SessionReader& session)
 {
-    return robotModelFrom(session.start().robot, session.path() + ": its robot");
+    return robotModelFrom(session.path() + ": its robot", session.start().robot);
 }
 
 Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string> paths)
@@ -83,8 +84,10 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
         return fileError(session.path(),
                          fmt::format("estimate {}: its scene is not there", row.id));
     try {
-        return estimateTerrain(proprioception(scene->measurement), row.readings, *robot, models,
-                               settings, watch);
+        TerrainEstimate estimate = estimateTerrain(proprioception(scene->measurement), row.readings,
+                                                   *robot, models, settings, watch);
+        warnIfNotPlanar(estimate, scene->measurement);  // as the console does
+        return estimate;
     } catch (const std::exception& refused) {  // what the file says cannot be estimated
         return fileError(session.path(), fmt::format("estimate {}: {}", row.id, refused.what()));
     }

@@ -24,7 +24,8 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
 
 /// The estimate of the row's scene with its readings, in their order, and the session's robot.  With the row's
 /// own model and settings that is the recorded one, bit for bit, unless time had ended its sampling
-/// (Ending::Time).
+/// (Ending::Time), on a machine with the same vector instructions and with BLAS in one thread, as our programs have
+/// it; elsewhere the last bits may differ.
 /// models: for that robot.  Errors name the session's file.  Throws Cancelled.
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                       const Models& models, const Settings& settings,

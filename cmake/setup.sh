@@ -26,7 +26,7 @@ declare -A packages=(
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev make bzip2 fonts-dejavu-core"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
-          python3-can sqlite3 parallel xvfb xauth xdotool
+          python3-can can-utils sqlite3 parallel xvfb xauth xdotool
           appstream desktop-file-utils man-db groff-base dpkg-dev file"
   [tidy]="clang clang-tidy clang-format libclang-rt-14-dev lld git"
   [package]="dpkg-dev file debootstrap debian-archive-keyring lintian"

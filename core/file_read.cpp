@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/text.h"
+
 namespace terratact {
 namespace {
 
@@ -36,7 +38,10 @@ Error systemError(const std::string& path, std::string_view what, int code)
 
 Error fileError(const std::string& path, std::string_view cause, int code)
 {
-    return Error{path + ": " + std::string(cause), code};
+    Error error{path + ": " + std::string(cause), code};
+    const auto quoted = error.text.end() - static_cast<std::ptrdiff_t>(cause.size());
+    std::replace_if(quoted, error.text.end(), isControl, '?');
+    return error;
 }
 
 Result<std::string> readFile(const std::string& path, std::size_t most)

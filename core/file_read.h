@@ -8,7 +8,8 @@
 
 namespace terratact {
 
-/// "`path`: `cause`" as every message about a file begins.
+/// "`path`: `cause`" as every message about a file begins; control characters of the cause, which may quote the
+/// file, as '?'.
 Error fileError(const std::string& path, std::string_view cause, int code = 0);
 
 /// The whole content of a file or pipe.  Errors name the file: it cannot be opened or read, is a

@@ -262,10 +262,13 @@ void SqliteFile::journal()
     run("PRAGMA journal_size_limit = 67108864");
 }
 
-void SqliteFile::leaveJournal()
+bool SqliteFile::leaveJournal()
 {
-    SqliteStatement mode = prepare("PRAGMA journal_mode = DELETE");
-    if (!mode.step() || mode.text(0) != "delete") throw SqliteError("somebody else has it open");
+    const SqliteStatement mode = prepare("PRAGMA journal_mode = DELETE");
+    const int code = sqlite3_step(mode.statement_.get());
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED) return false;
+    if (code != SQLITE_ROW) throw SqliteError(sqlite3_errmsg(file_.get()));
+    return mode.text(0) == "delete";
 }
 
 void SqliteFile::grantSteps()

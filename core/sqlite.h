@@ -79,8 +79,9 @@ public:
     /// Opens such a file whose writer died to go on with it; its journal is played back.
     static SqliteFile reopenLog(const std::string& path);
 
-    /// Moves the journal into the file and leaves WAL mode; a SqliteError where another connection is open.
-    void leaveJournal();
+    /// Moves the journal into the file and leaves WAL mode; false, and nothing happens, while somebody else has it
+    /// open.
+    bool leaveJournal();
 
     /// Statements of an untrusted file may take as many steps again from now on.
     void grantSteps();

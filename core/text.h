@@ -13,6 +13,12 @@ std::string numberText(double value);
 /// a double.  "nan" and "inf" are numbers here: whoever reads must check.
 std::optional<double> numberFrom(std::string_view text);
 
+/// Of ASCII: line ends, escapes, DEL … and no part of any other character of UTF-8.
+constexpr bool isControl(char c)
+{
+    return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+}
+
 /// A piece of somebody's file for a message: in quotes, cut after 40 characters, unprintable ones as '?'.
 std::string shown(std::string_view text);
 

@@ -14,7 +14,7 @@ set(core_order robot wire terrain learn infer eval atem sim log)   # files of co
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
 set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
-set(widgets_core "^core/(robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
+set(widgets_core "^core/(robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
 
 set(offences "")
 macro(offence text)

@@ -13,6 +13,13 @@ namespace {
     QT_TRANSLATE_NOOP("core", "balanced"),
     QT_TRANSLATE_NOOP("core", "accurate"),
     QT_TRANSLATE_NOOP("core", "the chains have not converged"),
+    QT_TRANSLATE_NOOP("core", "the robot reports no odometry"),
+    QT_TRANSLATE_NOOP("core", "the robot has driven too far since the last estimate"),
+    QT_TRANSLATE_NOOP("core", "the last estimate has become too uncertain"),
+    QT_TRANSLATE_NOOP("core", "the robot has tilted too much since the last estimate"),
+    QT_TRANSLATE_NOOP("core", "the robot has turned since the last estimate"),
+    QT_TRANSLATE_NOOP("core", "telemetry was missing while the robot drove"),
+    QT_TRANSLATE_NOOP("core", "nothing of the last estimate is left in view"),
     QT_TRANSLATE_NOOP("core", "roll %1°: the ground is not the same left and right"),
     QT_TRANSLATE_NOOP(
         "core", "left and right flippers differ by %1°: the ground is not the same left and right"),

@@ -41,6 +41,7 @@ void EventList::add(const QString& text, Weight weight, QTime at)
     item->setForeground(colourOf(weight));
     insertItem(0, item);
     while (count() > kMost) delete takeItem(count() - 1);
+    emit added(text, weight);
 }
 
 void EventList::changeEvent(QEvent* event)

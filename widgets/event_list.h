@@ -18,6 +18,9 @@ public:
     QSize minimumSizeHint() const override { return {scaled(150), 80}; }
     void add(const QString& text, Weight weight, QTime at);
 
+signals:
+    void added(const QString& text, terratact::Weight weight);
+
 protected:
     void changeEvent(QEvent* event) override;
 };

@@ -66,6 +66,35 @@ QPen secondPen(Qt::PenStyle style)
     return {theme().muted, 1.5, style};
 }
 
+QPen ghostPen(double width)
+{
+    QPen pen(theme().sampled, width, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({4.0, 3.0});
+    return pen;
+}
+
+QColor ghostBand()
+{
+    QColor colour = theme().sampled;
+    colour.setAlpha(0x2c);
+    return colour;
+}
+
+/// Bins next to each other that can be drawn.
+std::vector<std::vector<int>> runsOf(const Ghost& ghost)
+{
+    std::vector<std::vector<int>> runs;
+    bool pen = false;
+    for (int i = 0; i < kBins; ++i) {
+        const auto& bin = ghost.bin[static_cast<std::size_t>(i)];
+        const bool there = bin && drawable(bin->height) && drawable(bin->q10) && drawable(bin->q90);
+        if (there && !pen) runs.emplace_back();
+        if (there) runs.back().push_back(i);
+        pen = there;
+    }
+    return runs;
+}
+
 QPen twoPen()
 {
     return {theme().doubt, 2.0};
@@ -132,6 +161,50 @@ QwtGraphic SecondEstimate::legendIcon(int /*index*/, const QSizeF& /*size*/) con
         painter.drawLine(QPointF(13, 1), QPointF(13, 15));
         painter.setBrush(theme().card);
         painter.drawEllipse(QPointF(13, 8), 3.5, 3.5);
+    });
+}
+
+GhostLayer::GhostLayer()
+    : QwtPlotItem(QwtText(text(QT_TRANSLATE_NOOP("terratact::TerrainProfileView", "ghost"))))
+{
+    setZ(17.0);
+    setRenderHint(QwtPlotItem::RenderAntialiased);
+    setItemAttribute(QwtPlotItem::Legend);
+}
+
+void GhostLayer::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                      const QRectF& /*canvas*/) const
+{
+    if (!ghost) return;
+    for (const std::vector<int>& run : runsOf(*ghost)) {
+        const auto line = [&](double GhostBin::*height) {
+            QPolygonF points;
+            for (const int bin : run)
+                points << pixel(x, y, binCentre(bin),
+                                (*ghost->bin[static_cast<std::size_t>(bin)]).*height);
+            return points;
+        };
+        const QPolygonF low = line(&GhostBin::q10);
+        QPolygonF band = line(&GhostBin::q90);
+        painter->setPen(ghostPen(1.0));
+        painter->drawPolyline(low);
+        painter->drawPolyline(band);
+        if (run.size() == 1) painter->drawLine(low.front(), band.front());
+        std::for_each(low.rbegin(), low.rend(), [&](const QPointF& point) { band << point; });
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(ghostBand());
+        painter->drawPolygon(band);
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(ghostPen(2.5));
+        painter->drawPolyline(line(&GhostBin::height));
+    }
+}
+
+QwtGraphic GhostLayer::legendIcon(int /*index*/, const QSizeF& /*size*/) const
+{
+    return icon(ghostPen(2.5), [](QPainter& painter) {
+        painter.fillRect(QRectF(0, 2, 26, 12), ghostBand());
+        painter.drawLine(QPointF(0, 8), QPointF(26, 8));
     });
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/infer/bimodality.h"
 #include "core/infer/estimate.h"
+#include "core/infer/ghost.h"
 
 namespace terratact {
 
@@ -28,6 +29,17 @@ class SecondEstimate final : public QwtPlotItem {
 public:
     SecondEstimate();
     std::optional<TerrainEstimate> estimate;
+
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+    QwtGraphic legendIcon(int index, const QSizeF& size) const override;
+};
+
+/// The last estimate while the robot drives on: a dashed line in a band without marks.
+class GhostLayer final : public QwtPlotItem {
+public:
+    GhostLayer();
+    std::optional<Ghost> ghost;
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;

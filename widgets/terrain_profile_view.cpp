@@ -81,6 +81,30 @@ QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill
     return new QwtSymbol(style, fill, QPen(line, 2.0), QSize(size, size));
 }
 
+/// Words at the top of the canvas.
+void setLabel(QwtPlotTextLabel& label, QwtText words)
+{
+    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
+    QColor behind = theme().card;
+    behind.setAlpha(0xe0);
+    words.setBackgroundBrush(behind);
+    label.setText(words);
+    label.setVisible(!words.text().isEmpty());
+}
+
+/// [m], of the bins that there are.
+double meanSd(const Ghost& ghost)
+{
+    double sum = 0.0;
+    int bins = 0;
+    for (const auto& bin : ghost.bin) {
+        if (!bin) continue;
+        sum += bin->sd;
+        ++bins;
+    }
+    return bins > 0 ? sum / bins : 0.0;
+}
+
 void setInLegend(QwtPlotItem& item, bool shown)
 {
     if (item.testItemAttribute(QwtPlotItem::Legend) != shown)
@@ -298,17 +322,24 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     second_->attach(this);
     twoHeights_ = new TwoHeights;
     twoHeights_->attach(this);
-    for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_})
+    ghost_ = new GhostLayer;
+    ghost_->attach(this);
+    for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_, ghost_})
         layer->setItemAttribute(QwtPlotItem::Legend, false);  // until there is something to see
     inspector_ = new BinInspector(this);
     setFocusPolicy(Qt::TabFocus);
     frame->setMouseTracking(true);
 
-    note_ = new QwtPlotTextLabel;
-    note_->setItemAttribute(QwtPlotItem::Legend, false);
+    const auto label = [this] {
+        auto* item = new QwtPlotTextLabel;
+        item->setItemAttribute(QwtPlotItem::Legend, false);
+        item->setZ(40.0);
+        item->attach(this);
+        return item;
+    };
+    note_ = label();
     note_->setMargin(12);
-    note_->setZ(40.0);
-    note_->attach(this);
+    ghostNote_ = label();
 
     clearEstimate(tr("No estimate yet"));
     showTruth();
@@ -371,6 +402,7 @@ void TerrainProfileView::restyle()
     imu_->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, scaled(7)));
     imu_->setLabel(text(tr("IMU"), theme().muted, sized(font(), 12)));
     showNote(note_->text().text(), estimate_.has_value());
+    showGhostNote(ghostNote_->text().text());
     setOutline(outline_);
     for (QwtPlotItem* item : itemList()) item->legendChanged();
     sizeLegend();
@@ -406,13 +438,29 @@ void TerrainProfileView::clearEstimate(const QString& why)
 
 void TerrainProfileView::showNote(const QString& note, bool warns)
 {
-    QwtText words = text(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true));
-    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
-    QColor behind = theme().card;
-    behind.setAlpha(0xe0);
-    words.setBackgroundBrush(behind);
-    note_->setText(words);
-    note_->setVisible(!note.isEmpty());
+    setLabel(*note_, text(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true)));
+}
+
+void TerrainProfileView::showGhostNote(const QString& note)
+{
+    ghostNote_->setMargin(scaled(40));  // below the other one
+    setLabel(*ghostNote_,
+             text(note, ghost_->ghost ? theme().sampled : theme().muted, sized(font(), 15, true)));
+}
+
+void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QString& why)
+{
+    const QString note = ghost ? tr("ghost of the last estimate · %1 m driven · ± %2 cm")
+                                     .arg(words::number(ghost->motion.way, 2),
+                                          words::number(100.0 * meanSd(*ghost), 0))
+                               : why;
+    if (ghost == ghost_->ghost && note == ghostNote_->text().text()) return;
+    ghost_->ghost = ghost;
+    setInLegend(*ghost_, ghost.has_value());
+    showGhostNote(note);
+    describe();
+    fitAxes();
+    replot();
 }
 
 void TerrainProfileView::showEstimate()
@@ -648,6 +696,12 @@ bool TerrainProfileView::setScales()
     if (second_ && second_->estimate) {  // the legend lays the plot out before all of it is there
         for (const double z : second_->estimate->height) include(z);
     }
+    if (ghost_ && ghost_->ghost) {  // likewise
+        for (const auto& bin : ghost_->ghost->bin) {
+            if (!bin) continue;
+            for (const double z : {bin->height, bin->q10, bin->q90}) include(z);
+        }
+    }
     // In steps, so that the picture does not swim with the noise.
     bottom = std::floor(bottom / 0.05 + 1e-9) * 0.05;
     top = std::ceil(top / 0.05 - 1e-9) * 0.05;
@@ -702,7 +756,9 @@ void TerrainProfileView::describe()
 {
     QStringList lines;
     for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
-    setAccessibleDescription(estimate_ ? lines.join(QLatin1Char('\n')) : note_->text().text());
+    if (!estimate_) lines << note_->text().text();
+    if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
+    setAccessibleDescription(lines.join(QLatin1Char('\n')));
 }
 
 bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/infer/estimate.h"
+#include "core/infer/ghost.h"
 #include "core/infer/provenance.h"
 #include "core/terrain/outline.h"
 
@@ -21,6 +22,7 @@ namespace terratact {
 
 class BinInspector;
 class BinZones;
+class GhostLayer;
 class ProbeMark;
 class SampleLines;
 class SecondEstimate;
@@ -47,6 +49,8 @@ public:
     void setDrawsShown(bool shown);  ///< some draws as thin lines
     /// A second method's estimate of the same scene beside the first; empty: none.  name: in the legend.
     void setSecond(const std::optional<TerrainEstimate>& estimate, const QString& name);
+    /// The last estimate where odometry says it lies now.  why: said instead, where there is none; empty: nothing.
+    void setGhost(const std::optional<Ghost>& ghost, const QString& why = {});
     void inspect(std::optional<int> bin);  ///< shows a bin up close
 
     /// Canvas position of a point of the DEM frame [m].
@@ -76,6 +80,7 @@ private:
     void showDraws();
     QStringList closeUp(int bin) const;
     void showNote(const QString& note, bool warns);
+    void showGhostNote(const QString& note);
     void restyle();  ///< in theme and font as they are now
     void showTruth();
     void showProbe();
@@ -104,6 +109,8 @@ private:
     ProbeMark* probeMark_ = nullptr;
     SampleLines* draws_ = nullptr;
     SecondEstimate* second_ = nullptr;
+    GhostLayer* ghost_ = nullptr;
+    QwtPlotTextLabel* ghostNote_ = nullptr;
     TwoHeights* twoHeights_ = nullptr;
     BinInspector* inspector_ = nullptr;
     bool drawsShown_ = false;

@@ -95,4 +95,12 @@ Result<PanelConfig> readPanelFile(const std::string& path)
     return panel;
 }
 
+Result<PanelConfig> panelFrom(const std::string& name, const std::string& text)
+{
+    PanelConfig panel;
+    const Status read = readToml(name, text, [&](TomlSection& file) { readPanel(file, panel); });
+    if (!read) return read.error();
+    return panel;
+}
+
 }  // namespace terratact

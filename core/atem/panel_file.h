@@ -52,4 +52,7 @@ struct PanelConfig {
 /// is not known, or uses a line twice.
 Result<PanelConfig> readPanelFile(const std::string& path);
 
+/// The same for a text at hand, which errors call `name`.
+Result<PanelConfig> panelFrom(const std::string& name, const std::string& text);
+
 }  // namespace terratact

@@ -34,12 +34,14 @@ void add(CanonicalBytes& bytes, const Measurement& scene)
 {
     const auto& [time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
                  frontRightCurrent, rearLeftCurrent, rearRightCurrent, force, activity, refusal,
-                 arm] = scene;
+                 arm, travelled, turned] = scene;
     addAll(bytes, time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
            frontRightCurrent, rearLeftCurrent, rearRightCurrent);
     for (const double f : force) add(bytes, f);
     addAll(bytes, activity, refusal, arm.has_value());
     if (arm) add(bytes, *arm);
+    for (const auto& odometry : {travelled, turned})
+        addAll(bytes, odometry.has_value(), odometry.value_or(0.0));
 }
 
 void add(CanonicalBytes& bytes, const Settings& settings)

@@ -5,13 +5,16 @@
 #include <set>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "core/file_read.h"
+#include "core/text.h"
 
 namespace terratact {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{64} * 1024 * 1024;
+constexpr std::size_t kMostFields = 1000, kLongestField = 4096;
 
 /// Groups by name, labels by first appearance.
 std::vector<GroupSummary> summaries(const std::map<std::string, std::vector<BinError>>& groups)
@@ -27,8 +30,8 @@ std::vector<GroupSummary> summaries(const std::map<std::string, std::vector<BinE
     return result;
 }
 
-/// The fields of a line; empty where a quote does not end.
-std::optional<std::vector<std::string>> fieldsOf(std::string_view line)
+/// The fields of a line, or why there are none.
+std::variant<std::vector<std::string>, std::string> fieldsOf(std::string_view line)
 {
     std::vector<std::string> fields(1);
     bool quoted = false;
@@ -40,12 +43,16 @@ std::optional<std::vector<std::string>> fieldsOf(std::string_view line)
         } else if (c == '"') {
             quoted = !quoted;
         } else if (c == ',' && !quoted) {
+            if (fields.size() == kMostFields)
+                return "has more than " + std::to_string(kMostFields) + " fields";
             fields.emplace_back();
         } else {
             fields.back() += c;
         }
+        if (fields.back().size() > kLongestField)
+            return "has a field of more than " + std::to_string(kLongestField) + " bytes";
     }
-    if (quoted) return std::nullopt;
+    if (quoted) return "a quote does not end";
     return fields;
 }
 
@@ -73,8 +80,8 @@ public:
         at_ = end + 1;
         if (line.ends_with('\r')) line.remove_suffix(1);
         auto fields = fieldsOf(line);
-        if (!fields) return error("a quote does not end");
-        return *std::move(fields);
+        if (const auto* const cause = std::get_if<std::string>(&fields)) return error(*cause);
+        return std::get<0>(std::move(fields));
     }
 
 private:
@@ -104,7 +111,12 @@ Result<Classes> readClasses(const std::string& path, const std::string& column)
 {
     auto text = readFile(path, kMostBytes);
     if (!text) return text.error();
-    IndexFile file(path, *std::move(text));
+    return classesFrom(path, *std::move(text), column);
+}
+
+Result<Classes> classesFrom(const std::string& name, std::string text, const std::string& column)
+{
+    IndexFile file(name, std::move(text));
     const auto header = file.next();
     if (!header) return header.error();
     const auto row = indexOf(*header, "row");
@@ -119,7 +131,10 @@ Result<Classes> readClasses(const std::string& path, const std::string& column)
             return file.error("has " + std::to_string(fields->size()) + " fields, not "
                               + std::to_string(header->size()));
         if (!classes.try_emplace((*fields)[*row], (*fields)[*wanted]).second)
-            return file.error("row " + (*fields)[*row] + " appears twice");
+            return file.error("row " + shown((*fields)[*row]) + " appears twice");
+        if (classes.size() > kMostClassRows)
+            return file.error("is one row more than the " + std::to_string(kMostClassRows)
+                              + " allowed in a file");
     }
     return classes;
 }

@@ -24,11 +24,16 @@ std::vector<GroupSummary> byNovelty(std::span<const BinError> errors);
 
 /// Which class each row of an index file belongs to.
 using Classes = std::map<std::string, std::string>;
+inline constexpr std::size_t kMostClassRows = 200'000;  ///< of an index file
 
 /// Reads the columns `row` and `column` of a CSV index; fields in double quotes may hold commas.
 /// Errors name the file, the line and the cause: a column is missing, a line has another number of fields,
-/// a quote does not end, a row appears twice.
+/// a quote does not end, a row appears twice; over
+/// kMostClassRows rows, 1000 fields or 4096 bytes of a field.
 Result<Classes> readClasses(const std::string& path, const std::string& column);
+
+/// The same for a text at hand, which errors call `name`.
+Result<Classes> classesFrom(const std::string& name, std::string text, const std::string& column);
 
 /// What a scene's run is called where the index does not know it.
 inline constexpr std::string_view kNoClass = "(none)";

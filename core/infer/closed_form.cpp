@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/infer/draw_summary.h"
 #include "core/infer/measured_bins.h"
 #include "core/learn/clearance.h"
 #include "core/learn/hyperparameters.h"
@@ -129,7 +130,7 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings)
+                                      const Settings& settings, const WeakHeights& weak)
 {
     check(settings);
     TerrainEstimate estimate;
@@ -140,7 +141,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
     GaussianMixture distribution =
         surfaceDistribution(model, x, coveredBins(estimate.ceiling), settings.method);
 
-    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
+    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings, weak);
     takeAll(distribution, measured, model, estimate);
     if (estimate.novelty > 1.0)
         estimate.warnings.push_back(fmt::format(
@@ -154,7 +155,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
         estimate.ess[i] = settings.draws;
     }
     estimate.draws = heightDraws(distribution, estimate);
-    return estimate;
+    return finite(std::move(estimate));
 }
 
 }  // namespace terratact

@@ -4,6 +4,7 @@
 
 #include "core/infer/estimate.h"
 #include "core/infer/gaussian_mixture.h"
+#include "core/infer/measured_bins.h"
 #include "core/learn/clearance_model.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
@@ -23,14 +24,14 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
                                     unsigned covered, Method method);
 
 /// Estimates one scene without a chain: contacts, with the model's bias and sd, and arm readings are
-/// measurements (measured_bins.h), conditioned exactly in the surface coordinate y (core/learn/clearance.h).
+/// measurements (measured_bins.h), weak heights too, conditioned exactly in the surface coordinate y (core/learn/clearance.h).
 /// Their error there is the change of y when the ground lies one sd lower.  A measurement more than two standard
 /// deviations from every component makes one Gaussian of the mixture first.
 /// height is the median; settings.draws joint draws; rhat is 1 and ess the number of draws.
-/// Throws std::invalid_argument for another method than Joint and Local, settings out of range or an s that
-/// lacks a feature.
+/// Throws std::invalid_argument for another method than Joint and Local, settings out of range, an s that
+/// lacks a feature, or a model that gives no finite estimate.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings);
+                                      const Settings& settings, const WeakHeights& weak = {});
 
 }  // namespace terratact

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "core/infer/convergence.h"
 #include "core/infer/quantile.h"
@@ -30,6 +32,11 @@ void judge(TerrainEstimate& estimate, const std::vector<int>& bins)
                         "(limit {:.0f})",
                         estimate.ending == Ending::Time ? " when time was out" : "", worstRhat,
                         kRhatLimit, worstEss, kEssLimit));
+}
+
+bool allFinite(const Heights& values)
+{
+    return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
 }  // namespace
@@ -90,6 +97,17 @@ void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const Optional
     for (std::size_t i = 0; i < kBins; ++i)
         if (known[i]) estimate.ess[i] = static_cast<double>(estimate.draws.size());
     judge(estimate, draws.bins);
+}
+
+TerrainEstimate finite(TerrainEstimate estimate)
+{
+    bool holds = std::isfinite(estimate.novelty)
+              && std::all_of(estimate.draws.begin(), estimate.draws.end(), allFinite);
+    for (const Heights& numbers : {estimate.mean, estimate.sd, estimate.q10, estimate.q90,
+                                   estimate.height, estimate.rhat, estimate.ess})
+        holds = holds && allFinite(numbers);
+    if (!holds) throw std::invalid_argument("the model gives no finite estimate of this scene");
+    return estimate;
 }
 
 }  // namespace terratact

@@ -31,4 +31,8 @@ std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& 
 ///   known: heights [m]
 void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known);
 
+/// The estimate.  Throws std::invalid_argument unless every number is finite that has to be (TerrainEstimate): a model
+/// whose numbers are finite, but absurd, may leave a scene without one.
+TerrainEstimate finite(TerrainEstimate estimate);
+
 }  // namespace terratact

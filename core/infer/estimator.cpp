@@ -1,5 +1,6 @@
 #include "core/infer/estimator.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "core/infer/closed_form.h"
@@ -27,13 +28,16 @@ Models::Models(const ModelData& model, const RobotModel& robot)
 
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
-                                const Settings& settings, const Watch& watch)
+                                const Settings& settings, const Watch& watch,
+                                const WeakHeights& weak)
 {
     stopIfCancelled(watch);
     if (isClosedForm(settings.method))
-        return reconstructClosedForm(s, arm, robot, models.clearance, settings);
+        return reconstructClosedForm(s, arm, robot, models.clearance, settings, weak);
     if (settings.method == Method::Clearance)
-        return reconstructClearance(s, arm, robot, models.conditionals, settings, watch);
+        return reconstructClearance(s, arm, robot, models.conditionals, settings, watch, weak);
+    if (weak != WeakHeights{})
+        throw std::invalid_argument("the paper's methods take no weak heights");
     return reconstruct(s, arm, robot, usesForces(settings.method) ? models.paf : models.pa,
                        settings, watch);
 }

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/infer/estimate.h"
+#include "core/infer/measured_bins.h"
 #include "core/infer/watch.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/clearance_conditionals.h"
@@ -29,9 +30,11 @@ struct Models {
 
 /// The estimate of one scene by settings.method, whichever that is.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for settings out of range or an s that lacks a feature; Cancelled.
+/// Throws std::invalid_argument for settings out of range, an s that lacks a feature, or weak heights with one
+/// of the paper's methods, which know no measurement but exact ones; Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
-                                const Settings& settings, const Watch& watch = {});
+                                const Settings& settings, const Watch& watch = {},
+                                const WeakHeights& weak = {});
 
 }  // namespace terratact

@@ -75,7 +75,10 @@ double GaussianMixture::quantile(int i, double p) const
     const double sd = std::sqrt(std::max(covariance(i, i), 1e-300));
     double low = mean.row(i).minCoeff() - 9.0 * sd;
     double high = mean.row(i).maxCoeff() + 9.0 * sd;
-    const double exact = 1e-9 * (high - low) + 1e-15;
+    // No finer than neighbouring numbers lie apart there: the bracket would never get so narrow.
+    const double rounding =
+        4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
+    const double exact = std::max(1e-9 * (high - low) + 1e-15, rounding);
     double x = 0.5 * (low + high);
     // Newton's steps, bisection where they leave the bracket.
     while (high - low > exact) {

@@ -59,7 +59,7 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
         warnIfMended(estimate, draws.bins[k], models.bin(draws.bins[k], settings.inducing));
     }
     conclude(estimate, draws, problem.known);
-    return estimate;
+    return finite(std::move(estimate));
 }
 
 void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& m)

@@ -14,7 +14,7 @@ namespace terratact {
 /// fixed, the other bins sampled.  models: of the feature set that settings.method uses.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for another method than the paper's four, settings out of range, a model of the other feature set or an s that
-/// lacks a feature; Cancelled.
+/// lacks a feature, or a model that gives no finite estimate; Cancelled.
 TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});

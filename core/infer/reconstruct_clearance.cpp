@@ -55,14 +55,15 @@ OptionalHeights fixExact(const MeasuredBins& measured, const ClearanceStates::Me
 
 TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
                                      const RobotModel& robot, const ClearanceConditionals& models,
-                                     const Settings& settings, const Watch& watch)
+                                     const Settings& settings, const Watch& watch,
+                                     const WeakHeights& weak)
 {
     check(settings);
     TerrainEstimate estimate;
     estimate.settings = settings;
     estimate.ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
     const Eigen::VectorXd x = features(FeatureSet::Paf, s);
-    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
+    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings, weak);
     estimate.warnings = std::move(measured.warnings);
 
     GibbsProblem problem = problemFor(settings);
@@ -83,7 +84,7 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
                      models.gp(draws.bins[k], regimeOf(estimate.ceiling[i]), settings.inducing));
     }
     conclude(estimate, draws, known);
-    return estimate;
+    return finite(std::move(estimate));
 }
 
 }  // namespace terratact

@@ -19,7 +19,7 @@ constexpr double kForceScale = 3.0;     // [N]
 constexpr int kNoveltyNeighbour = 10;
 constexpr double kNoveltyShare = 0.99;
 
-/// D² of the n-th nearest, n from 1.
+/// D² of the n-th nearest, n from 1; of the last where there are fewer.
 double nthSmallest(Eigen::VectorXd values, int n)
 {
     const auto nth = values.begin() + std::min<Eigen::Index>(n, values.size()) - 1;
@@ -198,7 +198,8 @@ ResidualSample ClearanceModel::localResiduals(const Eigen::VectorXd& features,
     const auto K = static_cast<Eigen::Index>(rows.size());
     const Eigen::VectorXd own = distance(rows);
     const double least = own.minCoeff();
-    const double width = std::max(nthSmallest(own, static_cast<int>(K / 2)) - least, 1e-9);
+    const double width = std::max(
+        nthSmallest(own, static_cast<int>(std::max<Eigen::Index>(K / 2, 1))) - least, 1e-9);
     ResidualSample sample{(-0.5 * (own.array() - least) / width).exp().matrix(),
                           residuals_(Eigen::all, rows)};
     sample.weight /= sample.weight.sum();

@@ -23,8 +23,8 @@ std::string_view withoutBlanks(std::string_view text)
 
 }  // namespace
 
-CsvReader::CsvReader(std::string path, std::string text)
-    : path_(std::move(path)), text_(std::make_unique<const std::string>(std::move(text))),
+CsvReader::CsvReader(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::make_unique<const std::string>(std::move(text))),
       rest_(*text_)
 {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
@@ -34,12 +34,17 @@ Result<CsvReader> CsvReader::open(const std::string& path)
 {
     Result<std::string> text = readFile(path, kMostBytes);
     if (!text) return text.error();
-    CsvReader reader(path, *std::move(text));
-    if (reader.rest_.empty()) return fileError(path, "is empty");
+    return over(path, *std::move(text));
+}
+
+Result<CsvReader> CsvReader::over(std::string name, std::string text)
+{
+    CsvReader reader(std::move(name), std::move(text));
+    if (reader.rest_.empty()) return fileError(reader.name_, "is empty");
     if (reader.rest_.back() == '\n') return reader;
     const auto ends = std::count(reader.rest_.begin(), reader.rest_.end(), '\n');
-    return fileError(path, "line " + std::to_string(ends + 1)
-                               + ": is torn: the file does not end with a line end");
+    return fileError(reader.name_, "line " + std::to_string(ends + 1)
+                                       + ": is torn: the file does not end with a line end");
 }
 
 Result<bool> CsvReader::next()
@@ -56,6 +61,10 @@ Result<bool> CsvReader::next()
         return error("has a quoted field, which is not supported: leave the quotes out");
     for (;;) {
         const std::size_t comma = line.find(',');
+        if (fields_.size() == kMostFields)
+            return error("has more than " + std::to_string(kMostFields) + " fields");
+        if (std::min(comma, line.size()) > kLongestField)
+            return error("has a field of more than " + std::to_string(kLongestField) + " bytes");
         fields_.push_back(line.substr(0, comma));
         if (comma == std::string_view::npos) return true;
         line.remove_prefix(comma + 1);
@@ -73,7 +82,7 @@ Result<double> CsvReader::number(std::size_t field, std::string_view what) const
 
 Error CsvReader::error(std::string_view cause) const
 {
-    return fileError(path_, "line " + std::to_string(line_) + ": " + std::string(cause));
+    return fileError(name_, "line " + std::to_string(line_) + ": " + std::string(cause));
 }
 
 }  // namespace terratact

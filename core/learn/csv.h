@@ -10,7 +10,7 @@
 namespace terratact {
 
 /// Reads a CSV file line by line: fields separated by commas, no quotes, LF or CRLF, a UTF-8 byte order
-/// mark allowed.  Errors name file, line and cause.
+/// mark allowed.  Errors name file, line and cause.  Holds no more than the text and one line's fields.
 ///
 ///     for (;;) {
 ///         const Result<bool> more = csv->next();
@@ -20,10 +20,17 @@ namespace terratact {
 ///     }
 class CsvReader {
 public:
+    static constexpr std::size_t kMostFields = 100'000;  ///< of a line
+    static constexpr std::size_t kLongestField = 4096;   ///< bytes
+
     /// Errors: cannot be read, larger than 64 MiB, empty, or its last line is torn (no line end).
     static Result<CsvReader> open(const std::string& path);
 
-    /// Goes to the next line; false after the last.  Errors: a blank line, a quoted field.
+    /// The same for a text at hand, which errors call `name`.
+    static Result<CsvReader> over(std::string name, std::string text);
+
+    /// Goes to the next line; false after the last.  Errors: a blank line, a quoted field, too many fields, too
+    /// long a field.
     Result<bool> next();
 
     /// Fields of the present line, valid until next().
@@ -38,10 +45,12 @@ public:
     /// "file: line 7: cause".
     Error error(std::string_view cause) const;
 
-private:
-    CsvReader(std::string path, std::string text);
+    const std::string& name() const { return name_; }  ///< the file's path
 
-    std::string path_;
+private:
+    CsvReader(std::string name, std::string text);
+
+    std::string name_;
     std::unique_ptr<const std::string> text_;  ///< on the heap: fields_ stay valid when this moves
     std::string_view rest_;
     std::vector<std::string_view> fields_;

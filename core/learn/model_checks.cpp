@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostText = 100'000;
 constexpr double kLeastScale = 1e-9, kMostScale = 1e9;  // what squares and quotients survive
+constexpr double kMostWeight = 1e15;
 
 void requireScale(double value, const std::string& what)
 {
@@ -51,6 +52,8 @@ void requireSurface(const SurfaceProcess& p, std::size_t rows, const std::string
                     == std::min(rows, static_cast<std::size_t>(kInducing))
                 && p.weights.allFinite(),
             what + " has not one weight per inducing row");
+    require(p.weights.cwiseAbs().maxCoeff() <= kMostWeight,
+            "a weight of " + what + " is out of range");
 }
 
 void requireConditional(const Hyperparameters& hyper, const std::string& what)
@@ -89,11 +92,12 @@ void requireClearance(const ModelData& model, const BinSet& bins)
     const Eigen::Index rows = model.heights.rows();
     const auto features = Eigen::Index{kFeatures};
     require(data.featureMean.size() == features && data.featureMean.allFinite()
+                && data.featureMean.cwiseAbs().maxCoeff() <= kMostScale
                 && data.featureSd.size() == features,
             "its clearances lack the features' standardisation");
     for (const double sd : data.featureSd) requireScale(sd, "a standard deviation of clearances");
     require(data.residuals.rows() == rows && data.residuals.cols() == kBins
-                && data.residuals.allFinite()
+                && data.residuals.allFinite() && data.residuals.cwiseAbs().maxCoeff() <= kMostScale
                 && data.coveredBins.size() == static_cast<std::size_t>(rows),
             "it has not one residual per training row and bin");
     for (const unsigned mask : data.coveredBins)

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/learn/csv.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -44,20 +43,28 @@ Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path)
 {
     Result<CsvReader> csv = CsvReader::open(path);
     if (!csv) return csv.error();
-    if (const Result<bool> header = csv->next(); !header) return header.error();
-    const auto& names = csv->fields();
+    return readProbeReadings(*std::move(csv));
+}
+
+Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv)
+{
+    if (const Result<bool> header = csv.next(); !header) return header.error();
+    const auto& names = csv.fields();
     if (names.size() != 3 || names[0] != "place" || names[1] != "height_m" || names[2] != "truth_m")
-        return csv->error("is not the header place,height_m,truth_m");
+        return csv.error("is not the header place,height_m,truth_m");
     std::vector<ProbeReading> readings;
     for (;;) {
-        const Result<bool> more = csv->next();
+        const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) break;
-        const Result<ProbeReading> next = reading(*csv);
+        if (readings.size() == kMostProbeReadings)
+            return csv.error("is one reading more than the " + std::to_string(kMostProbeReadings)
+                             + " allowed in a file");
+        const Result<ProbeReading> next = reading(csv);
         if (!next) return next.error();
         readings.push_back(*next);
     }
-    if (readings.empty()) return csv->error("is a header, and no reading follows it");
+    if (readings.empty()) return csv.error("is a header, and no reading follows it");
     return readings;
 }
 

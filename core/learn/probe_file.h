@@ -4,9 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "core/learn/csv.h"
 #include "core/result.h"
 
 namespace terratact {
+
+/// No file holds more.
+inline constexpr std::size_t kMostProbeReadings = 100'000;
 
 /// One reading of the arm, taken to learn how well it measures.
 struct ProbeReading {
@@ -18,7 +22,10 @@ struct ProbeReading {
 
 /// Reads a CSV with the header place,height_m,truth_m; truth_m may be empty.
 /// Errors name file, line and cause: another header, wrong numbers, heights beyond ±5 m, a place without a
-/// name, no reading at all.
+/// name, no reading at all, more than kMostProbeReadings.
 Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path);
+
+/// The same from its first line on.
+Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv);
 
 }  // namespace terratact

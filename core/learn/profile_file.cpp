@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/learn/csv.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -110,7 +109,12 @@ private:
 template <class Reader>
 Result<ProfileFile> readLines(CsvReader& csv, Reader reader)
 {
+    std::size_t count = 0;
     for (;;) {
+        count += csv.fields().size();
+        if (count > kMostProfileNumbers)
+            return csv.error("goes beyond the " + std::to_string(kMostProfileNumbers)
+                             + " numbers allowed in a file");
         const Result<std::vector<double>> line = numbers(csv);
         if (!line) return line.error();
         if (const Status status = reader.take(csv, *line); !status) return status.error();
@@ -124,24 +128,29 @@ Result<ProfileFile> readLines(CsvReader& csv, Reader reader)
 
 Result<ProfileFile> readProfiles(const std::string& path, double step, bool blocks)
 {
-    if (!(step > 0.0) || !std::isfinite(step))
-        throw std::invalid_argument("readProfiles: step is not above 0");
     Result<CsvReader> csv = CsvReader::open(path);
     if (!csv) return csv.error();
-    if (const Result<bool> first = csv->next(); !first) return first.error();
+    return readProfiles(*std::move(csv), step, blocks);
+}
+
+Result<ProfileFile> readProfiles(CsvReader csv, double step, bool blocks)
+{
+    if (!(step > 0.0) || !std::isfinite(step))
+        throw std::invalid_argument("readProfiles: step is not above 0");
+    if (const Result<bool> first = csv.next(); !first) return first.error();
 
     std::size_t headed = 0;  // fields of the header
-    if (isHeader(*csv)) {
-        headed = csv->fields().size();
-        if (headed == 2 && !namesPoints(*csv))
-            return csv->error("is a header of two columns other than x,z or x_m,z_m");
-        const Result<bool> more = csv->next();
+    if (isHeader(csv)) {
+        headed = csv.fields().size();
+        if (headed == 2 && !namesPoints(csv))
+            return csv.error("is a header of two columns other than x,z or x_m,z_m");
+        const Result<bool> more = csv.next();
         if (!more) return more.error();
-        if (!*more) return csv->error("is a header, and no profile follows it");
+        if (!*more) return csv.error("is a header, and no profile follows it");
     }
-    const std::size_t fields = headed != 0 ? headed : csv->fields().size();
-    if (fields == 2) return readLines(*csv, PointReader{});
-    return readLines(*csv, HeightReader(step, blocks, headed));
+    const std::size_t fields = headed != 0 ? headed : csv.fields().size();
+    if (fields == 2) return readLines(csv, PointReader{});
+    return readLines(csv, HeightReader(step, blocks, headed));
 }
 
 }  // namespace terratact

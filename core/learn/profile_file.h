@@ -3,10 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "core/learn/csv.h"
 #include "core/result.h"
 #include "core/terrain/terrain_profile.h"
 
 namespace terratact {
+
+/// Of all profiles of a file together.
+inline constexpr std::size_t kMostProfileNumbers = 2'000'000;
 
 struct ProfileFile {
     std::vector<TerrainProfile> profiles;  ///< at least one
@@ -21,8 +25,12 @@ struct ProfileFile {
 /// many fields).  `step` [m] and `blocks` are those of TerrainProfile::fromSamples; points need neither.
 ///
 /// Errors name file, line and cause: x that decreases, a line of another form, wrong numbers, NaN or
-/// infinity, heights beyond ±5 m of the profile's first, |x| beyond 1000 m, a torn last line, an empty file.
+/// infinity, heights beyond ±5 m of the profile's first, |x| beyond 1000 m, a torn last line, an empty file,
+/// more than kMostProfileNumbers numbers.
 /// Throws std::invalid_argument unless step is finite and above 0.
 Result<ProfileFile> readProfiles(const std::string& path, double step, bool blocks);
+
+/// The same from its first line on.
+Result<ProfileFile> readProfiles(CsvReader csv, double step, bool blocks);
 
 }  // namespace terratact

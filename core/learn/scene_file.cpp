@@ -9,7 +9,6 @@
 
 #include "core/file_write.h"
 #include "core/learn/columns.h"
-#include "core/learn/csv.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -55,9 +54,9 @@ bool looksLikeHeight(std::string_view name)
 
 bool isRunName(std::string_view text)
 {
-    return !text.empty() && std::none_of(text.begin(), text.end(), [](char c) {
-        return static_cast<unsigned char>(c) < ' ' || c == '\x7f' || c == ',' || c == '"';
-    });
+    return !text.empty() && text.size() <= CsvReader::kLongestField
+        && std::none_of(text.begin(), text.end(),
+                        [](char c) { return isControl(c) || c == ',' || c == '"'; });
 }
 
 /// Why a value is refused in a column; empty where it is fine.  An infinity is beyond every range.
@@ -75,7 +74,7 @@ struct Layout {
     std::vector<std::string> notices;
 };
 
-Result<Layout> layoutOf(const CsvReader& csv, const std::string& path)
+Result<Layout> layoutOf(const CsvReader& csv)
 {
     if (csv.fields().size() > kMostColumns)
         return csv.error("has more than " + std::to_string(kMostColumns) + " columns");
@@ -90,7 +89,7 @@ Result<Layout> layoutOf(const CsvReader& csv, const std::string& path)
             return csv.error("the column " + std::string(name) + " appears twice");
         layout.slots.push_back(slot);
         if (slot != kUnknown) continue;
-        layout.notices.push_back(path + ": the column " + shown(name)
+        layout.notices.push_back(csv.name() + ": the column " + shown(name)
                                  + " is not known and was left out");
         unknown += (unknown.empty() ? "; not known: " : ", ") + shown(name);
     }
@@ -181,28 +180,44 @@ Result<SceneFile> readScenes(const std::string& path)
 {
     Result<CsvReader> csv = CsvReader::open(path);
     if (!csv) return csv.error();
-    if (const Result<bool> first = csv->next(); !first) return first.error();
-    Result<Layout> layout = layoutOf(*csv, path);
+    return readScenes(*std::move(csv));
+}
+
+Result<SceneFile> readScenes(CsvReader csv)
+{
+    if (const Result<bool> first = csv.next(); !first) return first.error();
+    Result<Layout> layout = layoutOf(csv);
     if (!layout) return layout.error();
     SceneFile file;
     file.notices = std::move(layout->notices);
     for (;;) {
-        const Result<bool> more = csv->next();
+        const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) break;
-        Result<Scene> scene = readScene(*csv, *layout);
+        if (file.scenes.size() == kMostScenes)
+            return csv.error("is one scene more than the " + std::to_string(kMostScenes)
+                             + " allowed in a file");
+        Result<Scene> scene = readScene(csv, *layout);
         if (!scene) return scene.error();
         file.scenes.push_back(*std::move(scene));
     }
-    if (file.scenes.empty()) return csv->error("is the header, and no scene follows it");
+    if (file.scenes.empty()) return csv.error("is the header, and no scene follows it");
     return file;
+}
+
+std::string scenesText(const std::vector<Scene>& scenes)
+{
+    if (scenes.size() > kMostScenes)
+        throw std::invalid_argument("writeScenes: more than " + std::to_string(kMostScenes)
+                                    + " scenes, which is what a file may hold");
+    std::string content = header();
+    for (const Scene& scene : scenes) content += lineOf(scene);
+    return content;
 }
 
 Status writeScenes(const std::string& path, const std::vector<Scene>& scenes)
 {
-    std::string content = header();
-    for (const Scene& scene : scenes) content += lineOf(scene);
-    return writeFileAtomically(path, content);
+    return writeFileAtomically(path, scenesText(scenes));
 }
 
 }  // namespace terratact

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
+#include "core/learn/csv.h"
 #include "core/learn/scene.h"
 #include "core/result.h"
 
 namespace terratact {
+
+/// No file holds more; it would take a day's drive at two scenes a second.
+inline constexpr std::size_t kMostScenes = 200'000;
 
 struct SceneFile {
     std::vector<Scene> scenes;
@@ -21,10 +24,17 @@ struct SceneFile {
 /// unknown columns are kept out with a notice; LF or CRLF.
 /// Errors name file, line and cause: missing, doubled or misspelt columns, wrong numbers, NaN or
 /// infinity, heights beyond ±5 m, angles beyond ±π, forces below 0 or above 1000 N, currents beyond
-/// ±100 A, a wrong number of fields, a torn last line, an empty file.
+/// ±100 A, a wrong number of fields, a torn last line, an empty file, more than kMostScenes scenes.
 Result<SceneFile> readScenes(const std::string& path);
 
-/// Writes the same format (numbers shortest that read back equal), to a temporary name, then renamed.
+/// The same from its first line on.
+Result<SceneFile> readScenes(CsvReader csv);
+
+/// Scenes in the same format, numbers shortest that read back equal.  Throws std::invalid_argument for what
+/// readScenes would refuse.
+std::string scenesText(const std::vector<Scene>& scenes);
+
+/// Writes them to a temporary name, then renamed.
 Status writeScenes(const std::string& path, const std::vector<Scene>& scenes);
 
 }  // namespace terratact

@@ -410,7 +410,12 @@ void SessionReader::Impl::readScene(Row& row, std::int64_t id)
     for (double& force : m.force) force = row.real();
     m.activity = static_cast<RobotActivity>(row.small(0, static_cast<int>(RobotActivity::Stopped)));
     m.refusal = static_cast<Refusal>(row.small(0, static_cast<int>(Refusal::OutOfLimits)));
-    if (!row.isNone()) m.arm = readingFrom(row);
+    if (!row.isNone())
+        m.arm = readingFrom(row);
+    else
+        row.skip(3);
+    m.travelled = row.realOrNone();
+    m.turned = row.realOrNone();
     scenes.push_back(scene);
 }
 
@@ -475,8 +480,6 @@ void SessionReader::Impl::readEvent(Row& row, std::int64_t id)
     e.estimate = row.idOrNone();
     e.proposal = row.idOrNone();
     e.shown = row.text();
-    require(e.estimate == 0 || byId(estimates, e.estimate), "an event of no estimate");
-    require(e.proposal == 0 || byId(proposals, e.proposal), "an event of no proposal");
     events.push_back(std::move(e));
 }
 

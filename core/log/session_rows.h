@@ -139,8 +139,9 @@ struct EventRow {
     EventKind kind = EventKind::Word;
     std::string subject{}, text{};
     std::optional<double> number{};
-    std::int64_t estimate = 0, proposal = 0;  ///< that it refers to; 0: none
-    std::string shown{};                      ///< what was on the screen, in words
+    std::int64_t estimate = 0,
+                 proposal = 0;  ///< that it refers to, perhaps in the file before; 0: none
+    std::string shown{};        ///< what was on the screen, in words
     bool operator==(const EventRow&) const = default;
 };
 

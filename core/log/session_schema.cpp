@@ -70,7 +70,8 @@ const std::array<SchemaEntry, 15> kSessionSchema{
         "rear_right_a REAL NOT NULL, force1_n REAL NOT NULL, force2_n REAL NOT NULL, "
         "force3_n REAL NOT NULL, force4_n REAL NOT NULL, force5_n REAL NOT NULL, "
         "force6_n REAL NOT NULL, activity INTEGER NOT NULL, refusal INTEGER NOT NULL, "
-        "arm_bin INTEGER, arm_height_m REAL, arm_sd_m REAL) STRICT"},
+        "arm_bin INTEGER, arm_height_m REAL, arm_sd_m REAL, "
+        "travelled_m REAL, turned_rad REAL) STRICT"},
     SchemaEntry{"table", "scene_truth",
                 "CREATE TABLE scene_truth(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
                 "scene INTEGER NOT NULL, bin INTEGER NOT NULL, height_m REAL NOT NULL) STRICT"},

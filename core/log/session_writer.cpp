@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -94,7 +95,7 @@ struct SessionWriter::Impl {
     explicit Impl(std::string name, SqliteFile opened)
         : path(std::move(name)), file(std::move(opened)), frameTable(file, "can_frame", 6),
           modelTable(file, "model", 6), settingsTable(file, "settings", 18),
-          sceneTable(file, "scene", 25), truthTable(file, "scene_truth", 5),
+          sceneTable(file, "scene", 27), truthTable(file, "scene_truth", 5),
           estimateTable(file, "estimate", 14), binTable(file, "estimate_bin", 13),
           readingTable(file, "reading", 6), proposalTable(file, "proposal", 15),
           offerTable(file, "proposal_offer", 6), eventTable(file, "event", 10),
@@ -164,7 +165,7 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
         static_cast<int>(m.activity), static_cast<int>(m.refusal),
         m.arm ? std::optional(m.arm->bin) : std::nullopt,
         m.arm ? std::optional(m.arm->height) : std::nullopt,
-        m.arm ? std::optional(m.arm->sd) : std::nullopt);
+        m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned);
     if (!scene.truth) return;
     for (int bin = 0; bin < kBins; ++bin)
         row(truthTable, ++truthCount, batch.id, scene.id, bin,
@@ -277,6 +278,51 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
     }
 }
 
+namespace {
+
+void requireFinite(std::initializer_list<double> values)
+{
+    for (const double value : values)
+        if (!std::isfinite(value))
+            throw std::invalid_argument("SessionWriter: a number that is not finite");
+}
+
+void requireFinite(const Heights& heights)
+{
+    for (const double height : heights) requireFinite({height});
+}
+
+void requireFinite(const SceneRow& row)
+{
+    const Measurement& m = row.measurement;
+    requireFinite({m.time, m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight,
+                   m.frontLeftCurrent, m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent,
+                   m.travelled.value_or(0.0), m.turned.value_or(0.0)});
+    for (const double force : m.force) requireFinite({force});
+    if (m.arm) requireFinite({m.arm->height, m.arm->sd});
+    if (row.truth) requireFinite(*row.truth);
+}
+
+void requireFinite(const EstimateRow& row)
+{
+    const TerrainEstimate& e = row.estimate;
+    requireFinite({row.seconds, row.stepLimit, e.novelty});
+    for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})
+        requireFinite(*values);
+    for (const Heights& draw : e.draws) requireFinite(draw);
+    for (const ArmReading& reading : row.readings) requireFinite({reading.height, reading.sd});
+}
+
+void requireFinite(const ProposalRow& row)
+{
+    requireFinite({row.height, row.q10, row.q90, row.sd, row.limit, row.armSd, row.seconds,
+                   row.stepLimit, row.bitsBefore});
+    for (const OfferedBin& offer : row.offers)
+        requireFinite({offer.varianceShare, offer.bitsAfter});
+}
+
+}  // namespace
+
 Status SessionWriter::add(const FrameRow& row)
 {
     return attempt(*impl_, [&] {
@@ -303,6 +349,7 @@ Status SessionWriter::add(const ModelRow& row)
 
 Status SessionWriter::add(const SceneRow& row)
 {
+    requireFinite(row);
     requireNext(row.id, impl_->lastScene);
     return attempt(*impl_, [&] {
         impl_->start(row.time);
@@ -312,6 +359,7 @@ Status SessionWriter::add(const SceneRow& row)
 
 Status SessionWriter::add(const EstimateRow& row)
 {
+    requireFinite(row);
     requireKnown(row.scene, impl_->lastScene, false);
     requireKnown(row.model, impl_->lastModel, false);
     requireNext(row.id, impl_->lastEstimate);
@@ -323,6 +371,7 @@ Status SessionWriter::add(const EstimateRow& row)
 
 Status SessionWriter::add(const ProposalRow& row)
 {
+    requireFinite(row);
     requireKnown(row.estimate, impl_->lastEstimate, false);
     requireNext(row.id, impl_->lastProposal);
     return attempt(*impl_, [&] {
@@ -333,12 +382,12 @@ Status SessionWriter::add(const ProposalRow& row)
 
 Status SessionWriter::add(const EventRow& row)
 {
+    requireFinite({row.number.value_or(0.0)});
     requireKnown(row.estimate, impl_->lastEstimate, true);
     requireKnown(row.proposal, impl_->lastProposal, true);
-    requireNext(row.id, impl_->lastEvent);
     return attempt(*impl_, [&] {
         impl_->start(row.time);
-        impl_->row(impl_->eventTable, row.id, impl_->batch.id, row.time, name(row.kind),
+        impl_->row(impl_->eventTable, ++impl_->lastEvent, impl_->batch.id, row.time, name(row.kind),
                    row.subject, row.text, row.number, row.estimate, row.proposal, row.shown);
     });
 }
@@ -353,7 +402,8 @@ Status SessionWriter::seal()
     return attempt(*impl_, [&] {
         impl_->commit();
         impl_->broken = true;
-        impl_->file.leaveJournal();
+        if (!impl_->file.leaveJournal())
+            throw SqliteError("is read by somebody, so its journal stays beside it");
     });
 }
 
@@ -389,13 +439,13 @@ void SessionWriter::Impl::goOn()
     lastEvent = file.integer("SELECT coalesce(max(id), 0) FROM event");
 }
 
-Result<bool> recoverSession(const std::string& path)
+Result<SessionRecovery> recoverSession(const std::string& path)
 {
     try {
-        if (!SqliteFile::isJournaled(path)) return false;
+        if (!SqliteFile::isJournaled(path)) return SessionRecovery::NotNeeded;
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);
-        file.leaveJournal();  // refused while somebody else has it open
+        if (!file.leaveJournal()) return SessionRecovery::InUse;
         SqliteFile alone = SqliteFile::reopenLog(path);
         return SessionWriter::finish(path, std::move(alone));
     } catch (const SqliteError& error) {
@@ -403,22 +453,20 @@ Result<bool> recoverSession(const std::string& path)
     }
 }
 
-Result<bool> SessionWriter::finish(const std::string& path, SqliteFile file)
+Result<SessionRecovery> SessionWriter::finish(const std::string& path, SqliteFile file)
 {
     auto impl = std::make_unique<Impl>(path, std::move(file));
     impl->goOn();
     const SessionTime time = impl->batch.last;
-    const std::int64_t id = impl->lastEvent + 1;
     SessionWriter writer(std::move(impl));
     const Status added =
-        writer.add(EventRow{.id = id,
-                            .time = time,
+        writer.add(EventRow{.time = time,
                             .kind = EventKind::Session,
                             .subject = "recovered",
                             .text = "the program that recorded ended without closing the session"});
     const Status sealed = added ? writer.seal() : added;
     if (!sealed) return sealed.error();
-    return true;
+    return SessionRecovery::Recovered;
 }
 
 }  // namespace terratact

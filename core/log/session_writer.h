@@ -9,6 +9,8 @@
 
 namespace terratact {
 
+enum class SessionRecovery : std::uint8_t;
+
 /// Writes a session file (docs/sessions.md).  Rows are gathered in a transaction; commit() makes a batch of
 /// them, with the hashes of core/log/session_hash.h.  What was committed outlives the process, and the power as
 /// far as the disk is honest.
@@ -24,8 +26,9 @@ public:
     SessionWriter& operator=(SessionWriter&&) noexcept;
     ~SessionWriter();
 
-    // Rows with an id: larger than any before of that kind, and what they refer to has been added.  Throw
-    // std::invalid_argument otherwise.
+    // The id of a model, scene, estimate or proposal is larger than any before of its kind, and what they refer to
+    // has been added, and every number is finite; throw std::invalid_argument otherwise, and nothing has happened.
+    // Events are numbered here.
     Status add(const FrameRow& row);
     Status add(const ModelRow& row);
     Status add(const SceneRow& row);
@@ -47,15 +50,21 @@ public:
     const std::string& path() const;
 
 private:
-    friend Result<bool> recoverSession(const std::string& path);
+    friend Result<SessionRecovery> recoverSession(const std::string& path);
     struct Impl;
-    static Result<bool> finish(const std::string& path, SqliteFile file);
+    static Result<SessionRecovery> finish(const std::string& path, SqliteFile file);
     explicit SessionWriter(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 
+enum class SessionRecovery : std::uint8_t {
+    NotNeeded,  ///< it was closed by its writer
+    InUse,      ///< somebody has it open, most likely its writer: nothing was done
+    Recovered,
+};
+
 /// Closes a session whose writer died: plays its journal back, says so in an event at its end and seals it.
-/// False: it was closed already.  Errors name the file: it is no session, or somebody has it open.
-Result<bool> recoverSession(const std::string& path);
+/// Errors name the file: it is no session, or damaged.
+Result<SessionRecovery> recoverSession(const std::string& path);
 
 }  // namespace terratact

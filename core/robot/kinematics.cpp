@@ -58,6 +58,12 @@ Vec2 imuPosition(const RobotModel& robot, const Pose& pose)
     return toWorld(pose, robot.imu);
 }
 
+double trackWay(const Pose& from, const Pose& to)
+{
+    const Vec2 along = rotated({1.0, 0.0}, (from.pitch + to.pitch) / 2.0);
+    return (to.base.x - from.base.x) * along.x + (to.base.z - from.base.z) * along.z;
+}
+
 Pose poseInDem(const RobotModel& robot, double pitch, double front, double rear)
 {
     const Vec2 imu = rotated(robot.imu, pitch);

@@ -24,6 +24,10 @@ Vec2 toWorld(const Pose& pose, Vec2 pointInBase);
 /// The IMU in the pose's frame: the origin of the DEM frame.
 Vec2 imuPosition(const RobotModel& robot, const Pose& pose);
 
+/// What the tracks roll off between two poses close to each other [m], forward positive: the part of the base's
+/// way along them, at the mean of the two pitches.
+double trackWay(const Pose& from, const Pose& to);
+
 /// The pose whose frame is the DEM frame: origin at the IMU, axes along gravity.
 Pose poseInDem(const RobotModel& robot, double pitch, double front, double rear);
 

@@ -61,6 +61,9 @@ struct Measurement {
     RobotActivity activity = RobotActivity::Halted;
     Refusal refusal = Refusal::None;  ///< of the last command
     std::optional<ArmReading> arm;    ///< last completed probe at this pose
+    /// Odometry since the robot's start; empty: not measured.
+    std::optional<double> travelled{};  ///< [m] along the tracks, forward positive
+    std::optional<double> turned{};     ///< [rad] left positive, wrapped to one turn
     bool operator==(const Measurement&) const = default;
 };
 

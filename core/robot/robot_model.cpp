@@ -14,6 +14,7 @@ constexpr std::size_t kMostPoints = 64;  ///< of a polygon, and polygons of a bo
 using Range = TomlRange;
 constexpr Range kPosition{-2.0, 2.0};   ///< [m]
 constexpr Range kReadingSd{1e-4, 0.5};  ///< [m]
+constexpr Range kAngleSd{1e-4, 0.5};    ///< [rad]
 constexpr Range kLength{0.001, 2.0};    ///< [m]
 constexpr Range kRadius{0.001, 0.5};    ///< [m]
 constexpr Range kMass{0.01, 1000.0};    ///< [kg]
@@ -163,6 +164,10 @@ RobotModel robotOf(TomlSection& file)
         robot.armReachEnd = s.number("reach_end_m", {robot.armReachBegin, kPosition.most});
         robot.armSd = s.number("reading_sd_m", kReadingSd);
     });
+    file.section("odometry", [&](TomlSection& s) {
+        robot.travelledSdShare = s.number("travelled_sd_share", kShare);
+        robot.pitchSd = s.number("pitch_sd_rad", kAngleSd);
+    });
     return robot;
 }
 
@@ -187,10 +192,10 @@ Result<RobotModel> readRobotModel(const std::string& path)
     return robot;
 }
 
-Result<RobotModel> robotModelFrom(const std::string& text, const std::string& name)
+Result<RobotModel> robotModelFrom(const std::string& name, const std::string& text)
 {
     RobotModel robot;
-    const Status read = readToml(text, name, [&](TomlSection& file) { robot = robotOf(file); });
+    const Status read = readToml(name, text, [&](TomlSection& file) { robot = robotOf(file); });
     if (!read) return read.error();
     return robot;
 }

@@ -62,6 +62,8 @@ struct RobotModel {
     double flipperSpeed = 0.0;                      ///< [rad/s]
     double armReachBegin = 0.0, armReachEnd = 0.0;  ///< [m] x in the DEM frame the arm can probe
     double armSd = 0.0;                             ///< [m] sd of a reading of the arm
+    double travelledSdShare = 0.0;  ///< sd of a travelled way, as a share of it: the tracks slip
+    double pitchSd = 0.0;           ///< [rad] sd of the IMU's pitch
 
     double totalMass() const { return bodyMass + front.mass + rear.mass; }
 
@@ -75,7 +77,7 @@ struct RobotModel {
 /// over 64 KiB or nested deeper than 16 levels are refused before they are parsed.
 Result<RobotModel> readRobotModel(const std::string& path);
 
-/// The same of a robot file's text.  Errors begin with `name`.
-Result<RobotModel> robotModelFrom(const std::string& text, const std::string& name);
+/// The same for a text at hand, which errors call `name`.
+Result<RobotModel> robotModelFrom(const std::string& name, const std::string& text);
 
 }  // namespace terratact

@@ -65,9 +65,11 @@ double TomlSection::number(std::string_view key, TomlRange range)
 std::string TomlSection::text(std::string_view key)
 {
     const auto* const value = node(key).as_string();
-    if (!value || value->get().empty() || value->get().size() > 100)
-        throw TomlRefused{tomlLine(node(key)) + ": " + path(key)
-                          + " is not a text of 1 to 100 characters"};
+    if (!value || value->get().empty() || value->get().size() > 100
+        || std::any_of(value->get().begin(), value->get().end(), isControl))
+        throw TomlRefused{
+            tomlLine(node(key)) + ": " + path(key)
+            + " is not a text of 1 to 100 characters, none of them a control character"};
     return value->get();
 }
 
@@ -99,11 +101,13 @@ void TomlSection::refuseUnknown() const
                               + " is not a known key"};
 }
 
-Status readToml(const std::string& text, const std::string& name,
+Status readToml(const std::string& name, const std::string& text,
                 const std::function<void(TomlSection&)>& read)
 {
-    if (text.size() > kMostBytes) return fileError(name, "is larger than 64 KiB");
     if (text.empty()) return fileError(name, "is empty");
+    if (text.size() > kMostBytes)
+        return fileError(name, "is larger than the " + std::to_string(kMostBytes)
+                                   + " bytes allowed here");
     if (nestingDepth(text) > kDeepest)
         return fileError(name, "nests deeper than " + std::to_string(kDeepest) + " levels");
     try {
@@ -124,7 +128,7 @@ Status readTomlFile(const std::string& path, const std::function<void(TomlSectio
 {
     const Result<std::string> text = readFile(path, kMostBytes);
     if (!text) return text.error();
-    return readToml(*text, path, read);
+    return readToml(path, *text, read);
 }
 
 }  // namespace terratact

@@ -44,7 +44,7 @@ public:
     bool has(std::string_view key) const { return table_.contains(key); }
 
     double number(std::string_view key, TomlRange range);
-    std::string text(std::string_view key);  ///< 1 to 100 characters
+    std::string text(std::string_view key);  ///< 1 to 100 bytes, none of them a control character
     /// The position of the key's text among the choices.
     std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices);
 
@@ -72,8 +72,8 @@ private:
 /// `read` refused it.
 Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read);
 
-/// The same of a file's text.  Errors begin with `name`.
-Status readToml(const std::string& text, const std::string& name,
+/// The same for a text at hand, which errors call `name`.
+Status readToml(const std::string& name, const std::string& text,
                 const std::function<void(TomlSection&)>& read);
 
 }  // namespace terratact

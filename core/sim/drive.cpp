@@ -1,6 +1,8 @@
 #include "core/sim/drive.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace terratact {
 
@@ -10,6 +12,7 @@ constexpr double kBehind = 0.65;     // [m] the robot reaches this far behind it
 constexpr double kAhead = 0.80;      // [m] the last bin ends this far ahead at most
 constexpr double kSpeed = 0.3;       // [m/s]
 constexpr double kSlideStep = 0.01;  // [m]
+constexpr double kRollStep = 0.05;   // [m]
 
 OptionalHeights known(const Heights& heights)
 {
@@ -28,6 +31,22 @@ public:
     {
     }
 
+    /// The scene at x, without its run and time; pitch: becomes that of the rest pose.
+    std::optional<Scene> measured(double x, double& pitch, std::mt19937_64& rng) const
+    {
+        const auto rest = restNear(x);
+        if (!rest) return std::nullopt;
+        pitch = rest->pose.pitch;
+        const Heights truth = binHeights(terrain_, imuPosition(robot_, rest->pose));
+        const Proprioception readings =
+            noisy(exactReadings(robot_, *rest), conditions_.noise, robot_.forceSaturation, rng);
+        return Scene{.run = {},
+                     .time = 0.0,
+                     .s = conditions_.reading ? conditions_.reading(readings) : readings,
+                     .truth = known(noisy(truth, conditions_.noise, rng))};
+    }
+
+private:
     /// Rest pose at x, or where the robot comes to rest when it slides from there.
     Result<RestPose> restNear(double x) const
     {
@@ -38,7 +57,6 @@ public:
         return back.energy < ahead.energy ? back : ahead;
     }
 
-private:
     Result<RestPose> restAt(double x) const
     {
         return restPose(robot_, terrain_, x, PressTorque{style_.pressTorque},
@@ -65,13 +83,57 @@ private:
     double startPitch_;
 };
 
+/// The robot between the stops, front flippers up.
+class Rolling {
+public:
+    Rolling(const RobotModel& robot, const TerrainProfile& terrain, const DriveStyle& style,
+            const SensorNoise& noise)
+        : robot_(robot), terrain_(terrain), style_(style), noise_(noise)
+    {
+    }
+
+    double travelled() const { return travelled_; }
+    double pitch() const { return at_ ? at_->pitch : 0.0; }
+
+    /// Rolls on to x in steps; where the robot finds no rest, the way to the next one counts.
+    void rollTo(double x, double slip, std::vector<OdometryReading>& way, std::mt19937_64& rng)
+    {
+        if (at_) report(way, rng);
+        const double from = at_ ? at_->base.x : x;
+        const int steps = at_ ? static_cast<int>(std::ceil((x - from) / kRollStep - 1e-9)) : 1;
+        for (int k = 1; k <= steps; ++k) {
+            const auto rest =
+                restPose(robot_, terrain_, from + (x - from) * k / steps,
+                         HoldAngle{style_.drivingAngle}, HoldAngle{style_.rearAngle}, pitch());
+            if (!rest) continue;
+            if (at_) travelled_ += (1.0 + slip) * trackWay(*at_, rest->pose);
+            at_ = rest->pose;
+            report(way, rng);
+        }
+    }
+
+private:
+    void report(std::vector<OdometryReading>& way, std::mt19937_64& rng) const
+    {
+        const double noise = noise_.pitch * std::normal_distribution<double>()(rng);
+        way.push_back({travelled_, at_->pitch + noise});
+    }
+
+    const RobotModel& robot_;
+    const TerrainProfile& terrain_;
+    const DriveStyle& style_;
+    const SensorNoise& noise_;
+    std::optional<Pose> at_;
+    double travelled_ = 0.0;  // [m] as the tracks report it
+};
+
 }  // namespace
 
 DriveStyle randomDriveStyle(std::mt19937_64& rng)
 {
     const double rear = std::uniform_real_distribution<double>(-0.26, 0.70)(rng);
     const double torque = std::uniform_real_distribution<double>(12.0, 24.0)(rng);
-    return {rear, torque};
+    return {.rearAngle = rear, .pressTorque = torque};
 }
 
 GroundOptions randomSoftGround(std::mt19937_64& rng)
@@ -101,19 +163,42 @@ std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terr
     std::vector<Scene> scenes;
     double pitch = 0.0;
     for (const double x : stops) {
-        const auto rest = Stop(robot, terrain, style, conditions, pitch).restNear(x);
-        if (!rest) {
+        std::optional<Scene> scene =
+            Stop(robot, terrain, style, conditions, pitch).measured(x, pitch, rng);
+        if (!scene) {
             ++skipped;
             continue;
         }
-        pitch = rest->pose.pitch;
-        const Heights truth = binHeights(terrain, imuPosition(robot, rest->pose));
-        const Proprioception readings =
-            noisy(exactReadings(robot, *rest), conditions.noise, robot.forceSaturation, rng);
-        scenes.push_back({.run = run,
-                          .time = (x - stops.front()) / kSpeed,
-                          .s = conditions.reading ? conditions.reading(readings) : readings,
-                          .truth = known(noisy(truth, conditions.noise, rng))});
+        scene->run = run;
+        scene->time = (x - stops.front()) / kSpeed;
+        scenes.push_back(*std::move(scene));
+    }
+    return scenes;
+}
+
+std::vector<DrivenScene> driveWithOdometry(const RobotModel& robot, const TerrainProfile& terrain,
+                                           const std::vector<double>& stops, const std::string& run,
+                                           const DriveStyle& style,
+                                           const DriveConditions& conditions, double slipShare,
+                                           std::mt19937_64& rng, int& skipped)
+{
+    std::vector<DrivenScene> scenes;
+    Rolling rolling(robot, terrain, style, conditions.noise);
+    std::vector<OdometryReading> way;
+    for (const double x : stops) {
+        const double slip = slipShare * std::normal_distribution<double>()(rng);
+        rolling.rollTo(x, slip, way, rng);
+        double pitch = rolling.pitch();
+        std::optional<Scene> scene =
+            Stop(robot, terrain, style, conditions, pitch).measured(x, pitch, rng);
+        if (!scene) {
+            ++skipped;
+            continue;
+        }
+        scene->run = run;
+        scene->time = (x - stops.front()) / kSpeed;
+        way.push_back({rolling.travelled(), scene->s.pitch});
+        scenes.push_back({*std::move(scene), std::exchange(way, {})});
     }
     return scenes;
 }

@@ -17,6 +17,7 @@ namespace terratact {
 struct DriveStyle {
     double rearAngle = 0.2;     ///< [rad] held
     double pressTorque = 18.0;  ///< [N m] both front flippers
+    double drivingAngle = 0.7;  ///< [rad] front flippers between the stops
 };
 
 /// Rear flippers −15° … 40°, press torque 12 … 24 N m.
@@ -50,5 +51,27 @@ std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terr
                              const std::vector<double>& stops, const std::string& run,
                              const DriveStyle& style, const DriveConditions& conditions,
                              std::mt19937_64& rng, int& skipped);
+
+/// What tracks and IMU say.
+struct OdometryReading {
+    double travelled = 0.0;  ///< [m] since the drive's start, with slip
+    double pitch = 0.0;      ///< [rad] with noise
+};
+
+struct DrivenScene {
+    Scene scene;
+    /// From the scene before, or the drive's start, to this one: the flippers come up, the robot drives, and the
+    /// flippers go down.  The last is of this scene itself.
+    std::vector<OdometryReading> way;
+};
+
+/// driveOver with what odometry says between the stops: at the first stop, and then every 5 cm at most, the robot
+/// rests with its front flippers held up, as SimulatedRobot drives.  The tracks roll off trackWay, and report
+/// (1 + e) times that, e ~ N(0, slipShare²) drawn anew at every stop.  rng, and its sequence, are not driveOver's.
+std::vector<DrivenScene> driveWithOdometry(const RobotModel& robot, const TerrainProfile& terrain,
+                                           const std::vector<double>& stops, const std::string& run,
+                                           const DriveStyle& style,
+                                           const DriveConditions& conditions, double slipShare,
+                                           std::mt19937_64& rng, int& skipped);
 
 }  // namespace terratact

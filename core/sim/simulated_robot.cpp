@@ -18,7 +18,8 @@ constexpr double kHighestFlipper = 3.1;  // [rad]
 
 SimulatedRobot::SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options)
     : robot_(std::move(robot)), terrain_(std::move(terrain)), options_(options), rng_(options.seed),
-      x_(options.startX), frontTarget_(options.drivingAngle), rearTarget_(options.rearAngle)
+      slipRng_(~options.seed), x_(options.startX), frontTarget_(options.drivingAngle),
+      rearTarget_(options.rearAngle)
 {
     settle();
 }
@@ -52,8 +53,7 @@ void SimulatedRobot::halt()
 void SimulatedRobot::obey(const DriveCommand& drive)
 {
     if (!std::isfinite(drive.speed)) return refuse(Refusal::OutOfLimits);
-    accept(RobotActivity::Driving);
-    speed_ = std::clamp(drive.speed, -kMaxSpeed, kMaxSpeed);
+    startDriving(std::clamp(drive.speed, -kMaxSpeed, kMaxSpeed));
 }
 
 void SimulatedRobot::obey(const PressCommand& press)
@@ -79,8 +79,7 @@ void SimulatedRobot::obey(const AdvanceCommand& advance)
     if (!standsStill()) return refuse(Refusal::Busy);
     if (!(advance.distance > 0.0 && advance.distance <= kMaxAdvance))
         return refuse(Refusal::OutOfLimits);
-    accept(RobotActivity::Driving);
-    speed_ = kAdvanceSpeed;
+    startDriving(kAdvanceSpeed);
     advanceLeft_ = advance.distance;
 }
 
@@ -94,6 +93,14 @@ void SimulatedRobot::obey(const HoldFlippersCommand& hold)
     frontTarget_ = rest_.pose.front;
     accept(RobotActivity::Halted);
     hold_ = hold;
+}
+
+void SimulatedRobot::startDriving(double speed)
+{
+    if (activity_ != RobotActivity::Driving)
+        slip_ = options_.slipShare * std::normal_distribution<double>()(slipRng_);
+    accept(RobotActivity::Driving);
+    speed_ = speed;
 }
 
 bool SimulatedRobot::standsStill() const
@@ -135,18 +142,27 @@ void SimulatedRobot::drive(double dt)
 {
     const double turn = robot_.flipperSpeed * dt;
     frontTarget_ = std::min(rest_.pose.front + turn, options_.drivingAngle);
+    torque_ = 0.0;
+    arm_.reset();
     double moved = 0.0;
     if (rest_.pose.front >= options_.drivingAngle - 1e-9) {
         moved = speed_ * dt;
         if (advanceLeft_) moved = std::min(moved, *advanceLeft_);
-        x_ = std::clamp(x_ + moved, terrain_.begin() + kMargin, terrain_.end() - kMargin);
+        moveBy(moved);
+    } else {
+        settle();
     }
-    torque_ = 0.0;
-    arm_.reset();
-    settle();
     if (!advanceLeft_) return;
     *advanceLeft_ -= moved;
     if (*advanceLeft_ <= 0.0) accept(RobotActivity::Halted);
+}
+
+void SimulatedRobot::moveBy(double way)
+{
+    const Pose before = rest_.pose;
+    x_ = std::clamp(x_ + way, terrain_.begin() + kMargin, terrain_.end() - kMargin);
+    settle();
+    travelled_ += (1.0 + slip_) * trackWay(before, rest_.pose);
 }
 
 void SimulatedRobot::press(double turn)
@@ -216,6 +232,8 @@ Measurement SimulatedRobot::measure()
     m.activity = activity_;
     m.refusal = refusal_;
     m.arm = arm_;
+    m.travelled = travelled_;
+    m.turned = 0.0;  // its world is a plane
     return m;
 }
 

@@ -22,6 +22,9 @@ public:
         double drivingAngle = 0.7;  ///< [rad] front flippers while driving
         double probeSeconds = 45.0;
         SensorNoise noise;
+        /// Share of a way by which the tracks report too much or too little: drawn anew whenever the robot
+        /// starts to drive, from N(0, slipShare²).
+        double slipShare = 0.10;
         std::uint64_t seed = 1;
     };
 
@@ -58,11 +61,14 @@ private:
     void hold(double turn);
     void accept(RobotActivity activity);
     void refuse(Refusal refusal);
+    void startDriving(double speed);
+    void moveBy(double way);
 
     RobotModel robot_;
     TerrainProfile terrain_;
     Options options_;
     std::mt19937_64 rng_;
+    std::mt19937_64 slipRng_;  ///< of its own: no sensor's noise depends on how often it drives
     RestPose rest_;
     double time_ = 0.0;
     double x_ = 0.0;
@@ -77,6 +83,8 @@ private:
     int probeBin_ = 0;
     double probeLeft_ = 0.0;
     std::optional<ArmReading> arm_;
+    double slip_ = 0.0;       ///< share of the way that the tracks report too much
+    double travelled_ = 0.0;  ///< [m] as the tracks report it
 };
 
 }  // namespace terratact

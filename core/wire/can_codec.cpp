@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 #include "core/wire/e2e.h"
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr int kHeaderBits = 8 * static_cast<int>(kE2eHeader);
 constexpr std::uint8_t kLength = 8;
-constexpr FrameKind kFirstSensor = FrameKind::Attitude;
+constexpr FrameKind kFirstSensor = FrameKind::Attitude;  // of those that every line has
+constexpr std::size_t kNeededFrames = kSensorFrames - 1;
 
 using Values = std::array<double, kMostSignals>;
 
@@ -140,6 +142,11 @@ Values valuesOf(const std::optional<Pair>& pair)
 std::optional<Pair> pairOf(const Values& v)
 {
     return v[2] != 0.0 ? std::optional(Pair{v[0], v[1]}) : std::nullopt;
+}
+
+std::optional<SensorLine::Odometry> odometryOf(const Values& v)
+{
+    return v[2] != 0.0 ? std::optional(SensorLine::Odometry{v[0], v[1]}) : std::nullopt;
 }
 
 void takeVoltages(SensorLine& line, std::size_t set, const Values& v)
@@ -308,10 +315,13 @@ std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_
     };
     const Values attitude =
         line.attitude ? Values{line.attitude->pitch, line.attitude->roll, 1.0} : Values{};
+    const Values odometry =
+        line.odometry ? Values{line.odometry->travelled, line.odometry->turned, 1.0} : Values{};
     const Values arm =
         line.arm ? Values{static_cast<double>(line.arm->bin), line.arm->height, line.arm->sd, 1.0}
                  : Values{};
-    return {packed(FrameKind::Attitude, counter, attitude),
+    return {packed(FrameKind::Odometry, counter, odometry),
+            packed(FrameKind::Attitude, counter, attitude),
             packed(FrameKind::FrontAngles, counter, valuesOf(line.frontAngles)),
             packed(FrameKind::RearAngles, counter, valuesOf(line.rearAngles)),
             packed(FrameKind::FrontCurrents, counter, valuesOf(line.frontCurrents)),
@@ -325,6 +335,8 @@ std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_
 
 std::optional<SensorLine> SensorLineReader::take(const Unpacked& content)
 {
+    if (content.kind == FrameKind::Odometry)
+        odometry_ = CountedOdometry{content.counter, odometryOf(content.values)};
     if (content.kind < kFirstSensor) return std::nullopt;
     if (have_ != 0 && content.counter != counter_) {
         ++unfinished_;
@@ -333,8 +345,11 @@ std::optional<SensorLine> SensorLineReader::take(const Unpacked& content)
     counter_ = content.counter;
     takeSensors(line_, content.kind, content.values);
     have_ |= 1U << (static_cast<unsigned>(content.kind) - static_cast<unsigned>(kFirstSensor));
-    if (have_ != (1U << kSensorFrames) - 1U) return std::nullopt;
+    if (have_ != (1U << kNeededFrames) - 1U) return std::nullopt;
     have_ = 0;
+    const std::optional<CountedOdometry> odometry = std::exchange(odometry_, std::nullopt);
+    line_.odometry.reset();
+    if (odometry && odometry->counter == counter_) line_.odometry = odometry->odometry;
     return line_;
 }
 

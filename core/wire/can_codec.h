@@ -97,6 +97,12 @@ struct SensorLine {
         bool operator==(const Attitude&) const = default;
     };
     using Three = std::array<double, 3>;
+    struct Odometry {
+        double travelled = 0.0;  ///< [m] along the tracks, forward positive
+        double turned = 0.0;     ///< [rad] left positive, within half a turn
+        bool operator==(const Odometry&) const = default;
+    };
+    std::optional<Odometry> odometry;
     std::optional<Attitude> attitude;
     std::optional<Pair> frontAngles, rearAngles;      ///< [rad] tip up positive, within half a turn
     std::optional<Pair> frontCurrents, rearCurrents;  ///< [A] positive = pressing down
@@ -106,22 +112,29 @@ struct SensorLine {
     bool operator==(const SensorLine&) const = default;
 };
 
-inline constexpr std::size_t kSensorFrames = 10;  ///< from Attitude to ArmResult
+inline constexpr std::size_t kSensorFrames = 11;  ///< Odometry, and from Attitude to ArmResult
 
-/// All frames of one line, with the same counter.
+/// All frames of one line, with the same counter, Odometry first.
 std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_t counter);
 
 /// Joins frames of one counter to a line.
 class SensorLineReader {
 public:
     /// The line that this frame completes.  Frames of another counter drop what is unfinished; a frame that
-    /// comes twice replaces the first; frames of other kinds are ignored.
+    /// comes twice replaces the first; frames of other kinds are ignored.  A line needs every frame but
+    /// Odometry, which not every robot sends: it belongs to the line when it comes before the last of them.
     std::optional<SensorLine> take(const Unpacked& content);
 
     std::uint64_t unfinished() const { return unfinished_; }  ///< lines dropped
 
 private:
+    struct CountedOdometry {
+        std::uint8_t counter = 0;
+        std::optional<SensorLine::Odometry> odometry;
+    };
+
     SensorLine line_;
+    std::optional<CountedOdometry> odometry_;  ///< the newest since the last line
     std::uint8_t counter_ = 0;
     std::uint32_t have_ = 0;  ///< one bit per frame
     std::uint64_t unfinished_ = 0;

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -305,15 +306,15 @@ std::string candumpLine(double time, std::string_view interface, const CanFrame&
     return line;
 }
 
-CandumpReader::CandumpReader(std::string path, std::ifstream file)
-    : path_(std::move(path)), file_(std::move(file))
+CandumpReader::CandumpReader(std::string name, std::unique_ptr<std::istream> log)
+    : name_(std::move(name)), log_(std::move(log))
 {
 }
 
 Result<CandumpReader> CandumpReader::open(const std::string& path)
 {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
+    auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+    if (!*file) {
         const int code = errno;
         return fileError(path, "cannot be opened: " + std::generic_category().message(code), code);
     }
@@ -322,7 +323,7 @@ Result<CandumpReader> CandumpReader::open(const std::string& path)
 
 Error CandumpReader::error(std::string_view cause) const
 {
-    return fileError(path_, fmt::format("line {}: {}", line_, cause));
+    return fileError(name_, fmt::format("line {}: {}", line_, cause));
 }
 
 // False at the end of the log.
@@ -330,16 +331,16 @@ Result<bool> CandumpReader::readLine()
 {
     std::array<char, kLongestLine + 1> buffer{};  // with the end of a string
     errno = 0;
-    file_.getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    const auto count = static_cast<std::size_t>(file_.gcount());
-    if (file_.bad()) {
+    log_->getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    const auto count = static_cast<std::size_t>(log_->gcount());
+    if (log_->bad()) {
         const int code = errno;
-        return fileError(path_, "cannot be read: " + std::generic_category().message(code), code);
+        return fileError(name_, "cannot be read: " + std::generic_category().message(code), code);
     }
-    if (file_.eof() && count == 0) return false;
+    if (log_->eof() && count == 0) return false;
     ++line_;
-    if (file_.fail()) return error(fmt::format("is longer than {} bytes", kLongestLine));
-    if (file_.eof()) return error("is torn: the log does not end with a line end");
+    if (log_->fail()) return error(fmt::format("is longer than {} bytes", kLongestLine));
+    if (log_->eof()) return error("is torn: the log does not end with a line end");
     text_.assign(buffer.data(), count - 1);
     return true;
 }

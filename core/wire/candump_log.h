@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,6 +51,9 @@ public:
     /// Errors name the file.
     static Result<CandumpReader> open(const std::string& path);
 
+    /// Reads what is at hand; errors call it `name`.
+    CandumpReader(std::string name, std::unique_ptr<std::istream> log);
+
     /// The next frame; empty after the last.  Blank lines are passed over.  Errors name file and line: it is
     /// no frame, too long, or torn (the log ends without a line end).
     Result<std::optional<LoggedFrame>> next();
@@ -61,13 +65,12 @@ public:
     Error error(std::string_view cause) const;
 
 private:
-    CandumpReader(std::string path, std::ifstream file);
     Result<bool> readLine();
     bool isRemark() const;
     bool countsDrops();
 
-    std::string path_;
-    std::ifstream file_;
+    std::string name_;
+    std::unique_ptr<std::istream> log_;
     std::string text_;  ///< of the line
     std::uint64_t line_ = 0;
     std::uint64_t dropped_ = 0;

@@ -39,6 +39,9 @@ constexpr SignalLayout kPress[]{kEpoch, {"Torque", 32, 16, false, 0.01, 0.01, 60
 constexpr SignalLayout kHold[]{kEpoch, angle("Front", 32), angle("Rear", 48)};
 constexpr SignalLayout kProbe[]{kEpoch, {"Bin", 32, 8, false, 1.0, 0.0, 10.0, ""}};
 constexpr SignalLayout kAdvance[]{kEpoch, {"Distance", 32, 16, false, 1e-4, 0.001, 0.1, "m"}};
+constexpr SignalLayout kOdometry[]{{"Travelled", 24, 24, true, 1e-3, -8388.607, 8388.607, "m"},
+                                   {"Turned", 48, 15, true, 2e-4, -kTurn, kTurn, "rad"},
+                                   flag("Measured", 63)};
 constexpr SignalLayout kStatus[]{{"Epoch", 24, 8, false, 1.0, 1.0, 255.0, ""},
                                  {"Activity", 32, 4, false, 1.0, 0.0, 5.0, ""},
                                  {"Refusal", 36, 4, false, 1.0, 0.0, 8.0, ""},
@@ -75,6 +78,7 @@ constexpr std::array<FrameLayout, kFrameKinds> kLayouts{{
     {"ProbeBin", 0x019, 0x5419, true, 0.0, kProbe},
     {"Advance", 0x01A, 0x541A, true, 0.0, kAdvance},
     {"ConsoleHeartbeat", 0x01B, 0x541B, true, 0.1, kTokenAlone},
+    {"Odometry", 0x01F, 0x541F, false, kLine, kOdometry},
     {"RobotStatus", 0x020, 0x5420, false, kLine, kStatus},
     {"RobotHeartbeat", 0x021, 0x5421, false, 0.0, kTokenAlone},
     {"Attitude", 0x022, 0x5422, false, kLine, kAttitude},

@@ -22,6 +22,7 @@ enum class FrameKind : std::uint8_t {
     ProbeBin,
     Advance,
     ConsoleHeartbeat,
+    Odometry,
     RobotStatus,
     RobotHeartbeat,
     Attitude,
@@ -36,7 +37,7 @@ enum class FrameKind : std::uint8_t {
     ArmResult,
 };
 
-inline constexpr std::size_t kFrameKinds = 24;
+inline constexpr std::size_t kFrameKinds = 25;
 inline constexpr std::size_t kMostSignals = 7;  ///< of one frame
 
 /// A signal behind the E2E header: `length` bits from bit `start` on, little-endian, bit 0 being the

@@ -71,6 +71,15 @@ double voltageOf(double force, double bias, const RobotModel& robot)
     return std::clamp(voltage, c.openBelow, c.shortAbove);
 }
 
+/// Empty, too, for a way that its signal cannot hold: its end would look like a robot that stands.
+std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
+{
+    const SignalLayout& way = layoutOf(FrameKind::Odometry).payload[0];
+    if (!m.travelled || *m.travelled < way.least || *m.travelled > way.most) return std::nullopt;
+    return SensorLine::Odometry{*m.travelled,
+                                std::remainder(m.turned.value_or(0.0), 2.0 * std::numbers::pi)};
+}
+
 SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotModel& robot)
 {
     const ForceCalibration& c = robot.forceCalibration;
@@ -108,26 +117,30 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStat
     const bool whole = line.attitude && line.frontAngles && line.rearAngles && line.frontCurrents
                     && line.rearCurrents && forces;
     if (!whole) return std::nullopt;
-    return Measurement{.time = time,
-                       .pitch = line.attitude->pitch,
-                       .roll = line.attitude->roll,
-                       .frontLeft = line.frontAngles->left,
-                       .frontRight = line.frontAngles->right,
-                       .rearLeft = line.rearAngles->left,
-                       .rearRight = line.rearAngles->right,
-                       .frontLeftCurrent = line.frontCurrents->left,
-                       .frontRightCurrent = line.frontCurrents->right,
-                       .rearLeftCurrent = line.rearCurrents->left,
-                       .rearRightCurrent = line.rearCurrents->right,
-                       .force = *forces,
-                       .activity = status.activity,
-                       .refusal = status.refusal,
-                       .arm = line.arm};
+    return Measurement{
+        .time = time,
+        .pitch = line.attitude->pitch,
+        .roll = line.attitude->roll,
+        .frontLeft = line.frontAngles->left,
+        .frontRight = line.frontAngles->right,
+        .rearLeft = line.rearAngles->left,
+        .rearRight = line.rearAngles->right,
+        .frontLeftCurrent = line.frontCurrents->left,
+        .frontRightCurrent = line.frontCurrents->right,
+        .rearLeftCurrent = line.rearCurrents->left,
+        .rearRightCurrent = line.rearCurrents->right,
+        .force = *forces,
+        .activity = status.activity,
+        .refusal = status.refusal,
+        .arm = line.arm,
+        .travelled = line.odometry ? std::optional(line.odometry->travelled) : std::nullopt,
+        .turned = line.odometry ? std::optional(line.odometry->turned) : std::nullopt};
 }
 
 SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
 {
     SensorLine line;
+    line.odometry = odometryOf(m);
     line.attitude = SensorLine::Attitude{clamped(FrameKind::Attitude, 0, m.pitch),
                                          clamped(FrameKind::Attitude, 1, m.roll)};
     line.frontAngles = angles(m.frontLeft, m.frontRight);

@@ -25,7 +25,8 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStat
                                          const RobotModel& robot, double time);
 
 /// The other way round, for a robot that is simulated: the voltages are those that give the forces back.
-/// Angles are wrapped into one turn; values beyond their signal's range are sent as its end.
+/// Angles are wrapped into one turn; values beyond their signal's range are sent as its end, but a travelled
+/// way as not measured.
 SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot);
 
 }  // namespace terratact

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-constexpr auto kFirst = static_cast<std::size_t>(FrameKind::RobotStatus);
+constexpr auto kFirst = static_cast<std::size_t>(FrameKind::Odometry);
 
 std::size_t indexOf(FrameKind kind)
 {

@@ -68,7 +68,7 @@ private:
     std::optional<Measurement> measured(const SensorLine& line, double now);
 
     RobotModel robot_;
-    std::vector<E2eReceiver> receivers_;  ///< from RobotStatus to ArmResult
+    std::vector<E2eReceiver> receivers_;  ///< from Odometry to ArmResult
     SensorLineReader reader_;
     std::optional<RobotStatus> status_;
     std::optional<std::uint16_t> token_;

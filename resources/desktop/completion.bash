@@ -38,19 +38,28 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | *:--safe-mode | "model show:--csv") return 1 ;;
+      *:--summary | *:--transmit | *:--safe-mode | *:--no-record | *:--measured | *:--all | \
+      "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
     *:--model) _terratact_files ttm ;;
     *:--data | *:--classes | *:--csv) _terratact_files csv ;;
     simulate:--out | reconstruct:--out) _terratact_files csv ;;
     train:--out | merge:--out) _terratact_files ttm ttp ;;
+    "session merge:--out" | "session import:--out") _terratact_files tts ;;
+    "session export:--out") _terratact_files log asc csv mcap ;;
+    "session scenes:--out" | "session what-if:--out") _terratact_files csv ;;
+    "session report:--out") _terratact_files pdf svg png html ;;
+    *:--format) _terratact_words candump asc csv mcap ;;
+    *:--what) _terratact_words frames signals estimates events ;;
     *:--out) _terratact_files ;;
     console:--terrain | robot:--terrain) _terratact_files csv && _terratact_words varied ;;
     *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
     *:--replay) _terratact_files log ;;
     *:--screenshot) _terratact_files png ;;
+    *:--sessions) _terratact_files ;;
     *:--can | *:--interface) _terratact_buses ;;
     *:--method) _terratact_words "$methods" ;;
+    ghost:--methods) _terratact_list "clearance joint local" ;;
     *:--methods) _terratact_list "$methods" ;;
     *:--ceiling) _terratact_words truncate clamp none ;;
     *:--contacts) _terratact_words isolated any none ;;
@@ -76,7 +85,7 @@ _terratact_options() {
     --full --seconds --scan --seed"
   case $1 in
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --speed --panel --seed \
-      --screenshot --size --theme --layout --font-scale --language --safe-mode ;;
+      --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;
@@ -85,6 +94,7 @@ _terratact_options() {
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
+    ghost) echo --robot --model --terrain --drives --spacing --step --blocks --methods --sd-factor --seed ;;
     probes) echo --data ;;
     calibrate) echo --data --robot ;;
     "model show") echo --csv ;;
@@ -94,6 +104,13 @@ _terratact_options() {
     robot) echo --robot --can --terrain --fault --seed --speed --seconds ;;
     "can decode") echo --interface --csv --summary --protocol ;;
     "can monitor") echo --seconds --bitrate --interface --speed --protocol ;;
+    "session verify") echo --link ;;
+    "session export") echo --out --format --what --from --to ;;
+    "session scenes") echo --out --measured ;;
+    "session report") echo --scene --out ;;
+    "session merge") echo --out ;;
+    "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
+    "session import") echo --out --interface --robot ;;
     "") echo --version ;;
   esac
   echo --help
@@ -102,11 +119,14 @@ _terratact_options() {
 # What may stand where no option does.
 _terratact_argument() {
   case $1 in
-    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts probes calibrate model panel demo \
-      robot can ;;
+    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts ghost probes calibrate model panel \
+      demo robot can session ;;
     model) _terratact_words show predict ;;
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
+    session) _terratact_words info verify recover export scenes report merge what-if import ;;
+    "session import") _terratact_files log ;;
+    "session "*) _terratact_files tts ;;
     "model "*) _terratact_files ttm ;;
     "panel check") _terratact_files toml ;;
     "can check") _terratact_buses ;;
@@ -127,7 +147,7 @@ _terratact() {
     command=console
   elif [ "$COMP_CWORD" -gt 1 ] && [[ ${COMP_WORDS[1]} != -* ]]; then
     command=${COMP_WORDS[1]}
-    if [[ $command =~ ^(model|panel|can)$ ]] && [ "$COMP_CWORD" -gt 2 ] && [[ ${COMP_WORDS[2]} != -* ]]; then
+    if [[ $command =~ ^(model|panel|can|session)$ ]] && [ "$COMP_CWORD" -gt 2 ] && [[ ${COMP_WORDS[2]} != -* ]]; then
       command+=" ${COMP_WORDS[2]}"
     fi
   fi

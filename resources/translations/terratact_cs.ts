@@ -472,6 +472,34 @@
         <source>saturated</source>
         <translation>nasycen</translation>
     </message>
+    <message>
+        <source>the robot reports no odometry</source>
+        <translation>robot nehlásí ujetou dráhu</translation>
+    </message>
+    <message>
+        <source>the robot has driven too far since the last estimate</source>
+        <translation>robot ujel od posledního odhadu příliš daleko</translation>
+    </message>
+    <message>
+        <source>the last estimate has become too uncertain</source>
+        <translation>poslední odhad je už příliš nejistý</translation>
+    </message>
+    <message>
+        <source>the robot has tilted too much since the last estimate</source>
+        <translation>robot se od posledního odhadu příliš naklonil</translation>
+    </message>
+    <message>
+        <source>the robot has turned since the last estimate</source>
+        <translation>robot se od posledního odhadu otočil</translation>
+    </message>
+    <message>
+        <source>telemetry was missing while the robot drove</source>
+        <translation>během jízdy chyběla telemetrie</translation>
+    </message>
+    <message>
+        <source>nothing of the last estimate is left in view</source>
+        <translation>z posledního odhadu už není nic v dohledu</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -791,6 +819,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Force sensors not usable: %1</source>
         <translation>Silové snímače nepoužitelné: %1</translation>
+    </message>
+    <message>
+        <source>Not recorded: %1</source>
+        <translation>Nezaznamenává se: %1</translation>
     </message>
 </context>
 <context>
@@ -1211,6 +1243,10 @@ Poslední deaktivace: %1</translation>
         <source>overridden by the operator: %1</source>
         <translation>operátor přebil: %1</translation>
     </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Bez stínu: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ForceArrays</name>
@@ -1603,6 +1639,56 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>přebít, co je na průzkumu sporné</translation>
+    </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ BEZ
+ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ bez
+záznamu</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+značka K</translation>
+    </message>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NEZAZNAMENÁVÁ SE: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Zaznamenává se: %1
+%2 rámců, %3 MB; pro %4 rámců nebylo místo
+Kliknutí označí tento okamžik (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Nic se nezaznamenává</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nezaznamenává se</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Zaznamenává se; označit tento okamžik</translation>
+    </message>
+    <message>
+        <source>marked in the recording</source>
+        <translation>označeno v záznamu</translation>
+    </message>
+    <message>
+        <source>mark this moment in the recording</source>
+        <translation>označit tento okamžik v záznamu</translation>
     </message>
 </context>
 <context>
@@ -2178,6 +2264,46 @@ Poslední deaktivace: %1</translation>
         <source>Off: alarms are only seen</source>
         <translation>Vypnuto: alarmy jsou jen vidět</translation>
     </message>
+    <message>
+        <source>Recording</source>
+        <translation>Záznam</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nikdy</translation>
+    </message>
+    <message>
+        <source>Everything is recorded</source>
+        <translation>Vše se zaznamenává</translation>
+    </message>
+    <message>
+        <source>Frames, scenes, estimates, what was shown and decided, in one file per session</source>
+        <translation>Rámce, scény, odhady, co bylo zobrazeno a rozhodnuto, v jednom souboru na relaci</translation>
+    </message>
+    <message>
+        <source>Delete a session after</source>
+        <translation>Smazat relaci po</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>dnech</translation>
+    </message>
+    <message>
+        <source>At the next start; never: nothing is deleted</source>
+        <translation>Při příštím startu; nikdy: nic se nemaže</translation>
+    </message>
+    <message>
+        <source>Delete the oldest beyond</source>
+        <translation>Nejstarší smazat nad</translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation>GB</translation>
+    </message>
+    <message>
+        <source>Of all sessions together, at the next start</source>
+        <translation>Všech relací dohromady, při příštím startu</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalTable</name>
@@ -2313,6 +2439,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>This source is no CAN bus: it has no frames, and these are its values.</source>
         <translation>Tento zdroj není sběrnice CAN: nemá rámce, zde jsou jeho hodnoty.</translation>
+    </message>
+    <message>
+        <source>way of the tracks</source>
+        <translation>dráha pásů</translation>
     </message>
 </context>
 <context>
@@ -2588,6 +2718,14 @@ F1</translation>
     <message>
         <source>or %1 m (%2 %)</source>
         <translation>nebo %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>ghost</source>
+        <translation>stín</translation>
+    </message>
+    <message>
+        <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
+        <translation>stín posledního odhadu · ujeto %1 m · ± %2 cm</translation>
     </message>
 </context>
 <context>

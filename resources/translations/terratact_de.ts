@@ -472,6 +472,34 @@
         <source>saturated</source>
         <translation>gesättigt</translation>
     </message>
+    <message>
+        <source>the robot reports no odometry</source>
+        <translation>der Roboter meldet keinen zurückgelegten Weg</translation>
+    </message>
+    <message>
+        <source>the robot has driven too far since the last estimate</source>
+        <translation>der Roboter ist seit der letzten Schätzung zu weit gefahren</translation>
+    </message>
+    <message>
+        <source>the last estimate has become too uncertain</source>
+        <translation>die letzte Schätzung ist zu unsicher geworden</translation>
+    </message>
+    <message>
+        <source>the robot has tilted too much since the last estimate</source>
+        <translation>der Roboter hat sich seit der letzten Schätzung zu stark geneigt</translation>
+    </message>
+    <message>
+        <source>the robot has turned since the last estimate</source>
+        <translation>der Roboter hat sich seit der letzten Schätzung gedreht</translation>
+    </message>
+    <message>
+        <source>telemetry was missing while the robot drove</source>
+        <translation>während der Fahrt fehlte die Telemetrie</translation>
+    </message>
+    <message>
+        <source>nothing of the last estimate is left in view</source>
+        <translation>von der letzten Schätzung ist nichts mehr im Bild</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -791,6 +819,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Force sensors not usable: %1</source>
         <translation>Kraftsensoren unbrauchbar: %1</translation>
+    </message>
+    <message>
+        <source>Not recorded: %1</source>
+        <translation>Nicht aufgezeichnet: %1</translation>
     </message>
 </context>
 <context>
@@ -1211,6 +1243,10 @@ Zuletzt gesperrt: %1</translation>
         <source>overridden by the operator: %1</source>
         <translation>vom Bediener übergangen: %1</translation>
     </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Kein Schatten: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ForceArrays</name>
@@ -1603,6 +1639,56 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
+    </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ OHNE
+AUFZEICHN.</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ ohne
+Aufzeichn.</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+Marke K</translation>
+    </message>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NICHT AUFGEZEICHNET: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Aufgezeichnet: %1
+%2 Rahmen, %3 MB; für %4 Rahmen war kein Platz
+Ein Klick markiert diesen Augenblick (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Es wird nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Aufzeichnung läuft; diesen Augenblick markieren</translation>
+    </message>
+    <message>
+        <source>marked in the recording</source>
+        <translation>in der Aufzeichnung markiert</translation>
+    </message>
+    <message>
+        <source>mark this moment in the recording</source>
+        <translation>diesen Augenblick in der Aufzeichnung markieren</translation>
     </message>
 </context>
 <context>
@@ -2178,6 +2264,46 @@ Zuletzt gesperrt: %1</translation>
         <source>Off: alarms are only seen</source>
         <translation>Aus: Alarme sind nur zu sehen</translation>
     </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>Everything is recorded</source>
+        <translation>Alles wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Frames, scenes, estimates, what was shown and decided, in one file per session</source>
+        <translation>Rahmen, Szenen, Schätzungen, was gezeigt und entschieden wurde, in einer Datei je Sitzung</translation>
+    </message>
+    <message>
+        <source>Delete a session after</source>
+        <translation>Eine Sitzung löschen nach</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tagen</translation>
+    </message>
+    <message>
+        <source>At the next start; never: nothing is deleted</source>
+        <translation>Beim nächsten Start; nie: nichts wird gelöscht</translation>
+    </message>
+    <message>
+        <source>Delete the oldest beyond</source>
+        <translation>Die ältesten löschen über</translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation>GB</translation>
+    </message>
+    <message>
+        <source>Of all sessions together, at the next start</source>
+        <translation>Aller Sitzungen zusammen, beim nächsten Start</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalTable</name>
@@ -2313,6 +2439,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>This source is no CAN bus: it has no frames, and these are its values.</source>
         <translation>Diese Quelle ist kein CAN-Bus: sie hat keine Rahmen, dies sind ihre Werte.</translation>
+    </message>
+    <message>
+        <source>way of the tracks</source>
+        <translation>Weg der Ketten</translation>
     </message>
 </context>
 <context>
@@ -2588,6 +2718,14 @@ F1</translation>
     <message>
         <source>or %1 m (%2 %)</source>
         <translation>oder %1 m (%2 %)</translation>
+    </message>
+    <message>
+        <source>ghost</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
+        <translation>Schatten der letzten Schätzung · %1 m gefahren · ± %2 cm</translation>
     </message>
 </context>
 <context>

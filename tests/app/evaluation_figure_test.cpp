@@ -125,7 +125,7 @@ TEST_F(EvaluationFigure, ofNothingOrOfUnequalClassesIsRefused)
     EXPECT_THROW((void)writeHistogramFigure(path_, more), std::invalid_argument);
     const std::string other = directory_.file("figure.txt");
     EXPECT_TRUE(
-        refused(writeHistogramFigure(other, std::span(h).first(1)), other, {".png or .svg"}));
+        refused(writeHistogramFigure(other, std::span(h).first(1)), other, {".png, .svg or .pdf"}));
     EXPECT_TRUE(directory_.entries().empty());
 }
 

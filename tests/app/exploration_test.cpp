@@ -176,6 +176,83 @@ TEST_F(Bench, theWholeLoop)
     EXPECT_FALSE(exploration->estimate()) << "it held for another place";
 }
 
+/// A bench whose robot stands on an estimate and then drives.
+struct DrivingOn : Bench {
+    void stand()
+    {
+        press();
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+        exploration->refuse(exploration->proposal()->id);
+        ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    }
+    void driveBy(double metres)
+    {
+        telemetry.activity = RobotActivity::Driving;
+        if (telemetry.travelled) *telemetry.travelled += metres;
+        tick(2);
+    }
+};
+
+TEST_F(DrivingOn, leavesAGhostThatMovesWithTheTracksAndGoes)
+{
+    telemetry.travelled = 7.0;
+    stand();
+    EXPECT_TRUE(exploration->estimate());
+    EXPECT_FALSE(exploration->ghost()) << "the estimate itself stands";
+    driveBy(0.1);
+    ASSERT_TRUE(exploration->ghost());
+    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->verdict()) << "it decides nothing";
+    EXPECT_NEAR(exploration->ghost()->motion.forward, 0.1, 1e-9);
+    EXPECT_NEAR(exploration->ghost()->bin[6]->height, stepEstimate().height[7], 1e-9);
+    driveBy(0.3);
+    ASSERT_TRUE(exploration->ghost());
+    EXPECT_NEAR(exploration->ghost()->motion.way, 0.4, 1e-9);
+    EXPECT_NEAR(exploration->ghost()->bin[4]->height, stepEstimate().height[8], 1e-9);
+    EXPECT_TRUE(exploration->whyNoGhost().isEmpty());
+    driveBy(0.7);
+    EXPECT_FALSE(exploration->ghost());
+    EXPECT_TRUE(exploration->whyNoGhost().contains("too far"));
+    telemetry.activity = RobotActivity::Halted;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_FALSE(exploration->ghost());
+    EXPECT_TRUE(exploration->whyNoGhost().isEmpty())
+        << "of the last estimate, not of the one before";
+}
+
+TEST_F(DrivingOn, leavesNoGhostWithoutOdometryAndSaysSo)
+{
+    stand();
+    driveBy(0.1);
+    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->ghost());
+    EXPECT_TRUE(exploration->whyNoGhost().contains("no odometry"));
+}
+
+TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
+{
+    telemetry.travelled = 0.0;
+    stand();
+    driveBy(0.1);
+    tickInSilence(10);
+    EXPECT_FALSE(exploration->ghost());
+    EXPECT_TRUE(exploration->whyNoGhost().contains("telemetry"));
+    tick();
+    EXPECT_TRUE(exploration->ghost());
+}
+
+TEST_F(DrivingOn, leavesNothingOfAnEstimateThatTheOperatorHasCleared)
+{
+    telemetry.travelled = 0.0;
+    stand();
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    driveBy(0.1);
+    EXPECT_FALSE(exploration->ghost());
+    EXPECT_TRUE(exploration->whyNoGhost().isEmpty());
+}
+
 TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
 {
     exploration->request();

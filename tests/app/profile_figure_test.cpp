@@ -139,7 +139,7 @@ TEST_F(ProfileFigure, isAnSvgForThatEndingAndNothingForAnother)
     ASSERT_TRUE(writeProfileFigure(svg, flatGround()));
     EXPECT_NE(contentOf(svg).find("<svg"), std::string::npos);
     const std::string other = directory_.file("profile.bmp");
-    EXPECT_TRUE(refused(writeProfileFigure(other, flatGround()), other, {".png or .svg"}));
+    EXPECT_TRUE(refused(writeProfileFigure(other, flatGround()), other, {".png, .svg or .pdf"}));
     const std::string nowhere = directory_.file("none/profile.png");
     EXPECT_TRUE(refused(writeProfileFigure(nowhere, flatGround()), nowhere, {"cannot be written"}));
     EXPECT_EQ(directory_.entries(), std::set<std::string>{"profile.svg"});

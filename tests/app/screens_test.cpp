@@ -172,6 +172,16 @@ TEST_F(Screens, ofAWholeExploration)
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     ASSERT_TRUE(eventually([&] { return window->showsEstimate(); }));
     picture("11_probed");
+    QTest::keyPress(window.get(), Qt::Key_S);
+    ASSERT_TRUE(eventually(
+        [&] {
+            const auto ghost = window->exploration().ghost();
+            return ghost && ghost->motion.way > 0.2;
+        },
+        60000))
+        << window->exploration().whyNoGhost().toStdString();
+    QTest::keyRelease(window.get(), Qt::Key_S);
+    picture("16_ghost");
     QTest::keyClick(window.get(), Qt::Key_F12);
     ASSERT_TRUE(reaches(AtemPhase::Stopped));
     picture("12_stopped");

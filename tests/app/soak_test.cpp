@@ -1,4 +1,4 @@
-// The whole console on a full bus while it estimates: does its window keep up?  TERRATACT_SOAK_SECONDS sets how
+// The whole console on a full bus while it estimates and records: does its window keep up?  TERRATACT_SOAK_SECONDS sets how
 // long; only then are the limits those that are promised, for a machine with two cores and nothing else to do.
 #include <gtest/gtest.h>
 
@@ -12,10 +12,12 @@
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
+#include "app/session_recorder.h"
 #include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/gui.h"
+#include "tests/support/temporary_directory.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 
@@ -98,14 +100,19 @@ struct Soak : testing::Test {
         simulation.startX = 2.0;
         robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation), RobotOnBus::Options{});
+        recorder = std::make_shared<SessionRecorder>(
+            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
         auto source = std::make_unique<CanSource>(
             bus.join("can0"), model,
-            CanSource::Options{.mode = CanSource::Mode::Transmit, .bitrate = 1e6});
+            CanSource::Options{.mode = CanSource::Mode::Transmit,
+                               .bitrate = 1e6,
+                               .heard = [to = recorder](auto frames) { to->take(frames); }});
         MainWindow::Options options;
         options.robot = model;
         options.link = source.get();
         options.source = std::move(source);
         options.model = busy.loader(model);
+        options.recorder = recorder;
         options.exploration.linkLostAfter = 3.0;  // of a machine that is busy with other things
         window = std::make_unique<MainWindow>(std::move(options));
         window->resize(1440, 900);
@@ -141,8 +148,10 @@ struct Soak : testing::Test {
             exploration.abort();
     }
 
+    TemporaryDirectory directory;
     RobotModel model = absolem();
     Busy busy;
+    std::shared_ptr<SessionRecorder> recorder;
     MemoryBus bus{steadyNow};
     std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
@@ -158,7 +167,7 @@ QString line(const char* what, const NewestValues& values)
         .arg(values.count());
 }
 
-TEST_F(Soak, keepsUpWithAFullBusWhileItEstimates)
+TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
 {
     const double wanted = qEnvironmentVariable("TERRATACT_SOAK_SECONDS").toDouble();
     const double seconds = wanted > 0.0 ? wanted : 3.0;
@@ -193,6 +202,13 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimates)
                 elapsed, rate, static_cast<unsigned long long>(view.frames.dropped),
                 window->link()->waiting().most, 100.0 * (cpuSeconds() - cpu) / elapsed,
                 100.0 * (busy.seconds - estimating) / elapsed, busy.estimates.load(), megabytes);
+    const RecordingState recorded = recorder->state();
+    std::printf("recorded: %lld frames, %lld found no room, %.1f MB\n",
+                static_cast<long long>(recorded.frames), static_cast<long long>(recorded.missing),
+                static_cast<double>(recorded.bytes) / 1e6);
+    EXPECT_EQ(recorded.trouble, "");
+    EXPECT_EQ(recorded.missing, 0);
+    EXPECT_GT(static_cast<double>(recorded.frames), 0.9 * rate * elapsed - kFramesPerSecond);
 
     EXPECT_GT(rate, 0.5 * kFramesPerSecond);
     EXPECT_GT(busy.seconds, estimating) << "nothing was estimated";

@@ -170,7 +170,7 @@ TEST_F(TradeoffFigure, refusesNoPointsAndAnotherEnding)
 {
     const std::string other = directory_.file("tradeoff.bmp");
     EXPECT_THROW((void)writeTradeoffFigure(other, {}), std::invalid_argument);
-    EXPECT_TRUE(refused(writeTradeoffFigure(other, kPoints), other, {".png or .svg"}));
+    EXPECT_TRUE(refused(writeTradeoffFigure(other, kPoints), other, {".png, .svg or .pdf"}));
     EXPECT_TRUE(directory_.entries().empty());
 }
 

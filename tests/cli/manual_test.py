@@ -42,7 +42,7 @@ def help_of(program, *command):
     heads = [(long or short.rstrip(), below or beside) for long, below, short, beside in entries]
     options = {re.search(r"--[\w-]+", head)[0]: Option(head, rest) for head, rest in heads}
     listed = re.search(r"^Subcommands:\n((?:  .*\n)+)", text, re.MULTILINE)
-    return options, re.findall(r"^  (\w+)", listed[1], re.MULTILINE) if listed else []
+    return options, re.findall(r"^  ([\w-]+)", listed[1], re.MULTILINE) if listed else []
 
 
 def commands(program, *above):

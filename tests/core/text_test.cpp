@@ -38,6 +38,12 @@ TEST(NumberFrom, takesTheWholeTextOrNothing)
         EXPECT_FALSE(numberFrom(text)) << text;
 }
 
+TEST(IsControl, knowsWhatWouldMoveATerminalsCursor)
+{
+    for (const char c : {'\0', '\t', '\n', '\x1b', '\x1f', '\x7f'}) EXPECT_TRUE(isControl(c));
+    for (const char c : std::string("\x20~č")) EXPECT_FALSE(isControl(c));
+}
+
 TEST(Shown, bringsTextOfAStrangerOnOneShortLine)
 {
     EXPECT_EQ(shown("pitch"), "'pitch'");

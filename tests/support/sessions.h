@@ -56,6 +56,7 @@ inline SceneRow someScene(std::int64_t id, SessionTime time)
     row.measurement.force = {0.0, 1.0, 2.5, 0.0, 0.0, 7.0};
     row.measurement.activity = RobotActivity::Pressed;
     if (id > 1) row.measurement.arm = ArmReading{.bin = 9, .height = -0.04, .sd = 0.03};
+    row.measurement.travelled = 1.25;
     row.truth = stepEstimate().height;
     return row;
 }

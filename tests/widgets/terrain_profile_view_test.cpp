@@ -162,6 +162,51 @@ TEST_F(TerrainView, drawsAndASecondMethodAreLayersOnDemand)
     EXPECT_EQ(painted(*view.canvas()), plain);
 }
 
+/// What is left of stepEstimate() after 0.2 m.
+Ghost ghost()
+{
+    return ghostOf(stepEstimate(), {.forward = 0.2, .way = 0.2, .upSd = 0.03});
+}
+
+TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
+{
+    view.clearEstimate("moved");
+    const QImage without = painted(*view.canvas());
+    view.setGhost(ghost());
+    const auto greens = [&](double z) {  // along bins -0.3 … 0.2
+        const QImage image = painted(*view.canvas());
+        const int y = static_cast<int>(std::lround(view.pixelOf(0.0, z).y()));
+        int count = 0, all = 0;
+        for (double x = -0.25; x < 0.2; x += 0.002, ++all)
+            count += alike(image.pixelColor(static_cast<int>(view.pixelOf(x, 0.0).x()), y),
+                           theme().sampled)
+                       ? 1
+                       : 0;
+        return static_cast<double>(count) / all;
+    };
+    EXPECT_GT(greens(-0.25), 0.3);
+    EXPECT_LT(greens(-0.25), 0.8) << "dashed: an estimate is not";
+    EXPECT_FALSE(alike(colourAt(view, 0.05, -0.27), QColor(theme().sampled)));
+    EXPECT_NE(colourAt(view, 0.05, -0.27), theme().card) << "in its band";
+    EXPECT_EQ(colourAt(view, 0.6, -0.05), theme().card) << "nothing where nothing was estimated";
+    EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("0.20 m driven · ± 3 cm")));
+    view.setGhost(std::nullopt, "No ghost: the robot has turned");
+    EXPECT_TRUE(view.accessibleDescription().contains("has turned"));
+    view.setGhost(std::nullopt);
+    EXPECT_EQ(painted(*view.canvas()), without);
+}
+
+TEST_F(TerrainView, aGhostThatIsNotFiniteOrHasHolesIsDrawnWhereItCanBe)
+{
+    Ghost broken = ghost();
+    broken.bin[1]->height = std::numeric_limits<double>::quiet_NaN();
+    broken.bin[3]->q90 = std::numeric_limits<double>::infinity();
+    broken.bin[4].reset();
+    view.setGhost(broken);
+    EXPECT_FALSE(painted(view).isNull());
+    EXPECT_NE(colourAt(view, -0.1, -0.22), theme().card) << "a bin alone, too";
+}
+
 TEST_F(TerrainView, theBinUnderTheMouseOrTheArrowKeysIsShownUpClose)
 {
     view.setEstimate(divided());

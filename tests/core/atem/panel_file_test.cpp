@@ -112,6 +112,15 @@ TEST_F(PanelFile, refusesALineThatIsUsedTwice)
     EXPECT_TRUE(refuses("GPIO23", "GPIO5", {"outputs.buzzer.line", "before"}));
 }
 
+TEST_F(PanelFile, refusesControlCharactersInNames)
+{
+    // The kernel's interface takes names that end with the first NUL: this would be GPIO5 once more.
+    for (const char* end : {"\\u0000x", "\\n", "\\u001b[31m", "\t", "\\u007f"})
+        EXPECT_TRUE(refuses("GPIO19", std::string("GPIO5") + end,
+                            {"inputs.stop.line", "control character"}))
+            << end;
+}
+
 TEST_F(PanelFile, survivesEveryTruncation)
 {
     for (std::size_t length = 0; length < example.size(); length += 7) {

@@ -72,8 +72,21 @@ TEST_F(ClassIndex, thatIsWrongIsRefusedWithItsPlace)
               std::string::npos);
     EXPECT_NE(complaint("row,class\n1,\"a\n").find("line 2: a quote does not end"),
               std::string::npos);
-    EXPECT_NE(complaint("row,class\n1,a\n1,b\n").find("row 1 appears twice"), std::string::npos);
+    EXPECT_NE(complaint("row,class\n1,a\n1,b\n").find("row '1' appears twice"), std::string::npos);
     EXPECT_FALSE(readClasses("/nowhere/index.csv", "class"));
+}
+
+TEST_F(ClassIndex, isBoundedAndQuotedInPlainCharacters)
+{
+    EXPECT_EQ(complaint("row,class\n\x1b[1m,a\n\x1b[1m,b\n").find('\x1b'), std::string::npos);
+    EXPECT_NE(complaint("row,class" + std::string(1000, ',') + "\n").find("more than 1000 fields"),
+              std::string::npos);
+    EXPECT_NE(complaint("row,class\n1," + std::string(4097, 'a') + "\n").find("4096 bytes"),
+              std::string::npos);
+    std::string rows = "row,class\n";
+    for (std::size_t i = 0; i < kMostClassRows; ++i) rows += std::to_string(i) + ",a\n";
+    EXPECT_TRUE(classesFrom("text", rows, "class"));
+    EXPECT_NE(complaint(rows + "x,a\n").find("one row more than the 200000"), std::string::npos);
 }
 
 TEST(ByClass, groupsScenesByTheRowTheirRunNames)

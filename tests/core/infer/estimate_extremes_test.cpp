@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "core/infer/closed_form.h"
 #include "core/infer/convergence.h"
 #include "core/infer/estimator.h"
 #include "core/infer/gibbs.h"
 #include "core/terrain/kinematic_reconstruction.h"
+#include "tests/support/random_model.h"
 #include "tests/support/toy_clearance.h"
 #include "tests/support/toy_model.h"
 
@@ -253,6 +255,35 @@ GibbsProblem paperProblem(double ceiling, CeilingRule rule)
     problem.burnIn = 3;
     problem.keptPerChain = 25;
     return problem;
+}
+
+TEST(Estimate, aModelOfOneTrainingRowGivesOneAllTheSame)
+{
+    const ClearanceModel one(randomModel(1));
+    for (const Method method : {Method::Local, Method::Joint}) {
+        Settings settings;
+        settings.method = method;
+        const auto numbers =
+            numbersOf(reconstructClosedForm(someScene().s, {}, robot(), one, settings));
+        EXPECT_TRUE(std::all_of(numbers.begin(), numbers.end(), [](double v) {
+            return std::isfinite(v);
+        })) << name(method);
+    }
+}
+
+TEST(Estimate, aModelWhoseNumbersOverflowIsRefusedWithAText)
+{
+    ModelData model = randomModel(20);
+    for (SurfaceProcess& process : model.clearance.covered) process.mean = 1e9;  // sinh: infinite
+    const ClearanceModel wrong(model);
+    for (const Method method : {Method::Local, Method::Joint}) {
+        Settings settings;
+        settings.method = method;
+        EXPECT_THROW(
+            static_cast<void>(reconstructClosedForm(someScene().s, {}, robot(), wrong, settings)),
+            std::invalid_argument)
+            << name(method);
+    }
 }
 
 TEST(Sampler, keepsBelowCeilingsThatLieBelowEveryTrainingHeight)

@@ -22,6 +22,13 @@ GaussianMixture twoHeaps()
     return m;
 }
 
+TEST(GaussianMixture, hasQuantilesWhereItsSpreadIsBelowTheRoundingOfItsMean)
+{
+    GaussianMixture far{Eigen::VectorXd::Ones(1), Eigen::MatrixXd::Constant(1, 1, 1e9),
+                        Eigen::MatrixXd::Constant(1, 1, 1e-4)};
+    for (const double p : {0.1, 0.5, 0.9}) EXPECT_NEAR(far.quantile(0, p), 1e9, 0.1);
+}
+
 TEST(GaussianMixture, quantilesInvertTheDistribution)
 {
     const GaussianMixture m = twoHeaps();

@@ -90,6 +90,20 @@ TEST(CsvReader, readsFiniteNumbersOnly)
             << i;
 }
 
+TEST(CsvReader, boundsFieldsAndTheirLength)
+{
+    const auto first = [](const std::string& line) {
+        return CsvReader::over("text", line + "\n")->next();
+    };
+    EXPECT_TRUE(first(std::string(CsvReader::kMostFields - 1, ',')));
+    EXPECT_TRUE(refused(first(std::string(CsvReader::kMostFields, ',')), "text",
+                        {"line 1", "more than 100000 fields"}));
+    const std::string longest(CsvReader::kLongestField, 'a');
+    EXPECT_TRUE(first("b," + longest + "," + longest));
+    for (const std::string& line : {"b," + longest + "a", longest + "a,b"})
+        EXPECT_TRUE(refused(first(line), "text", {"line 1", "more than 4096 bytes"}));
+}
+
 TEST(CsvReader, keepsItsFieldsWhenItMoves)
 {
     const TemporaryDirectory dir;

@@ -42,5 +42,13 @@ TEST_F(ProbeFileTest, refusesWhatItCannotRead)
     EXPECT_TRUE(refused(other, dir.file("other.csv"), {"line 1", "place,height_m,truth_m"}));
 }
 
+TEST_F(ProbeFileTest, boundsTheNumberOfReadings)
+{
+    std::string lines;
+    for (std::size_t i = 0; i < kMostProbeReadings; ++i) lines += "a,0,\n";
+    EXPECT_TRUE(read(lines));
+    EXPECT_TRUE(refuses(lines + "a,0,\n", {"line 100002", "one reading more"}));
+}
+
 }  // namespace
 }  // namespace terratact

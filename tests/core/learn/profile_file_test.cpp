@@ -132,6 +132,17 @@ TEST_F(ProfileFileTest, refusesTornAndEmptyFiles)
     EXPECT_TRUE(refused(readProfiles(none, 0.1, false), none, {"cannot be opened"}));
 }
 
+TEST_F(ProfileFileTest, boundsTheNumbersOfAFile)
+{
+    std::string line = "0";
+    for (int i = 1; i < 100'000; ++i) line += ",0";
+    line += "\n";
+    std::string content;
+    for (int i = 0; i < 20; ++i) content += line;
+    EXPECT_TRUE(read(content));
+    EXPECT_TRUE(refuses(content + "0,0,0\n", {"line 21", "the 2000000 numbers"}));
+}
+
 TEST_F(ProfileFileTest, throwsForAStepThatIsNone)
 {
     for (const double step : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()})

@@ -254,7 +254,22 @@ TEST_F(SceneFileTest, refusesTheWrongNumberOfFields)
 
 TEST_F(SceneFileTest, refusesAHeaderOfManyColumns)
 {
-    EXPECT_TRUE(refuses(std::string(1000000, ',') + "\n", {"line 1", "more than 200 columns"}));
+    EXPECT_TRUE(refuses(std::string(200, ',') + "\n", {"line 1", "more than 200 columns"}));
+    EXPECT_TRUE(refuses(std::string(1000000, ',') + "\n", {"line 1", "more than 100000 fields"}));
+}
+
+TEST_F(SceneFileTest, boundsTheNumberOfScenes)
+{
+    std::string content = kHeader.substr(0, kHeader.find(",h_-0.3_m")) + "\n";
+    for (std::size_t i = 0; i < kMostScenes; ++i) content += "r,0,0,0,0,,,,,,,,\n";
+    const auto most = readScenes(*CsvReader::over("text", content));
+    ASSERT_TRUE(most) << most.error().text;
+    EXPECT_EQ(most->scenes.size(), kMostScenes);
+    const auto more = readScenes(*CsvReader::over("text", content + "r,0,0,0,0,,,,,,,,\n"));
+    EXPECT_TRUE(refused(more, "text", {"line 200002", "one scene more than the 200000"}));
+    std::vector<Scene> scenes = most->scenes;
+    scenes.push_back(scenes.back());
+    EXPECT_THROW(static_cast<void>(scenesText(scenes)), std::invalid_argument);
 }
 
 TEST_F(SceneFileTest, refusesTornAndEmptyFiles)
@@ -297,6 +312,7 @@ TEST_F(SceneFileTest, writesNothingThatItWouldNotRead)
         EXPECT_FALSE(std::filesystem::exists(dir.file("out.csv")));
     };
     for (const char* run : {"", "a,b", "a\nb", "\"a\""}) throwsFor(sceneOf(run));
+    throwsFor(sceneOf(std::string(4097, 'r')));
     Scene scene = good;
     scene.s.pitch = std::numeric_limits<double>::quiet_NaN();
     throwsFor(scene);

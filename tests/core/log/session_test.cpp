@@ -122,7 +122,7 @@ TEST_F(Session, isReadWhileItIsWritten)
     EXPECT_EQ(reader->frameCount(), 201);
     EXPECT_EQ(allFrames(*reader).back(), someFrame(200));
     EXPECT_TRUE(reader->damage().empty());
-    EXPECT_FALSE(recoverSession(path)) << "somebody writes it";
+    EXPECT_EQ(*recoverSession(path), SessionRecovery::InUse);
 }
 
 TEST_F(Session, refersOnlyToWhatIsThere)
@@ -325,8 +325,8 @@ TEST_F(Session, whoseWriterDiedIsRecoveredWithAWord)
 
     const auto recovered = recoverSession(path);
     ASSERT_TRUE(recovered) << recovered.error().text;
-    EXPECT_TRUE(*recovered);
-    EXPECT_FALSE(*recoverSession(path)) << "there is nothing left to do";
+    EXPECT_EQ(*recovered, SessionRecovery::Recovered);
+    EXPECT_EQ(*recoverSession(path), SessionRecovery::NotNeeded);
     auto reader = SessionReader::open(path);
     ASSERT_TRUE(reader) << reader.error().text;
     EXPECT_TRUE(reader->sealed());

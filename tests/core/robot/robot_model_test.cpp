@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
 #include <stdexcept>
 
+#include "core/text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
@@ -142,6 +144,8 @@ TEST(Absolem, readsEveryKeyIntoItsPlace)
     EXPECT_EQ(robot.armReachBegin, 0.3);
     EXPECT_EQ(robot.armReachEnd, 0.8);
     EXPECT_EQ(robot.armSd, 0.03);
+    EXPECT_EQ(robot.travelledSdShare, 0.10);
+    EXPECT_EQ(robot.pitchSd, 0.0087);
 }
 
 TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
@@ -164,7 +168,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
             << section << key;
         ++keys;
     }
-    EXPECT_EQ(keys, 37);
+    EXPECT_EQ(keys, 39);
     EXPECT_TRUE(refusesChange("[arm]", "[arms]", {"arm is missing"}));
     EXPECT_TRUE(refuses(absolem + "\n[laser]\n", {"'laser' is not a known key"}));
 }
@@ -263,8 +267,20 @@ TEST_F(RobotFile, refusesWhatIsNotToml)
     EXPECT_TRUE(refused(readRobotModel(dir.file("none")), dir.file("none"), {"cannot be opened"}));
 }
 
+TEST_F(RobotFile, quotesNoControlCharacterOfAFile)
+{
+    for (const char* text : {"a = 1\x1b[31m\n", "\x01 = 1\n", "a = \"\x7f\"\n", "a = ,,\x0b\n"}) {
+        const Result<RobotModel> robot = robotModelFrom("text", text);
+        ASSERT_TRUE(refused(robot, "text", {"not TOML"}));
+        EXPECT_TRUE(std::none_of(robot.error().text.begin(), robot.error().text.end(), isControl))
+            << text;
+    }
+}
+
 TEST_F(RobotFile, refusesHugeAndDeepFilesBeforeParsingThem)
 {
+    EXPECT_TRUE(refused(robotModelFrom("text", absolem + std::string(65536, '#')), "text",
+                        {"larger than the 65536 bytes"}));
     EXPECT_TRUE(refuses(absolem + std::string(65536, '#'), {"larger than the 65536 bytes"}));
     std::string dotted = "a", braces = "a = ";
     for (int i = 0; i < 10000; ++i) dotted += ".a";

@@ -47,6 +47,50 @@ TEST(SimulatedRobot, drivesWhenToldAndHaltsWhenTold)
     EXPECT_DOUBLE_EQ(robot.rest().pose.base.x, start + driven);
 }
 
+TEST(SimulatedRobot, reportsTheWayOfItsTracksWithTheirSlip)
+{
+    const auto drivenAndReported = [](double slipShare, std::uint64_t seed) {
+        SimulatedRobot::Options options;
+        options.startX = 1.5;
+        options.slipShare = slipShare;
+        options.seed = seed;
+        SimulatedRobot robot(absolem(), stepTerrain(0.0, 3.0, 6.0), options);
+        EXPECT_EQ(robot.measure().travelled, 0.0);
+        EXPECT_EQ(robot.measure().turned, 0.0);
+        const double start = robot.rest().pose.base.x;
+        robot.command(DriveCommand{0.3});
+        for (int i = 0; i < 20; ++i) robot.step(0.05);
+        return std::pair(robot.rest().pose.base.x - start, *robot.measure().travelled);
+    };
+    const auto [driven, exact] = drivenAndReported(0.0, 1);
+    EXPECT_NEAR(exact, driven, 1e-6);
+    constexpr int kDrives = 60;
+    double squares = 0.0;
+    for (int seed = 1; seed <= kDrives; ++seed) {
+        const double slip =
+            drivenAndReported(0.10, static_cast<std::uint64_t>(seed)).second / driven - 1.0;
+        squares += slip * slip;
+    }
+    // χ² of 60 degrees of freedom: 32 … 103 but for one in a thousand.
+    EXPECT_GT(squares, 0.10 * 0.10 * 32.0);
+    EXPECT_LT(squares, 0.10 * 0.10 * 103.0);
+}
+
+TEST(SimulatedRobot, reportsTheSameWayBackWithoutSlip)
+{
+    SimulatedRobot::Options options;
+    options.startX = 2.2;
+    options.slipShare = 0.0;
+    SimulatedRobot robot(absolem(), stepTerrain(0.1, 3.0, 6.0), options);
+    robot.command(DriveCommand{0.3});
+    for (int i = 0; i < 60; ++i) robot.step(0.05);
+    const double way = *robot.measure().travelled;
+    EXPECT_GT(way, robot.rest().pose.base.x - 2.2 - 0.05);
+    robot.command(DriveCommand{-0.3});
+    for (int i = 0; i < 60; ++i) robot.step(0.05);
+    EXPECT_NEAR(*robot.measure().travelled, way - 0.9, 0.1);
+}
+
 TEST(SimulatedRobot, advancesByTheDistanceItIsTold)
 {
     SimulatedRobot robot = robotBefore(1.5);

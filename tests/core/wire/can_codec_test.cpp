@@ -205,12 +205,18 @@ TEST(Dbc, hasTheWordsOfTheCore)
     EXPECT_EQ(message("RobotStatus").signal("LastCommand").most, message("Advance").id);
 }
 
+/// From one raw value to the next: every one of up to 16 bits, some of every class modulo 256 of longer signals.
+std::int64_t stride(const DbcSignal& s)
+{
+    return s.length <= 16 ? 1 : 251;
+}
+
 TEST(Codec, readsEveryRawValueOfEverySignalAsTheFileSaysAndWritesItBack)
 {
     forEverySignal([](FrameKind kind, const DbcMessage& m, const DbcSignal& s) {
         const std::size_t index = signalIndex(kind, s.name);
         CanFrame frame = blank(m);
-        for (std::int64_t raw = rawOf(s.least, s); raw <= rawOf(s.most, s); ++raw) {
+        for (std::int64_t raw = rawOf(s.least, s); raw <= rawOf(s.most, s); raw += stride(s)) {
             setBits(frame, s, raw);
             seal(frame, m, static_cast<std::uint8_t>(raw & 0xFF));
             const Unpacked content = contentOf(frame);
@@ -491,6 +497,7 @@ TEST(Status, isNoneInOtherFramesWithEpochZeroOrAnUnknownCommand)
 SensorLine fullLine()
 {
     SensorLine line;
+    line.odometry = SensorLine::Odometry{-12.345, 0.5};
     line.attitude = SensorLine::Attitude{0.2, -0.1};
     line.frontAngles = Pair{0.3, 0.31};
     line.rearAngles = Pair{-0.4, -0.41};
@@ -524,6 +531,8 @@ TEST(SensorLine, putsEveryNumberIntoItsSignal)
         ADD_FAILURE() << "no " << name;
         return 0.0;
     };
+    EXPECT_NEAR(at("Odometry", "Travelled"), -12.345, 1e-9);
+    EXPECT_NEAR(at("Odometry", "Turned"), 0.5, 1e-9);
     EXPECT_NEAR(at("Attitude", "Pitch"), 0.2, 1e-9);
     EXPECT_NEAR(at("Attitude", "Roll"), -0.1, 1e-9);
     EXPECT_NEAR(at("FrontAngles", "Left"), 0.3, 1e-9);
@@ -554,6 +563,7 @@ TEST(SensorLine, comesBackWholeOverEveryTurnOfTheCounter)
         ASSERT_NEAR(got->frontAngles->right, 0.31, 1e-9);
         ASSERT_NEAR((*got->voltages[3])[2], 2.625, 1e-9);
         ASSERT_EQ(got->arm->bin, 8);
+        ASSERT_NEAR(got->odometry->travelled, -12.345, 1e-9);
     }
     EXPECT_EQ(reader.unfinished(), 0U);
 }
@@ -577,6 +587,21 @@ TEST(SensorLine, isNeverMadeOfTwoLines)
         EXPECT_FALSE(reader.take(contentOf(second[i])));
     EXPECT_FALSE(reader.take(contentOf(frameOf(RobotStatus{}, 2)))) << "no sensor frame";
     EXPECT_TRUE(reader.take(contentOf(second[second.size() - 2])));
+}
+
+TEST(SensorLine, needsNoOdometryAndTakesNoOtherLines)
+{
+    SensorLineReader reader;
+    const auto first = framesOf(fullLine(), 1), second = framesOf(fullLine(), 2);
+    std::optional<SensorLine> got;
+    for (std::size_t i = 1; i < first.size(); ++i) got = reader.take(contentOf(first[i]));
+    ASSERT_TRUE(got) << "a robot without odometry";
+    EXPECT_FALSE(got->odometry);
+    EXPECT_FALSE(reader.take(contentOf(first.front()))) << "too late for its line";
+    for (std::size_t i = 1; i < second.size(); ++i) got = reader.take(contentOf(second[i]));
+    ASSERT_TRUE(got);
+    EXPECT_FALSE(got->odometry) << "of the line before";
+    EXPECT_EQ(reader.unfinished(), 0U);
 }
 
 TEST(ArmResult, isNeverWithoutAnSd)

@@ -67,7 +67,7 @@ TEST_F(Listening, makesAMeasurementOfEveryLine)
         EXPECT_EQ(m->activity, RobotActivity::Pressed);
         EXPECT_EQ(m->refusal, Refusal::Busy);
     }
-    EXPECT_EQ(listener.counters(), (TelemetryCounters{.used = 220, .lines = 20}));
+    EXPECT_EQ(listener.counters(), (TelemetryCounters{.used = 240, .lines = 20}));
     EXPECT_EQ(link(), LinkState::Good);
     EXPECT_EQ(listener.link(FrameKind::Attitude, now), LinkState::Good);
     EXPECT_EQ(listener.status(), status);
@@ -109,10 +109,10 @@ TEST_F(Listening, refusesARepeatedLineAndAnOldOne)
     const std::uint8_t before = counter;
     ASSERT_TRUE(tick());
     EXPECT_FALSE(takeLine());
-    EXPECT_EQ(listener.counters().repeated, 10U);
+    EXPECT_EQ(listener.counters().repeated, 11U);
     counter = before;
     EXPECT_FALSE(takeLine());
-    EXPECT_EQ(listener.counters().wrongSequence, 10U);
+    EXPECT_EQ(listener.counters().wrongSequence, 11U);
     EXPECT_EQ(listener.counters().lines, 2U);
 }
 
@@ -121,7 +121,7 @@ TEST_F(Listening, countsMissingFramesAndLines)
     ASSERT_TRUE(tick());
     counter = static_cast<std::uint8_t>(counter + 2);
     ASSERT_TRUE(tick()) << "two lines are missing";
-    EXPECT_EQ(listener.counters().gaps, 11U);
+    EXPECT_EQ(listener.counters().gaps, 12U);
     ++counter;
     const auto frames = framesOf(sensorLineOf(measured(), robot), counter);
     for (std::size_t i = 0; i + 1 < frames.size(); ++i) EXPECT_FALSE(listener.take(frames[i], now));

@@ -27,7 +27,9 @@ Measurement measured()
             .force = {0.0, 0.5, 2.0, 7.5, 12.0, 19.0},
             .activity = RobotActivity::Pressed,
             .refusal = Refusal::OutOfReach,
-            .arm = ArmReading{8, -0.12, 0.03}};
+            .arm = ArmReading{8, -0.12, 0.03},
+            .travelled = 41.237,
+            .turned = -0.4};
 }
 
 RobotStatus statusOf(const Measurement& m)
@@ -74,6 +76,8 @@ TEST_F(Wire, carriesAWholeMeasurement)
     EXPECT_EQ(got->arm->bin, 8);
     EXPECT_NEAR(got->arm->height, -0.12, 1e-9);
     EXPECT_NEAR(got->arm->sd, 0.03, 1e-9);
+    EXPECT_NEAR(got->travelled.value(), 41.237, 0.51e-3);
+    EXPECT_NEAR(got->turned.value(), -0.4, 1.01e-4);
     for (std::size_t e = 0; e < got->force.size(); ++e)
         EXPECT_NEAR(got->force[e], sent.force[e], 0.005 + 0.003 * sent.force[e]) << e;
 }
@@ -90,6 +94,20 @@ TEST_F(Wire, losesLittleOfAForceToItsRawVoltage)
     }
     RecordProperty("worst_mN", static_cast<int>(std::lround(1e3 * worst)));
     EXPECT_LT(worst, 0.05) << "a sixth of what a force's noise is";
+}
+
+TEST_F(Wire, sendsAWayThatNoSignalHoldsAsNotMeasured)
+{
+    Measurement m = measured();
+    m.turned = 7.0;
+    EXPECT_NEAR(overTheWire(m)->turned.value(), 7.0 - 2.0 * std::numbers::pi, 1.01e-4);
+    for (const double way : {8388.7, -8388.7}) {
+        m.travelled = way;
+        EXPECT_FALSE(overTheWire(m)->travelled) << way;
+    }
+    m.travelled.reset();
+    EXPECT_FALSE(overTheWire(m)->travelled);
+    EXPECT_FALSE(overTheWire(m)->turned);
 }
 
 TEST_F(Wire, sendsWhatIsBeyondASignalAsItsEnd)

@@ -1,0 +1,19 @@
+#include <fmt/core.h>
+
+#include "app/session_commands.h"
+#include "app/session_report.h"
+
+namespace terratact {
+
+Status reportSession(const SessionReportOptions& options)
+{
+    auto session = SessionReader::open(options.file);
+    if (!session) return session.error();
+    const auto report = reportOf(*session, options.scene);
+    if (!report) return report.error();
+    if (Status written = writeReport(options.out, *report); !written) return written;
+    fmt::print("{} written to {}\n", report->title, options.out);
+    return Done{};
+}
+
+}  // namespace terratact

@@ -1,0 +1,493 @@
+#include "app/session_export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/csv_field.h"
+#include "app/mcap_writer.h"
+#include "app/session_text.h"
+#include "core/file_read.h"
+#include "core/file_write.h"
+#include "core/robot/robot_model.h"
+#include "core/text.h"
+#include "core/wire/can_codec.h"
+#include "core/wire/candump_log.h"
+#include "core/wire/frame_layout.h"
+#include "core/wire/telemetry_listener.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
+
+/// Takes the selected rows of a session in the order of time, writes them as one format.
+class Exporter {
+public:
+    virtual ~Exporter() = default;
+    virtual bool wantsFrames() const { return true; }
+    virtual void begin() {}
+    /// False: the format cannot express it.
+    virtual bool take(const FrameRow&) { return true; }
+    virtual void take(const EstimateRow&) {}
+    virtual void take(const EventRow&) {}
+    virtual void end() {}
+};
+
+/// The bus's name as a log can have it.
+std::string interfaceName(const SessionStart& start)
+{
+    std::string name = start.bus.substr(0, 15);
+    std::erase_if(name, [](char c) { return c <= ' ' || c > '~'; });
+    return name.empty() ? "can0" : name;
+}
+
+bool isShort(const CanFrame& frame)
+{
+    return frame.length <= frame.data.size();
+}
+
+class CandumpExporter final : public Exporter {
+public:
+    CandumpExporter(std::ostream& out, const SessionStart& start) : out_(out), start_(start) {}
+
+    bool take(const FrameRow& row) override
+    {
+        if (!isShort(row.frame)) return false;
+        const double time = static_cast<double>(wallTimeOf(start_, row.time)) * 1e-9;
+        out_ << candumpLine(time, interface_, row.frame) << '\n';
+        return true;
+    }
+
+private:
+    std::ostream& out_;
+    const SessionStart& start_;
+    std::string interface_ = interfaceName(start_);
+};
+
+/// Vector's format, as log2asc writes and asc2log and python-can read it.
+class AscExporter final : public Exporter {
+public:
+    AscExporter(std::ostream& out, const SessionStart& start) : out_(out), start_(start) {}
+
+    void begin() override
+    {
+        const std::time_t seconds = base_ / kSecond;
+        std::tm when{};
+        localtime_r(&seconds, &when);
+        constexpr std::array kDays{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
+        constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                     "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+        out_ << fmt::format("date {} {} {:02} {:02}:{:02}:{:02} {}\n",
+                            kDays.at(static_cast<std::size_t>(when.tm_wday)),
+                            kMonths.at(static_cast<std::size_t>(when.tm_mon)), when.tm_mday,
+                            when.tm_hour, when.tm_min, when.tm_sec, 1900 + when.tm_year)
+             << "base hex  timestamps absolute\nno internal events logged\n";
+    }
+
+    bool take(const FrameRow& row) override
+    {
+        const CanFrame& frame = row.frame;
+        const std::int64_t time = wallTimeOf(start_, row.time) - base_;
+        if (!isShort(frame) || frame.fd || time < 0) return false;
+        const std::string moment = fmt::format("{:4}.{:06}", time / kSecond, time % kSecond / 1000);
+        if (frame.error) {
+            out_ << moment << " 1  ErrorFrame\n";
+            return true;
+        }
+        const std::string id = fmt::format("{:X}{}", frame.id, frame.extended ? "x" : "");
+        out_ << fmt::format("{} 1  {:<15} {}   {} {:d}", moment, id, row.sent ? "Tx" : "Rx",
+                            frame.remote ? 'r' : 'd', frame.length);
+        for (std::size_t i = 0; i < frame.length && !frame.remote; ++i)
+            out_ << fmt::format(" {:02X}", frame.data.at(i));
+        out_ << '\n';
+        return true;
+    }
+
+private:
+    std::ostream& out_;
+    const SessionStart& start_;
+    // The header tells whole seconds.
+    std::int64_t base_ = wallTimeOf(start_, 0) / kSecond * kSecond;
+};
+
+std::string hexBytes(const CanFrame& frame)
+{
+    std::string text;
+    if (frame.remote) return text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(frame.length, frame.data.size()); ++i)
+        text += fmt::format("{:02X}", frame.data.at(i));
+    return text;
+}
+
+class CsvExporter final : public Exporter {
+public:
+    CsvExporter(std::ostream& out, const SessionReader& session, ExportKind what)
+        : out_(out), session_(session), what_(what)
+    {
+    }
+
+    bool wantsFrames() const override
+    {
+        return what_ == ExportKind::Frames || what_ == ExportKind::Signals;
+    }
+
+    void begin() override
+    {
+        switch (what_) {
+        case ExportKind::Frames:
+            out_ << "__time,id,extended,remote,error,fd,sent,local,length,data\n";
+            break;
+        case ExportKind::Signals:
+            out_ << "__time";
+            for (const FrameLayout& layout : frameLayouts())
+                for (const SignalLayout& signal : layout.payload)
+                    out_ << ',' << csvField(heading(layout, signal));
+            out_ << '\n';
+            break;
+        case ExportKind::Estimates:
+            out_ << "__time,estimate,scene,role,method,bin_m,height_m,mean_m,sd_m,q10_m,q90_m,"
+                    "source,"
+                    "ceiling_m,rhat,ess,truth_m\n";
+            break;
+        case ExportKind::Events:
+            out_ << "__time,event,kind,subject,text,number,estimate,proposal,shown\n";
+            break;
+        }
+    }
+
+    bool take(const FrameRow& row) override
+    {
+        if (what_ == ExportKind::Frames) {
+            const CanFrame& f = row.frame;
+            out_ << fmt::format("{},{},{:d},{:d},{:d},{:d},{:d},{:d},{:d},{}\n", moment(row.time),
+                                f.id, f.extended, f.remote, f.error, f.fd, row.sent, row.local,
+                                f.length, hexBytes(f));
+        } else if (const auto content = unpack(row.frame);
+                   std::holds_alternative<Unpacked>(content)) {
+            takeSignals(row.time, std::get<Unpacked>(content));
+        }
+        return true;
+    }
+
+    void take(const EstimateRow& row) override
+    {
+        if (what_ != ExportKind::Estimates) return;
+        const TerrainEstimate& e = row.estimate;
+        const SceneRow* scene = session_.scene(row.scene);
+        for (std::size_t i = 0; i < kBins; ++i)
+            out_ << fmt::format(
+                "{},{},{},{},{},{:.1f},{},{},{},{},{},{},{},{},{},{}\n", moment(row.time), row.id,
+                row.scene, name(row.role), name(e.settings.method), binCentre(static_cast<int>(i)),
+                e.height[i], e.mean[i], e.sd[i], e.q10[i], e.q90[i], name(e.origin[i]),
+                std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "", e.rhat[i], e.ess[i],
+                scene && scene->truth ? numberText(scene->truth->at(i)) : "");
+    }
+
+    void take(const EventRow& row) override
+    {
+        if (what_ != ExportKind::Events) return;
+        out_ << fmt::format("{},{},{},{},{},{},{},{},{}\n", moment(row.time), row.id,
+                            name(row.kind), csvField(row.subject), csvField(row.text),
+                            row.number ? numberText(*row.number) : "", row.estimate, row.proposal,
+                            csvField(row.shown));
+    }
+
+private:
+    static std::string heading(const FrameLayout& layout, const SignalLayout& signal)
+    {
+        return signal.unit.empty()
+                 ? fmt::format("{}.{}", layout.name, signal.name)
+                 : fmt::format("{}.{} [{}]", layout.name, signal.name, signal.unit);
+    }
+
+    std::string moment(SessionTime time) const
+    {
+        return nanosecondText(wallTimeOf(session_.start(), time));
+    }
+
+    void takeSignals(SessionTime time, const Unpacked& content)
+    {
+        out_ << moment(time);
+        const FrameLayout& own = layoutOf(content.kind);
+        for (const FrameLayout& layout : frameLayouts())
+            for (std::size_t i = 0; i < layout.payload.size(); ++i) {
+                out_ << ',';
+                if (&layout == &own) out_ << numberText(content.values.at(i));
+            }
+        out_ << '\n';
+    }
+
+    std::ostream& out_;
+    const SessionReader& session_;
+    ExportKind what_;
+};
+
+std::string jsonNumbers(std::span<const double> values)
+{
+    std::string text = "[";
+    for (const double value : values)
+        text += fmt::format("{}{}", text.size() > 1 ? "," : "", value);
+    return text + "]";
+}
+
+constexpr const char* kCanSchema =
+    R"({"type":"object","title":"CAN frame","properties":{"id":{"type":"integer"},"extended":{"type":"boolean"},)"
+    R"("remote":{"type":"boolean"},"error":{"type":"boolean"},"fd":{"type":"boolean"},"sent":{"type":"boolean"},)"
+    R"("length":{"type":"integer"},"data":{"type":"array","items":{"type":"integer"}},"name":{"type":"string"},)"
+    R"("signals":{"type":"object","additionalProperties":{"type":"number"}}}})";
+constexpr const char* kMeasurementSchema =
+    R"({"type":"object","title":"line of telemetry; rad, A, N","properties":{"pitch":{"type":"number"},)"
+    R"("roll":{"type":"number"},"front_left":{"type":"number"},"front_right":{"type":"number"},)"
+    R"("rear_left":{"type":"number"},"rear_right":{"type":"number"},"front_left_current":{"type":"number"},)"
+    R"("front_right_current":{"type":"number"},"rear_left_current":{"type":"number"},)"
+    R"("rear_right_current":{"type":"number"},"force":{"type":"array","items":{"type":"number"}},)"
+    R"("activity":{"type":"string"},"refusal":{"type":"string"}}})";
+constexpr const char* kEstimateSchema =
+    R"({"type":"object","title":"terrain profile; m in the frame of the IMU","properties":{"id":{"type":"integer"},)"
+    R"("scene":{"type":"integer"},"role":{"type":"string"},"method":{"type":"string"},"seconds":{"type":"number"},)"
+    R"("step_limit":{"type":"number"},"converged":{"type":"boolean"},"ending":{"type":"string"},)"
+    R"("warnings":{"type":"array","items":{"type":"string"}},"bins":{"type":"array","items":{"type":"object",)"
+    R"("properties":{"x":{"type":"number"},"height":{"type":"number"},"mean":{"type":"number"},"sd":{"type":"number"},)"
+    R"("q10":{"type":"number"},"q90":{"type":"number"},"source":{"type":"string"},"ceiling":{"type":"number"},)"
+    R"("truth":{"type":"number"}}}}}})";
+constexpr const char* kEventSchema =
+    R"({"type":"object","title":"what happened","properties":{"id":{"type":"integer"},"kind":{"type":"string"},)"
+    R"("subject":{"type":"string"},"text":{"type":"string"},"number":{"type":"number"},"estimate":{"type":"integer"},)"
+    R"("proposal":{"type":"integer"},"shown":{"type":"string"}}})";
+
+class McapExporter final : public Exporter {
+public:
+    McapExporter(std::ostream& out, const SessionReader& session, std::optional<ExportKind> what)
+        : session_(session), what_(what), mcap_(out, session.start().program)
+    {
+        if (const auto robot = robotModelFrom(session.path(), session.start().robot); robot)
+            listener_ = std::make_unique<TelemetryListener>(*robot);
+    }
+
+    bool wantsFrames() const override
+    {
+        return !what_ || *what_ == ExportKind::Frames || *what_ == ExportKind::Signals;
+    }
+
+    void begin() override
+    {
+        const auto add = [&](ExportKind kind, const char* topic, const char* name,
+                             const char* schema) {
+            return !what_ || *what_ == kind ? mcap_.addChannel(topic, name, schema)
+                                            : std::uint16_t{0};
+        };
+        can_ = add(ExportKind::Frames, "/can", "terratact.CanFrame", kCanSchema);
+        measurement_ =
+            add(ExportKind::Signals, "/measurement", "terratact.Measurement", kMeasurementSchema);
+        estimate_ = add(ExportKind::Estimates, "/estimate", "terratact.Estimate", kEstimateSchema);
+        event_ = add(ExportKind::Events, "/event", "terratact.Event", kEventSchema);
+        const SessionStart& start = session_.start();
+        mcap_.addMetadata("terratact.session", {{"program", start.program},
+                                                {"source", start.source},
+                                                {"bus", start.bus},
+                                                {"robot_sha256", start.robotHash},
+                                                {"start", utcText(wallTimeOf(start, 0))}});
+    }
+
+    bool take(const FrameRow& row) override
+    {
+        if (can_ != 0) write(can_, row.time, frameJson(row));
+        if (measurement_ == 0 || !listener_ || row.sent) return true;
+        if (const auto measured = listener_->take(row.frame, secondsOf(row.time)))
+            write(measurement_, row.time, measurementJson(*measured));
+        return true;
+    }
+    void take(const EstimateRow& row) override
+    {
+        if (estimate_ != 0) write(estimate_, row.time, estimateJson(row));
+    }
+    void take(const EventRow& row) override
+    {
+        if (event_ == 0) return;
+        const std::string number = row.number ? fmt::format(",\"number\":{}", *row.number) : "";
+        write(
+            event_, row.time,
+            fmt::format(
+                R"({{"id":{},"kind":{},"subject":{},"text":{}{},"estimate":{},"proposal":{},"shown":{}}})",
+                row.id, jsonText(name(row.kind)), jsonText(row.subject), jsonText(row.text), number,
+                row.estimate, row.proposal, jsonText(row.shown)));
+    }
+    void end() override { mcap_.finish(); }
+
+private:
+    void write(std::uint16_t channel, SessionTime time, const std::string& json)
+    {
+        mcap_.write(channel, static_cast<std::uint64_t>(wallTimeOf(session_.start(), time)), json);
+    }
+
+    static std::string frameJson(const FrameRow& row)
+    {
+        const CanFrame& f = row.frame;
+        std::string data;
+        for (std::size_t i = 0; !f.remote && i < std::min<std::size_t>(f.length, f.data.size());
+             ++i)
+            data += fmt::format("{}{}", i > 0 ? "," : "", f.data.at(i));
+        std::string meaning;
+        if (const auto content = unpack(f); std::holds_alternative<Unpacked>(content)) {
+            const auto& sound = std::get<Unpacked>(content);
+            const FrameLayout& layout = layoutOf(sound.kind);
+            for (std::size_t i = 0; i < layout.payload.size(); ++i)
+                meaning += fmt::format("{}{}:{}", i > 0 ? "," : "",
+                                       jsonText(layout.payload[i].name), sound.values.at(i));
+            meaning = fmt::format(R"(,"name":{},"signals":{{{}}})", jsonText(layout.name), meaning);
+        }
+        return fmt::format(
+            R"({{"id":{},"extended":{},"remote":{},"error":{},"fd":{},"sent":{},"length":{},"data":[{}]{}}})",
+            f.id, f.extended, f.remote, f.error, f.fd, row.sent, f.length, data, meaning);
+    }
+
+    static std::string measurementJson(const Measurement& m)
+    {
+        return fmt::format(
+            R"({{"pitch":{},"roll":{},"front_left":{},"front_right":{},"rear_left":{},"rear_right":{},)"
+            R"("front_left_current":{},"front_right_current":{},"rear_left_current":{},"rear_right_current":{},)"
+            R"("force":{},"activity":{},"refusal":{}}})",
+            m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight, m.frontLeftCurrent,
+            m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent, jsonNumbers(m.force),
+            jsonText(describe(m.activity)), jsonText(describe(m.refusal)));
+    }
+
+    std::string estimateJson(const EstimateRow& row) const
+    {
+        const TerrainEstimate& e = row.estimate;
+        const SceneRow* scene = session_.scene(row.scene);
+        std::string bins, warnings;
+        for (std::size_t i = 0; i < kBins; ++i) {
+            bins += fmt::format(
+                R"({}{{"x":{},"height":{},"mean":{},"sd":{},"q10":{},"q90":{},"source":{})",
+                i > 0 ? "," : "", binCentre(static_cast<int>(i)), e.height[i], e.mean[i], e.sd[i],
+                e.q10[i], e.q90[i], jsonText(name(e.origin[i])));
+            if (std::isfinite(e.ceiling[i])) bins += fmt::format(",\"ceiling\":{}", e.ceiling[i]);
+            if (scene && scene->truth) bins += fmt::format(",\"truth\":{}", scene->truth->at(i));
+            bins += "}";
+        }
+        for (const std::string& warning : e.warnings)
+            warnings += fmt::format("{}{}", warnings.empty() ? "" : ",", jsonText(warning));
+        return fmt::format(
+            R"({{"id":{},"scene":{},"role":{},"method":{},"seconds":{},"step_limit":{},"converged":{},"ending":{},"warnings":[{}],"bins":[{}]}})",
+            row.id, row.scene, jsonText(name(row.role)), jsonText(name(e.settings.method)),
+            row.seconds, row.stepLimit, e.converged, jsonText(name(e.ending)), warnings, bins);
+    }
+
+    const SessionReader& session_;
+    std::optional<ExportKind> what_;
+    McapWriter mcap_;
+    std::unique_ptr<TelemetryListener> listener_;
+    std::uint16_t can_ = 0, measurement_ = 0, estimate_ = 0, event_ = 0;
+};
+
+/// Rows besides frames, by time.
+using Other = std::pair<SessionTime, std::function<void(Exporter&)>>;
+
+std::vector<Other> othersOf(const SessionReader& session, const ExportSelection& selection)
+{
+    std::vector<Other> others;
+    const auto add = [&](const auto& rows) {
+        for (const auto& row : rows)
+            if (selection.covers(row.time))
+                others.emplace_back(row.time, [&row](Exporter& e) { e.take(row); });
+    };
+    add(session.estimates());
+    add(session.events());
+    std::stable_sort(others.begin(), others.end(),
+                     [](const Other& a, const Other& b) { return a.first < b.first; });
+    return others;
+}
+
+ExportCounts run(SessionReader& session, Exporter& exporter, const ExportSelection& selection)
+{
+    ExportCounts counts;
+    const std::vector<Other> others = othersOf(session, selection);
+    auto other = others.begin();
+    exporter.begin();
+    for (std::size_t i = 0; exporter.wantsFrames() && i < session.batches().size(); ++i) {
+        const SessionBatch& batch = session.batches()[i];
+        if (secondsOf(batch.last) < selection.from || secondsOf(batch.first) > selection.to)
+            continue;
+        for (const FrameRow& frame : session.frames(i)) {
+            if (!selection.covers(frame.time)) continue;
+            for (; other != others.end() && other->first <= frame.time; ++other)
+                other->second(exporter);
+            ++(exporter.take(frame) ? counts.rows : counts.leftOut);
+        }
+    }
+    for (; other != others.end(); ++other) other->second(exporter);
+    exporter.end();
+    return counts;
+}
+
+std::unique_ptr<Exporter> exporterFor(std::ostream& out, const SessionReader& session,
+                                      ExportFormat format, const ExportSelection& selection)
+{
+    switch (format) {
+    case ExportFormat::Candump: return std::make_unique<CandumpExporter>(out, session.start());
+    case ExportFormat::Asc: return std::make_unique<AscExporter>(out, session.start());
+    case ExportFormat::Csv:
+        return std::make_unique<CsvExporter>(out, session,
+                                             selection.what.value_or(ExportKind::Frames));
+    case ExportFormat::Mcap: return std::make_unique<McapExporter>(out, session, selection.what);
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::optional<ExportFormat> exportFormatFromName(std::string_view text)
+{
+    if (text == "candump") return ExportFormat::Candump;
+    if (text == "asc") return ExportFormat::Asc;
+    if (text == "csv") return ExportFormat::Csv;
+    if (text == "mcap") return ExportFormat::Mcap;
+    return std::nullopt;
+}
+
+std::optional<ExportFormat> exportFormatOf(const std::string& path)
+{
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string::npos) return std::nullopt;
+    const std::string ending = path.substr(dot + 1);
+    return exportFormatFromName(ending == "log" ? "candump" : ending);
+}
+
+std::optional<ExportKind> exportKindFromName(std::string_view text)
+{
+    if (text == "frames") return ExportKind::Frames;
+    if (text == "signals") return ExportKind::Signals;
+    if (text == "estimates") return ExportKind::Estimates;
+    if (text == "events") return ExportKind::Events;
+    return std::nullopt;
+}
+
+Result<ExportCounts> writeExport(SessionReader& session, const std::string& path,
+                                 ExportFormat format, const ExportSelection& selection)
+{
+    const bool framesOnly = format == ExportFormat::Candump || format == ExportFormat::Asc;
+    if (framesOnly && selection.what.value_or(ExportKind::Frames) != ExportKind::Frames)
+        return fileError(path, "a log of CAN frames holds nothing else; csv and mcap do");
+    Result<NewFile> file = NewFile::begin(path);
+    if (!file) return file.error();
+    std::ofstream out(file->temporaryPath(), std::ios::binary);
+    const ExportCounts counts =
+        run(session, *exporterFor(out, session, format, selection), selection);
+    out.close();
+    if (!out) return fileError(path, "cannot be written: is the disk full?");
+    if (Status done = file->commit(); !done) return done.error();
+    return counts;
+}
+
+}  // namespace terratact

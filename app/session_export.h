@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/log/session_reader.h"
+#include "core/result.h"
+
+namespace terratact {
+
+/// What a session is written as for other programs.
+///   Candump  log of can-utils and python-can, one frame per line, times since 1970
+///   Asc      the same in Vector's format, times since the session's start
+///   Csv      first column __time [s since 1970]: PlotJuggler, pandas
+///   Mcap     JSON messages with schemas, in indexed chunks: Foxglove, Lichtblick, PlotJuggler
+enum class ExportFormat : std::uint8_t { Candump, Asc, Csv, Mcap };
+std::optional<ExportFormat> exportFormatFromName(std::string_view text);
+/// By the file's ending: .log, .asc, .csv, .mcap.
+std::optional<ExportFormat> exportFormatOf(const std::string& path);
+
+/// Which rows.  Signals are the decoded values of sound frames (resources/dbc/terratact.dbc).
+enum class ExportKind : std::uint8_t { Frames, Signals, Estimates, Events };
+std::optional<ExportKind> exportKindFromName(std::string_view text);
+
+struct ExportSelection {
+    std::optional<ExportKind>
+        what{};  ///< empty: everything that the format has room for; CSV: frames
+    double from = -std::numeric_limits<double>::infinity();  ///< [s] since the session's start
+    double to = std::numeric_limits<double>::infinity();
+
+    bool covers(SessionTime time) const { return secondsOf(time) >= from && secondsOf(time) <= to; }
+};
+
+struct ExportCounts {
+    std::uint64_t rows = 0;
+    std::uint64_t leftOut = 0;  ///< frames that the format cannot express
+};
+
+/// Writes under a temporary name, then renames.  Errors name a file; a selection that the format cannot hold.
+/// What is damaged is left out: session.damage() afterwards.
+Result<ExportCounts> writeExport(SessionReader& session, const std::string& path,
+                                 ExportFormat format, const ExportSelection& selection);
+
+}  // namespace terratact

@@ -1,0 +1,412 @@
+#include "app/session_recorder.h"
+
+#include <fmt/format.h>
+#include <sys/statvfs.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "app/steady_now.h"
+#include "core/file_write.h"
+#include "core/log/session_reader.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kTryAgain = 1.0;  // [s]
+constexpr const char* kSuffix = ".tts";
+
+std::int64_t wallNow()
+{
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+/// "2026-11-22T031502.123Z", of the calendar and UTC, so that names sort by time.
+std::string stamp(std::int64_t wallTime)
+{
+    const std::time_t seconds = wallTime / 1'000'000'000;
+    std::tm parts{};
+    ::gmtime_r(&seconds, &parts);
+    return fmt::format("{:04}-{:02}-{:02}T{:02}{:02}{:02}.{:03}Z", parts.tm_year + 1900,
+                       parts.tm_mon + 1, parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec,
+                       wallTime / 1'000'000 % 1000);
+}
+
+std::string freeName(const std::string& folder, std::int64_t wallTime)
+{
+    const std::string base = folder + "/" + stamp(wallTime);
+    std::string path = base + kSuffix;
+    for (int n = 2; std::filesystem::exists(path) && n < 1000; ++n)
+        path = base + "-" + std::to_string(n) + kSuffix;
+    return path;
+}
+
+std::int64_t sizeOf(const std::string& path)
+{
+    std::error_code none;
+    const auto size = std::filesystem::file_size(path, none);
+    return none ? 0 : static_cast<std::int64_t>(size);
+}
+
+/// Closed sessions and those whose program died, the oldest first.
+std::vector<std::string> sessionsIn(const std::string& folder)
+{
+    std::vector<std::string> paths;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+        if (entry.path().extension() == kSuffix && entry.is_regular_file(none))
+            paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+}  // namespace
+
+SessionRecorder::SessionRecorder(Options options)
+    : options_(std::move(options)), began_(steadyNow()),
+      thread_([this](const std::stop_token& stop) { run(stop); })
+{
+}
+
+SessionRecorder::~SessionRecorder()
+{
+    thread_.request_stop();
+    thread_.join();
+}
+
+SessionTime SessionRecorder::now() const
+{
+    return sessionTimeOf(steadyNow() - began_);
+}
+
+void SessionRecorder::take(std::span<const BusFrame> frames)
+{
+    const std::scoped_lock lock(mutex_);
+    for (const BusFrame& frame : frames) {
+        const SessionTime time = sessionTimeOf(frame.time - began_);
+        if (waiting_.frames.size() < options_.mostFrames) {
+            waiting_.frames.push_back(
+                {.time = time, .frame = frame.frame, .sent = frame.echo, .local = frame.local});
+            continue;
+        }
+        if (waiting_.missingFrames++ == 0) waiting_.missingSince = time;
+        ++state_.missing;
+    }
+}
+
+void SessionRecorder::keep(Row row, SessionTime time)
+{
+    if (waiting_.rows.size() < options_.mostRows) {
+        waiting_.rows.push_back(std::move(row));
+        return;
+    }
+    if (waiting_.missingFrames + waiting_.missingRows == 0) waiting_.missingSince = time;
+    ++waiting_.missingRows;
+}
+
+template <class T>
+std::int64_t SessionRecorder::number(T row, std::int64_t& last)
+{
+    if (row.time == 0) row.time = now();
+    const std::scoped_lock lock(mutex_);
+    const std::int64_t id = row.id = ++last;
+    const SessionTime time = row.time;
+    keep(std::move(row), time);
+    return id;
+}
+
+std::int64_t SessionRecorder::record(ModelRow row)
+{
+    return number(std::move(row), lastModel_);
+}
+std::int64_t SessionRecorder::record(SceneRow row)
+{
+    return number(std::move(row), lastScene_);
+}
+std::int64_t SessionRecorder::record(EstimateRow row)
+{
+    return number(std::move(row), lastEstimate_);
+}
+std::int64_t SessionRecorder::record(ProposalRow row)
+{
+    return number(std::move(row), lastProposal_);
+}
+
+void SessionRecorder::record(EventRow row)
+{
+    const bool isUrgent = row.kind == EventKind::Decision || row.kind == EventKind::Marker;
+    if (row.time == 0) row.time = now();
+    const std::scoped_lock lock(mutex_);
+    const SessionTime time = row.time;
+    keep(std::move(row), time);
+    urgent_ = urgent_ || isUrgent;
+    if (isUrgent) wake_.notify_one();
+}
+
+void SessionRecorder::setOn(bool on)
+{
+    const std::scoped_lock lock(mutex_);
+    on_ = state_.on = on;
+    urgent_ = true;
+    wake_.notify_one();
+}
+
+RecordingState SessionRecorder::state() const
+{
+    const std::scoped_lock lock(mutex_);
+    return state_;
+}
+
+void SessionRecorder::run(const std::stop_token& stop)
+{
+    bool last = false;
+    while (!last) {
+        bool on = true;
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait_for(lock, stop, options_.batch, [this] { return urgent_; });
+            last = stop.stop_requested();
+            urgent_ = false;
+            on = on_;
+            gather();
+        }
+        if (!on) {
+            if (writer_) seal("recording was switched off");
+            batch_ = {};
+            continue;
+        }
+        if (!open()) continue;
+        Status written = write();
+        if (written) written = writer_->commit();
+        if (!written) {
+            close(written.error().text);
+            continue;
+        }
+        for (const Row& row : batch_.rows) remember(row);
+        batch_ = {};
+        measure();
+    }
+    if (writer_) seal("closed with the console");
+}
+
+/// Ends the file in good order.
+void SessionRecorder::seal(const std::string& why)
+{
+    Status sealed = writer_->add(
+        EventRow{.time = now(), .kind = EventKind::Session, .subject = "ended", .text = why});
+    if (sealed) sealed = writer_->seal();
+    close(sealed ? std::string() : sealed.error().text);
+}
+
+/// Takes what waits behind what could not be written so far, together no more than may wait.
+void SessionRecorder::gather()
+{
+    Batch fresh = std::exchange(waiting_, {});
+    miss(fresh.missingSince, fresh.missingFrames, fresh.missingRows);
+    for (const FrameRow& frame : fresh.frames) {
+        if (batch_.frames.size() < options_.mostFrames) {
+            batch_.frames.push_back(frame);
+        } else {
+            miss(frame.time, 1, 0);
+            ++state_.missing;
+        }
+    }
+    for (Row& row : fresh.rows) {
+        if (batch_.rows.size() < options_.mostRows)
+            batch_.rows.push_back(std::move(row));
+        else
+            miss(now(), 0, 1);
+    }
+}
+
+void SessionRecorder::miss(SessionTime since, std::int64_t frames, std::int64_t rows)
+{
+    if (frames + rows == 0) return;
+    if (batch_.missingFrames + batch_.missingRows == 0) batch_.missingSince = since;
+    batch_.missingFrames += frames;
+    batch_.missingRows += rows;
+}
+
+/// Whether there is a file to write into.
+bool SessionRecorder::open()
+{
+    if (writer_) return true;
+    if (steadyNow() < nextTry_) return false;
+    const Status begun = begin();
+    if (!begun) close(begun.error().text);
+    return writer_.has_value();
+}
+
+Status SessionRecorder::begin()
+{
+    if (const Status made = makeDirectory(options_.folder); !made) return made;
+    if (const auto left = freeBytes(options_.folder); left && *left < options_.leastFree)
+        return Error{options_.folder + ": the disk is full: only " + std::to_string(*left >> 20U)
+                     + " MB are free, " + std::to_string(options_.leastFree >> 20U)
+                     + " MB are left alone; recording goes on when there is room"};
+    options_.start.wallTime = wallNow() - now();
+    const std::string path = freeName(options_.folder, wallNow());
+    auto writer = SessionWriter::create(path, options_.start);
+    if (!writer) return writer.error();
+    writer_.emplace(std::move(*writer));
+    openedAt_ = steadyNow();
+    {
+        const std::scoped_lock lock(mutex_);
+        state_.path = path;
+        state_.trouble.clear();
+        state_.recording = true;
+    }
+    const bool goesOn = !before_.empty();
+    if (Status written = writeContext(); !written) return written;
+    Status told = writer_->add(EventRow{.time = now(),
+                                        .kind = EventKind::Session,
+                                        .subject = goesOn ? "continued" : "begun",
+                                        .text = goesOn ? "after " + before_ : std::string()});
+    before_ = path;
+    return told;
+}
+
+/// What later rows may refer to, in a file that goes on after another.
+Status SessionRecorder::writeContext()
+{
+    Status status = Done{};
+    const auto add = [&](const auto& row) {
+        if (row && status) status = writer_->add(*row);
+    };
+    add(model_);
+    add(scene_);
+    add(estimate_);
+    add(proposal_);
+    return status;
+}
+
+Status SessionRecorder::write()
+{
+    for (const FrameRow& frame : batch_.frames)
+        if (Status added = writer_->add(frame); !added) return added;
+    for (const Row& row : batch_.rows) {
+        try {
+            Status added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
+            if (!added) return added;
+        } catch (const std::invalid_argument&) {
+            miss(now(), 0, 1);  // a row that no session can hold must not end the recording
+        }
+    }
+    if (batch_.missingFrames + batch_.missingRows == 0) return Done{};
+    return writer_->add(EventRow{
+        .time = batch_.missingSince,
+        .kind = EventKind::Gap,
+        .subject = "missing",
+        .text = std::to_string(batch_.missingFrames) + " frames and "
+              + std::to_string(batch_.missingRows)
+              + " other rows are not here: there was no room while the disk was slow or full, or "
+                "they could not be written",
+        .number = static_cast<double>(batch_.missingFrames)});
+}
+
+void SessionRecorder::remember(const Row& row)
+{
+    if (const auto* model = std::get_if<ModelRow>(&row)) model_ = *model;
+    if (const auto* scene = std::get_if<SceneRow>(&row)) scene_ = *scene;
+    if (const auto* estimate = std::get_if<EstimateRow>(&row)) estimate_ = *estimate;
+    if (const auto* proposal = std::get_if<ProposalRow>(&row)) proposal_ = *proposal;
+}
+
+void SessionRecorder::close(const std::string& why)
+{
+    framesBefore_ += writer_ ? writer_->frames() : 0;
+    writer_.reset();
+    nextTry_ = steadyNow() + kTryAgain;
+    const std::scoped_lock lock(mutex_);
+    state_.recording = false;
+    state_.trouble = why;
+    state_.secondsLeft = 0.0;
+}
+
+void SessionRecorder::measure()
+{
+    const std::int64_t bytes = sizeOf(writer_->path()) + sizeOf(writer_->path() + "-wal");
+    const auto left = freeBytes(options_.folder);
+    const double elapsed = steadyNow() - openedAt_;
+    {
+        const std::scoped_lock lock(mutex_);
+        state_.frames = framesBefore_ + writer_->frames();
+        state_.bytes = bytes;
+        state_.secondsLeft = 0.0;
+        if (left && elapsed > 10.0 && bytes > 0)
+            state_.secondsLeft = static_cast<double>(*left - std::min(*left, options_.leastFree))
+                               * elapsed / static_cast<double>(bytes);
+    }
+    if (left && *left < options_.leastFree) {
+        seal("the disk is full");
+        const std::scoped_lock lock(mutex_);
+        state_.trouble =
+            options_.folder + ": the disk is full; recording goes on when there is room";
+    } else if (bytes > options_.mostBytes) {
+        seal("the file is large enough");
+        nextTry_ = 0.0;
+    }
+}
+
+std::string sessionFolder()
+{
+    const char* const state = std::getenv("XDG_STATE_HOME");
+    if (state && *state == '/') return std::string(state) + "/terratact/sessions";
+    const char* const home = std::getenv("HOME");
+    return std::string(home ? home : ".") + "/.local/state/terratact/sessions";
+}
+
+std::optional<std::uint64_t> freeBytes(const std::string& folder)
+{
+    struct statvfs disk {};
+    if (::statvfs(folder.c_str(), &disk) != 0) return std::nullopt;
+    return std::uint64_t{disk.f_bavail} * disk.f_frsize;
+}
+
+std::vector<std::string> recoverSessions(const std::string& folder)
+{
+    std::vector<std::string> told;
+    for (const std::string& path : sessionsIn(folder)) {
+        const auto recovery = recoverSession(path);
+        if (!recovery)
+            told.push_back("session not recovered: " + recovery.error().text);
+        else if (*recovery == SessionRecovery::Recovered)
+            told.push_back("session recovered, whose program had ended without closing it: "
+                           + path);
+    }
+    return told;
+}
+
+std::vector<std::string> applyRetention(const std::string& folder, const SessionRetention& limits)
+{
+    std::vector<std::string> told;
+    if (limits.days <= 0.0 && limits.gigabytes <= 0.0) return told;
+    const std::vector<std::string> paths = sessionsIn(folder);
+    double total = 0.0;
+    for (const std::string& path : paths) total += static_cast<double>(sizeOf(path));
+    const double most = limits.gigabytes * 1e9;
+    for (const std::string& path : paths) {
+        const auto session = SessionReader::open(path);
+        if (!session || !session->sealed()) continue;
+        const double age =
+            1e-9 * static_cast<double>(wallNow() - session->start().wallTime - session->end());
+        const bool tooOld = limits.days > 0.0 && age > limits.days * 86'400.0;
+        const bool tooMuch = limits.gigabytes > 0.0 && total > most;
+        if (!tooOld && !tooMuch) continue;
+        std::error_code none;
+        total -= static_cast<double>(sizeOf(path));
+        if (std::filesystem::remove(path, none))
+            told.push_back(std::string("session deleted, since ")
+                           + (tooOld ? "it is older" : "all together are larger")
+                           + " than you have set: " + path);
+    }
+    return told;
+}
+
+}  // namespace terratact

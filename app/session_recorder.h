@@ -1,0 +1,142 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "core/log/session_rows.h"
+#include "core/log/session_writer.h"
+#include "drivers/can_bus.h"
+
+namespace terratact {
+
+/// How a recording goes on.
+struct RecordingState {
+    bool on = true;            ///< recording is wanted
+    bool recording = false;    ///< a file is open and takes rows
+    std::string path;          ///< of the file; empty before the first
+    std::string trouble;       ///< why nothing is recorded; empty: it is
+    std::int64_t frames = 0;   ///< committed, in all files
+    std::int64_t missing = 0;  ///< frames that found no room, in all
+    std::int64_t bytes = 0;    ///< of the file and its journal
+    double secondsLeft = 0.0;  ///< until the disk is full at the present rate; 0: not known yet
+};
+
+/// Records a session (docs/sessions.md) in a thread of its own and is never in anybody's way: frames and rows wait
+/// in bounded queues, what finds no room is counted and told in the file.  A file that cannot be written any more is
+/// left as it is; a new one is begun as soon as that works again, with what still waited.
+///
+/// Every method may be called from any thread and returns at once.
+class SessionRecorder {
+public:
+    struct Options {
+        std::string folder;
+        SessionStart start;                    ///< wallTime is set here
+        std::size_t mostFrames = 18'018;       ///< that wait: two seconds of a full bus of 1 Mbit/s
+        std::size_t mostRows = 10'000;         ///< likewise, of the other rows
+        std::chrono::milliseconds batch{200};  ///< between two commits
+        std::int64_t mostBytes = std::int64_t{4}
+                              << 30U;  ///< of a file; then it goes on in the next
+        std::uint64_t leastFree = std::uint64_t{50}
+                               << 20U;  ///< bytes of the disk that are left alone
+    };
+    /// Begins at once.
+    explicit SessionRecorder(Options options);
+    ~SessionRecorder();  ///< commits, and seals the file
+
+    /// Frames of the bus; times are those of the steady clock.
+    void take(std::span<const BusFrame> frames);
+
+    // Rows; the id, which is returned, and, unless it is set, the time are given here.  An operator's decision is
+    // committed at once.
+    std::int64_t record(ModelRow row);
+    std::int64_t record(SceneRow row);
+    std::int64_t record(EstimateRow row);
+    std::int64_t record(ProposalRow row);
+    void record(EventRow row);
+
+    /// Off: the file is closed, and nothing is kept.
+    void setOn(bool on);
+
+    RecordingState state() const;
+
+private:
+    using Row = std::variant<ModelRow, SceneRow, EstimateRow, ProposalRow, EventRow>;
+    struct Batch {
+        std::vector<FrameRow> frames{};
+        std::vector<Row> rows{};
+        std::int64_t missingFrames = 0, missingRows = 0;
+        SessionTime missingSince = 0;
+    };
+
+    template <class T>
+    std::int64_t number(T row, std::int64_t& last);
+    void keep(Row row, SessionTime time);  ///< with the mutex held
+    void gather();
+    void miss(SessionTime since, std::int64_t frames, std::int64_t rows);
+    SessionTime now() const;
+    void run(const std::stop_token& stop);
+    bool open();
+    Status begin();
+    Status write();
+    Status writeContext();
+    void remember(const Row& row);
+    void close(const std::string& why);
+    void seal(const std::string& why);
+    void measure();
+
+    Options options_;
+    double began_;  ///< [s] steady clock, of time 0
+
+    // Only the thread touches these.
+    std::optional<SessionWriter> writer_;
+    Batch batch_;  ///< not committed yet
+    std::optional<ModelRow> model_;
+    std::optional<SceneRow> scene_;
+    std::optional<EstimateRow> estimate_;
+    std::optional<ProposalRow> proposal_;
+    std::int64_t framesBefore_ = 0;  ///< in files before this one
+    double nextTry_ = 0.0;           ///< [s] steady clock
+    double openedAt_ = 0.0;
+    std::string before_;  ///< the file before this one
+
+    mutable std::mutex mutex_;  // guards what follows
+    std::condition_variable_any wake_;
+    Batch waiting_;
+    std::int64_t lastModel_ = 0, lastScene_ = 0, lastEstimate_ = 0, lastProposal_ = 0;
+    bool urgent_ = false;
+    bool on_ = true;
+    RecordingState state_;
+
+    std::jthread thread_;  // last: it starts when all else stands
+};
+
+/// The folder of this user's sessions: terratact/sessions in XDG_STATE_HOME, or in ~/.local/state.
+std::string sessionFolder();
+
+/// What is on a disk besides; empty where that cannot be told.
+std::optional<std::uint64_t> freeBytes(const std::string& folder);
+
+/// Closes the sessions in a folder whose program died (recoverSession); one sentence for each that was, or could
+/// not be.  Sessions that somebody records just now are left alone.
+std::vector<std::string> recoverSessions(const std::string& folder);
+
+/// Limits a user has set; 0: none.
+struct SessionRetention {
+    double days = 0.0;
+    double gigabytes = 0.0;  ///< of all sessions together
+};
+
+/// Deletes the oldest closed sessions of a folder beyond the limits; one sentence for each.  Deletes nothing without
+/// a limit, and never what is not a session.
+std::vector<std::string> applyRetention(const std::string& folder, const SessionRetention& limits);
+
+}  // namespace terratact

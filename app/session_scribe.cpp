@@ -1,0 +1,202 @@
+#include "app/session_scribe.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace terratact {
+namespace {
+
+std::string inWords(Weight weight)
+{
+    switch (weight) {
+    case Weight::Note: return "note";
+    case Weight::Doubt: return "doubt";
+    case Weight::Bad: return "bad";
+    }
+    return {};
+}
+
+/// EventRow::number of an alarm; 0: gone.
+double numberOf(AlarmState state)
+{
+    switch (state) {
+    case AlarmState::Unacknowledged: return 3.0;
+    case AlarmState::Acknowledged: return 2.0;
+    case AlarmState::Returned: return 1.0;
+    }
+    return 0.0;
+}
+
+std::string inWords(const Verdict& verdict, double limit)
+{
+    std::string text =
+        fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {:.1f}", name(verdict.outlook), limit,
+                    100.0 * verdict.step.p, 100.0 * verdict.step.monteCarloSd);
+    for (const Doubt doubt : verdict.doubts) text += fmt::format("; {}", describe(doubt));
+    return text;
+}
+
+}  // namespace
+
+SessionScribe::SessionScribe(std::shared_ptr<SessionRecorder> recorder, Exploration& exploration,
+                             EstimatorWorker& worker, EventList& events, QObject* parent)
+    : QObject(parent), recorder_(std::move(recorder)), exploration_(exploration)
+{
+    connectTo(exploration);
+    connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionScribe::takeModel);
+    connect(&events, &EventList::added, this, [this](const QString& text, Weight weight) {
+        event(EventKind::Word, inWords(weight), text.toStdString());
+    });
+}
+
+void SessionScribe::connectTo(Exploration& exploration)
+{
+    connect(&exploration, &Exploration::captured, this, [this](const CapturedScene& scene) {
+        scene_ = recorder_->record(
+            SceneRow{.id = 0, .time = 0, .measurement = scene.measurement, .truth = scene.truth});
+    });
+    connect(&exploration, &Exploration::stands, this, &SessionScribe::takeEstimate);
+    connect(&exploration, &Exploration::proposed, this, &SessionScribe::takeProposal);
+    connect(&exploration, &Exploration::decided, this, &SessionScribe::decision);
+    connect(&exploration, &Exploration::forgotten, this, [this](const QString& why) {
+        event(EventKind::Forgotten, {}, why.toStdString());
+        estimate_ = proposal_ = 0;
+    });
+}
+
+void SessionScribe::takeModel(const QString& name, const QString& details, const QString& hash)
+{
+    model_ = recorder_->record(ModelRow{.id = 0,
+                                        .time = 0,
+                                        .name = name.toStdString(),
+                                        .hash = hash.toStdString(),
+                                        .details = details.toStdString()});
+}
+
+void SessionScribe::takeEstimate(bool second)
+{
+    if (scene_ == 0 || model_ == 0) return;
+    EstimateRow row;
+    row.scene = scene_;
+    row.model = model_;
+    row.readings = exploration_.readings();
+    row.role = second               ? EstimateRole::Second
+             : row.readings.empty() ? EstimateRole::First
+                                    : EstimateRole::Again;
+    row.seconds = second ? 0.0 : exploration_.estimateSeconds();
+    row.stepLimit = exploration_.options().stepLimit;
+    row.estimate = second ? *exploration_.second() : *exploration_.estimate();
+    const std::int64_t id = recorder_->record(std::move(row));
+    if (!second) estimate_ = id;
+}
+
+void SessionScribe::takeProposal()
+{
+    const auto& p = exploration_.proposal();
+    if (!p || estimate_ == 0) return;
+    ProposalRow row{.id = 0,
+                    .time = 0,
+                    .estimate = estimate_,
+                    .bin = p->bin,
+                    .height = p->height,
+                    .q10 = p->q10,
+                    .q90 = p->q90,
+                    .sd = p->sd,
+                    .limit = p->limit,
+                    .armSd = p->armSd,
+                    .seconds = p->seconds,
+                    .stepLimit = p->stepLimit,
+                    .bitsBefore = p->bitsBefore,
+                    .grounds = exploration_.proposedOn()};
+    if (p->worth)
+        row.offers.push_back({p->worth->bin, p->worth->varianceShare, p->worth->bitsAfter});
+    for (const ProbeWorth& other : p->others)
+        row.offers.push_back({other.bin, other.varianceShare, other.bitsAfter});
+    proposal_ = recorder_->record(std::move(row));
+}
+
+void SessionScribe::event(EventKind kind, const std::string& subject, const std::string& text,
+                          std::optional<double> number)
+{
+    const bool isDecision = kind == EventKind::Decision || kind == EventKind::Marker;
+    recorder_->record(EventRow{.id = 0,
+                               .time = 0,
+                               .kind = kind,
+                               .subject = subject,
+                               .text = text,
+                               .number = number,
+                               .estimate = estimate_,
+                               .proposal = exploration_.proposal() ? proposal_ : 0,
+                               .shown = isDecision ? shown() : std::string()});
+}
+
+void SessionScribe::decision(const char* what, const QString& text)
+{
+    event(EventKind::Decision, what, text.toStdString());
+}
+
+void SessionScribe::mark(const QString& note)
+{
+    event(EventKind::Marker, "operator", note.toStdString());
+}
+
+std::string SessionScribe::shown() const
+{
+    std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase));
+    text += exploration_.linkAlive() ? "; link alive" : "; link lost";
+    if (const auto verdict = exploration_.verdict())
+        text += "; " + inWords(*verdict, exploration_.options().stepLimit);
+    else
+        text += "; no estimate";
+    if (const auto& p = exploration_.proposal())
+        text += fmt::format("; probe proposed at bin {}: {:.3f} m, {:.3f} … {:.3f} m, sd {:.3f} m",
+                            p->bin, p->height, p->q10, p->q90, p->sd);
+    if (const auto bin = exploration_.probingBin()) text += fmt::format("; probing bin {}", *bin);
+    return text;
+}
+
+void SessionScribe::look(bool linkAlive, const std::optional<CanView>& link,
+                         const AlarmList& alarms, const std::optional<PanelState>& panel)
+{
+    if (std::exchange(linkAlive_, linkAlive) != linkAlive)
+        event(EventKind::Link, linkAlive ? "up" : "lost",
+              link && !linkAlive ? describe(link->bus, "bus") : std::string());
+    if (link && std::exchange(arming_, link->link.arming.phase) != link->link.arming.phase)
+        event(EventKind::Arming, describe(*arming_),
+              *arming_ == ArmingPhase::Disarmed ? describe(link->link.arming.cause)
+                                                : std::string());
+    const AtemState& state = exploration_.state();
+    if (std::exchange(phase_, state.phase) != state.phase)
+        event(EventKind::Phase, describe(state.phase),
+              state.phase == AtemPhase::Failed ? describe(state.failure) : std::string());
+    lookAtAlarms(alarms);
+    if (panel) lookAtPanel(*panel);
+}
+
+void SessionScribe::lookAtAlarms(const AlarmList& alarms)
+{
+    std::map<std::string, AlarmState> now;
+    for (const Alarm& alarm : alarms.alarms()) {
+        now[alarm.id] = alarm.state;
+        const auto before = alarms_.find(alarm.id);
+        if (before == alarms_.end() || before->second != alarm.state)
+            event(EventKind::Alarm, alarm.id, alarm.text, numberOf(alarm.state));
+    }
+    for (const auto& [id, state] : alarms_)
+        if (!now.contains(id)) event(EventKind::Alarm, id, {}, 0.0);
+    alarms_ = std::move(now);
+}
+
+void SessionScribe::lookAtPanel(const PanelState& panel)
+{
+    PerContact<bool> closed;
+    for (const PanelContact contact : kAllPanelContacts)
+        closed[contact] = panel.contacts[contact].closed;
+    for (const PanelContact contact : kAllPanelContacts)
+        if (!contacts_ || (*contacts_)[contact] != closed[contact])
+            event(EventKind::Panel, std::string(name(contact)), {}, closed[contact] ? 1.0 : 0.0);
+    contacts_ = closed;
+}
+
+}  // namespace terratact

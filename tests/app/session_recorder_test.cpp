@@ -1,0 +1,246 @@
+// The recorder is in nobody's way, counts what it cannot keep, and goes on where it can again.
+#include "app/session_recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "app/steady_now.h"
+#include "core/log/session_reader.h"
+#include "tests/support/sessions.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::vector<BusFrame> busFrames(std::int64_t from, std::size_t count)
+{
+    std::vector<BusFrame> frames(count);
+    for (std::size_t i = 0; i < count; ++i)
+        frames[i] = {.frame = someFrame(from + static_cast<std::int64_t>(i)).frame,
+                     .time = steadyNow(),
+                     .echo = i % 2 == 0};
+    return frames;
+}
+
+template <class Condition>
+bool eventually(Condition condition)
+{
+    for (const double end = steadyNow() + 20.0; steadyNow() < end;) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(5ms);
+    }
+    return false;
+}
+
+std::vector<std::string> filesIn(const std::string& folder)
+{
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::vector<std::uint64_t> numbersIn(SessionReader& reader)
+{
+    std::vector<std::uint64_t> numbers;
+    for (std::size_t i = 0; i < reader.batches().size(); ++i)
+        for (const FrameRow& row : reader.frames(i)) {
+            std::uint64_t number = 0;
+            for (std::size_t k = 0; k < 8; ++k)
+                number |= std::uint64_t{row.frame.data[k]} << (8 * k);
+            numbers.push_back(number);
+        }
+    return numbers;
+}
+
+bool hasEvent(const SessionReader& reader, EventKind kind, const std::string& subject)
+{
+    for (const EventRow& event : reader.events())
+        if (event.kind == kind && event.subject == subject) return true;
+    return false;
+}
+
+struct Recorder : testing::Test {
+    TemporaryDirectory directory;
+    std::string folder = directory.file("state/sessions");
+    SessionRecorder::Options options{.folder = folder, .start = someStart(), .batch = 10ms};
+};
+
+TEST_F(Recorder, makesASealedFileOfEverything)
+{
+    {
+        SessionRecorder recorder(options);
+        recorder.take(busFrames(0, 1000));
+        const std::int64_t model = recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        SceneRow scene = someScene(1, 0);
+        const std::int64_t sceneId = recorder.record(scene);
+        EstimateRow estimate = someEstimate(1, 0);
+        estimate.model = model;
+        estimate.scene = sceneId;
+        const std::int64_t id = recorder.record(estimate);
+        recorder.record(
+            EventRow{.kind = EventKind::Decision, .subject = "explore", .estimate = id});
+        ASSERT_TRUE(eventually([&] { return recorder.state().frames == 1000; }));
+        EXPECT_TRUE(recorder.state().recording);
+        EXPECT_EQ(recorder.state().trouble, "");
+        EXPECT_EQ(recoverSessions(folder).size(), 0U) << "a file that is written is left alone";
+    }
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 1U) << "no journal is left";
+    auto reader = SessionReader::open(files.front());
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_TRUE(reader->sealed());
+    EXPECT_EQ(numbersIn(*reader).size(), 1000U);
+    EXPECT_EQ(reader->estimates().size(), 1U);
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Session, "begun"));
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Decision, "explore"));
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Session, "ended"));
+    EXPECT_FALSE(reader->verify().broken);
+}
+
+TEST_F(Recorder, countsWhatFindsNoRoom)
+{
+    options.mostFrames = 100;
+    options.batch = 200ms;
+    {
+        SessionRecorder recorder(options);
+        recorder.take(busFrames(0, 1000));
+        EXPECT_GE(recorder.state().missing, 800);
+        ASSERT_TRUE(eventually([&] { return recorder.state().frames >= 100; }));
+    }
+    auto reader = SessionReader::open(filesIn(folder).front());
+    ASSERT_TRUE(reader);
+    double missing = 0.0;
+    for (const EventRow& event : reader->events())
+        if (event.kind == EventKind::Gap) missing += *event.number;
+    const auto numbers = numbersIn(*reader);
+    EXPECT_EQ(static_cast<double>(numbers.size()) + missing, 1000.0);
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], i);
+}
+
+TEST_F(Recorder, saysWhyItCannotAndGoesOnOnceItCan)
+{
+    std::filesystem::create_directories(directory.file("state"));
+    std::ofstream(folder) << "a file where the folder should be";
+    SessionRecorder recorder(options);
+    ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
+    EXPECT_NE(recorder.state().trouble.find(folder), std::string::npos);
+    EXPECT_FALSE(recorder.state().recording);
+    recorder.take(busFrames(0, 10));
+    recorder.record(EventRow{.kind = EventKind::Decision, .subject = "stop"});
+    std::filesystem::remove(folder);
+    ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; })) << "what waited is kept";
+    EXPECT_EQ(recorder.state().trouble, "");
+    auto reader = SessionReader::open(recorder.state().path);
+    ASSERT_TRUE(reader);
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Decision, "stop"));
+}
+
+TEST_F(Recorder, goesOnInTheNextFileWithWhatIsReferredTo)
+{
+    options.mostBytes = 200'000;
+    {
+        SessionRecorder recorder(options);
+        recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        recorder.record(someScene(1, 0));
+        recorder.record(someEstimate(1, 0));
+        for (int turn = 0; turn < 6; ++turn) {
+            recorder.take(busFrames(2000 * turn, 2000));
+            ASSERT_TRUE(eventually([&] { return recorder.state().frames == 2000 * (turn + 1); }));
+        }
+        recorder.record(EventRow{.kind = EventKind::Decision, .subject = "approve", .estimate = 1});
+    }
+    const auto files = filesIn(folder);
+    ASSERT_GE(files.size(), 2U);
+    std::vector<std::uint64_t> numbers;
+    for (const std::string& file : files) {
+        auto reader = SessionReader::open(file);
+        ASSERT_TRUE(reader) << reader.error().text;
+        EXPECT_TRUE(reader->sealed());
+        EXPECT_FALSE(reader->verify().broken);
+        EXPECT_NE(reader->estimate(1), nullptr) << file;
+        EXPECT_EQ(hasEvent(*reader, EventKind::Session, "continued"), file != files.front());
+        for (const std::uint64_t n : numbersIn(*reader)) numbers.push_back(n);
+    }
+    ASSERT_EQ(numbers.size(), 12'000U);
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], i);
+}
+
+TEST_F(Recorder, keepsNothingWhileItIsOff)
+{
+    SessionRecorder recorder(options);
+    ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+    const std::string first = recorder.state().path;
+    recorder.setOn(false);
+    ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
+    EXPECT_EQ(recorder.state().trouble, "");
+    EXPECT_TRUE(SessionReader::open(first)->sealed());
+    recorder.take(busFrames(0, 10));
+    std::this_thread::sleep_for(100ms);  // ten turns of its thread
+    recorder.setOn(true);
+    recorder.take(busFrames(10, 10));
+    ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; }));
+    auto reader = SessionReader::open(recorder.state().path);
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(numbersIn(*reader).front(), 10U);
+}
+
+TEST_F(Recorder, deletesOnlyWhatTheUsersLimitsSay)
+{
+    std::filesystem::create_directories(folder);
+    for (const char* const name : {"2020-01-01T000000Z.tts", "2020-01-02T000000Z.tts"}) {
+        auto writer = someSession(folder + "/" + name, 2000);
+        ASSERT_TRUE(writer && writer->seal());
+    }
+    std::ofstream(folder + "/2019.tts") << "no session";
+    EXPECT_EQ(applyRetention(folder, {}).size(), 0U);
+    EXPECT_EQ(applyRetention(folder, {.days = 1e6}).size(), 0U);
+    const double one =
+        static_cast<double>(std::filesystem::file_size(folder + "/2020-01-01T000000Z.tts"));
+    EXPECT_EQ(applyRetention(folder, {.gigabytes = 1.5e-9 * one}).size(), 1U);
+    EXPECT_EQ(filesIn(folder).size(), 2U);
+    EXPECT_TRUE(std::filesystem::exists(folder + "/2020-01-02T000000Z.tts")) << "the oldest goes";
+    EXPECT_TRUE(std::filesystem::exists(folder + "/2019.tts")) << "what is no session stays";
+}
+
+// 3.6 million frames as in an hour at 1 kHz, as fast as they are taken; TERRATACT_RECORD_FRAMES sets the number.
+TEST_F(Recorder, costsLittle)
+{
+    const char* const given = std::getenv("TERRATACT_RECORD_FRAMES");
+    const std::int64_t frames = given ? std::atoll(given) : 60'000;
+    const auto cpu = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    std::int64_t bytes = 0;
+    const double begin = cpu(), began = steadyNow();
+    {
+        options.batch = 50ms;  // a batch of 9,000 frames at most
+        options.mostBytes = std::int64_t{1} << 40U;
+        SessionRecorder recorder(options);
+        for (std::int64_t n = 0; n < frames; n += 250) {
+            recorder.take(busFrames(n, 250));
+            ASSERT_TRUE(eventually([&] { return recorder.state().frames + 9000 > n; }));
+        }
+        ASSERT_TRUE(eventually([&] { return recorder.state().frames == frames; }));
+        EXPECT_EQ(recorder.state().missing, 0);
+    }
+    bytes = static_cast<std::int64_t>(std::filesystem::file_size(filesIn(folder).front()));
+    const double perHour = 3.6e6 / static_cast<double>(frames);
+    std::printf("%lld frames: %.2f s of CPU (%.2f %% of a core at 1 kHz), %.1f s, %.1f MB; an hour "
+                "at 1 kHz: %.0f MB\n",
+                static_cast<long long>(frames), cpu() - begin,
+                100.0 * (cpu() - begin) * perHour / 3600.0, steadyNow() - began,
+                static_cast<double>(bytes) / 1e6, static_cast<double>(bytes) / 1e6 * perHour);
+    EXPECT_LT(static_cast<double>(bytes) / static_cast<double>(frames), 130e6 / 3.6e6);
+}
+
+}  // namespace
+}  // namespace terratact

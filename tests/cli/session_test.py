@@ -1,0 +1,495 @@
+"""terratact session: what other programs make of the files, and what is said of files that were tampered with.
+Argument: the program make_session, which records a simulated drive."""
+
+import collections
+import json
+import pathlib
+import re
+import shutil
+import sqlite3
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.dom.minidom
+import zlib
+
+from support import CLI, complaint, rows, run
+
+try:
+    import can
+except ImportError:
+    can = None
+
+MAKE = sys.argv.pop(1)
+BEGIN = 1793000000  # [s] since 1970, of the sessions that MAKE makes
+
+
+def make(kind, path):
+    subprocess.run([MAKE, kind, path], check=True, timeout=300)
+
+
+def frames_of(path):
+    """(time [ns since 1970], identifier, data) of a session, read by SQLite alone."""
+    file = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
+    found = file.execute("SELECT t, can_id, data FROM can_frame ORDER BY seq").fetchall()
+    file.close()
+    return [(BEGIN * 10**9 + t, identifier, data) for t, identifier, data in found]
+
+
+def change(path, sql):
+    file = sqlite3.connect(path)
+    file.execute(sql)
+    file.commit()
+    file.close()
+
+
+class Session(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        cls.drive = pathlib.Path(cls.made.name, "drive.tts")
+        make("drive", cls.drive)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def export(self, name, *arguments):
+        out = self.path / name
+        run("session", "export", self.drive, "--out", out, *arguments)
+        return out
+
+    def copy(self, name="copy.tts"):
+        return pathlib.Path(shutil.copy(self.drive, self.path / name))
+
+
+class OtherPrograms(Session):
+    def test_a_candump_log_is_what_candump_would_write(self):
+        log = self.export("drive.log").read_text().splitlines()
+        frames = frames_of(self.drive)
+        self.assertEqual(len(log), len(frames))
+        for line, (time, identifier, data) in zip(log, frames):
+            self.assertRegex(line, r"^\(\d{10}\.\d{6}\) can0 [0-9A-F]{3}#([0-9A-F]{2}){0,8}$")
+            self.assertEqual(line.split()[2], f"{identifier:03X}#{data.hex().upper()}")
+            self.assertAlmostEqual(float(line[1:18]), time * 1e-9, delta=1e-6)
+
+    @unittest.skipUnless(shutil.which("log2asc"), "can-utils are not installed")
+    def test_can_utils_read_both_logs(self):
+        log, asc = self.export("drive.log"), self.export("drive.asc")
+        there = subprocess.run(["log2asc", "-I", log, "can0"], capture_output=True, text=True, check=True).stdout
+        ours = [line.split() for line in asc.read_text().splitlines()[3:]]
+        # Theirs begins with the first frame and knows no direction; dates are in the machine's time zone.
+        theirs = [line.split() for line in there.splitlines()[3:]]
+        self.assertEqual(len(ours), len(theirs))
+        for mine, other in zip(ours, theirs):
+            self.assertEqual(mine[1:3] + mine[4:], other[1:3] + other[4:])
+        back = subprocess.run(["asc2log", "-I", asc], capture_output=True, text=True, check=True).stdout
+        self.assertEqual([line.split()[2] for line in back.splitlines()],
+                         [line.split()[2] for line in log.read_text().splitlines()])
+        directions = collections.Counter(line.split()[3] for line in back.splitlines())
+        self.assertEqual(set(directions), {"R", "T"})
+
+    @unittest.skipUnless(can, "python-can is not installed")
+    def test_python_can_reads_logs_and_the_session_itself(self):
+        expected = frames_of(self.drive)
+        named = self.copy("drive.db")  # python-can goes by the ending
+        for path in (named, self.export("drive.log"), self.export("drive.asc")):
+            with self.subTest(path=path.name):
+                if path.suffix == ".asc":
+                    messages = list(can.ASCReader(path, relative_timestamp=False))
+                elif path.suffix == ".db":
+                    messages = list(can.SqliteReader(path))
+                else:
+                    messages = list(can.LogReader(path))
+                self.assertEqual([(m.arbitration_id, bytes(m.data)) for m in messages],
+                                 [(identifier, data) for _, identifier, data in expected])
+                for message, (time, _, _) in zip(messages, expected):
+                    self.assertAlmostEqual(message.timestamp, time * 1e-9, delta=2e-6)
+                self.assertFalse(any(m.is_extended_id or m.is_error_frame or m.is_remote_frame for m in messages))
+
+    def test_sqlites_own_shell_opens_it(self):
+        out = subprocess.run(["sqlite3", self.drive, "PRAGMA integrity_check; SELECT count(*) FROM messages"],
+                             capture_output=True, text=True, check=True).stdout.split()
+        self.assertEqual(out, ["ok", str(len(frames_of(self.drive)))])
+
+    def test_the_log_can_be_decoded_without_a_complaint(self):
+        text = run("can", "decode", self.export("drive.log"), "--summary")
+        self.assertRegex(text, r"frames.*: 0 with a wrong checksum|frames.*: 0 with .* checksum")
+
+    def test_a_log_makes_a_session_with_the_same_frames(self):
+        out = self.path / "back.tts"
+        run("session", "import", self.export("drive.log"), "--out", out)
+        self.assertEqual([frame[1:] for frame in frames_of(out)], [frame[1:] for frame in frames_of(self.drive)])
+        self.assertIn("holds", run("session", "verify", out))
+        again = self.path / "again.log"
+        run("session", "export", out, "--out", again)
+        self.assertEqual(again.read_text(), self.export("drive.log").read_text())
+        self.assertIn("exist", complaint("session", "import", again, "--out", out))
+
+    def test_a_torn_log_makes_no_session(self):
+        log = self.export("drive.log")
+        log.write_text(log.read_text()[:-5])
+        self.assertIn("torn", complaint("session", "import", log, "--out", self.path / "torn.tts"))
+        self.assertEqual([p.name for p in self.path.iterdir()], ["drive.log"])
+
+
+class Tables(Session):
+    def test_the_first_column_is_the_time(self):
+        frames = rows(self.export("frames.csv"))
+        self.assertEqual([(int(r["__time"].replace(".", "")), int(r["id"]), bytes.fromhex(r["data"])) for r in frames],
+                         frames_of(self.drive))
+
+    def test_a_window_holds_what_lies_in_it(self):
+        part = rows(self.export("part.csv", "--from", "2", "--to", "3.5"))
+        inside = [f for f in frames_of(self.drive) if 2e9 <= f[0] - BEGIN * 10**9 <= 3.5e9]
+        self.assertEqual([int(r["__time"].replace(".", "")) for r in part], [f[0] for f in inside])
+        self.assertGreater(len(part), 100)
+
+    def test_signals_are_those_that_can_decode_finds(self):
+        decoded = self.path / "decoded.csv"
+        run("can", "decode", self.export("drive.log"), "--csv", decoded, "--summary")
+        expected = [float(r["value"]) for r in rows(decoded) if (r["frame"], r["signal"]) == ("Attitude", "Pitch")]
+        signals = rows(self.export("signals.csv", "--what", "signals"))
+        found = [float(r["Attitude.Pitch [rad]"]) for r in signals if r["Attitude.Pitch [rad]"]]
+        self.assertEqual(len(found), len(expected))
+        for a, b in zip(found, expected):
+            self.assertAlmostEqual(a, b, delta=1e-4)
+
+    def test_estimates_and_events_are_those_of_the_file(self):
+        file = sqlite3.connect(self.drive)
+        bins = file.execute("SELECT estimate, height_m, q10_m FROM estimate_bin ORDER BY id").fetchall()
+        events = file.execute("SELECT id, kind, subject, text FROM event ORDER BY id").fetchall()
+        file.close()
+        self.assertEqual([(int(r["estimate"]), float(r["height_m"]), float(r["q10_m"]))
+                          for r in rows(self.export("estimates.csv", "--what", "estimates"))], bins)
+        self.assertEqual([(int(r["event"]), r["kind"], r["subject"], r["text"])
+                          for r in rows(self.export("events.csv", "--what", "events"))], events)
+        self.assertTrue(any('"' in text and "," in text for _, _, _, text in events), "nothing that needs quoting")
+
+    def test_scenes_are_accepted_by_the_commands_that_read_them(self):
+        scenes, out = self.path / "scenes.csv", self.path / "out"
+        run("session", "scenes", self.drive, "--out", scenes)
+        self.assertEqual([r["run"] for r in rows(scenes)], ["drive", "drive"])
+        run("evaluate", "--data", scenes, "--out", out, "--methods", "local")
+        run("reconstruct", "--data", scenes, "--out", self.path / "estimates.csv")
+        self.assertIn("2 scenes", complaint("train", "--data", scenes, "--out", self.path / "m.ttm"))
+
+    def test_a_log_holds_nothing_but_frames(self):
+        self.assertIn("holds nothing else", complaint("session", "export", self.drive, "--out", self.path / "a.log",
+                                                      "--what", "events"))
+        self.assertIn("ends in none of", complaint("session", "export", self.drive, "--out", self.path / "a.txt"))
+        self.assertEqual(list(self.path.iterdir()), [])
+
+
+class Mcap:
+    """A reader of MCAP files that was written from the specification and shares no code with the writer."""
+
+    MAGIC = b"\x89MCAP0\r\n"
+    NAMES = {1: "header", 2: "footer", 3: "schema", 4: "channel", 5: "message", 6: "chunk", 7: "message index",
+             8: "chunk index", 11: "statistics", 12: "metadata", 13: "metadata index", 14: "summary offset",
+             15: "data end"}
+
+    def __init__(self, path):
+        self.bytes = path.read_bytes()
+        assert self.bytes[:8] == self.MAGIC and self.bytes[-8:] == self.MAGIC
+        self.records = list(self.split(self.bytes, 8, len(self.bytes) - 8))
+
+    def split(self, data, at, end):
+        """(offset, name, content) of the records."""
+        while at < end:
+            opcode, length = struct.unpack_from("<BQ", data, at)
+            assert at + 9 + length <= end, "a record is longer than what holds it"
+            yield at, self.NAMES[opcode], data[at + 9:at + 9 + length]
+            at += 9 + length
+        assert at == end
+
+    def of(self, name):
+        return [(at, content) for at, n, content in self.records if n == name]
+
+    @staticmethod
+    def text(content, at):
+        length, = struct.unpack_from("<I", content, at)
+        assert at + 4 + length <= len(content)
+        return content[at + 4:at + 4 + length].decode(), at + 4 + length
+
+    @staticmethod
+    def pairs(content, at, form):
+        """What an array or map of pairs of numbers holds."""
+        length, = struct.unpack_from("<I", content, at)
+        body = content[at + 4:at + 4 + length]
+        assert len(body) == length and length % struct.calcsize(form) == 0
+        return list(struct.iter_unpack(form, body)), at + 4 + length
+
+
+class McapFile(Session):
+    def setUp(self):
+        super().setUp()
+        self.file = Mcap(self.export("drive.mcap"))
+
+    def test_records_stand_in_their_order(self):
+        names = [name for _, name, _ in self.file.records]
+        self.assertEqual((names[0], names[-1]), ("header", "footer"))
+        end = names.index("data end")
+        self.assertNotIn("message", names, "messages are in chunks")
+        self.assertEqual(set(names[end + 1:-1]),
+                         {"schema", "channel", "statistics", "chunk index", "metadata index", "summary offset"})
+        self.assertLess(names.index("channel"), names.index("chunk"))
+
+    def test_chunks_hold_what_crc_and_index_say(self):
+        counts, first, last = collections.Counter(), 2**64, 0
+        indexes = {}
+        for at, content in self.file.of("chunk index"):
+            begin, end, chunk_at, chunk_length = struct.unpack_from("<4Q", content)
+            offsets, at = self.file.pairs(content, 32, "<HQ")
+            index_length, = struct.unpack_from("<Q", content, at)
+            compression, at = self.file.text(content, at + 8)
+            indexes[chunk_at] = (begin, end, chunk_length, dict(offsets), index_length, compression,
+                                 *struct.unpack_from("<2Q", content, at))
+        chunks = self.file.of("chunk")
+        self.assertEqual(sorted(indexes), [at for at, _ in chunks])
+        self.assertGreater(len(chunks), 5)
+        for at, content in chunks:
+            begin, end, size, crc = struct.unpack_from("<3QI", content)
+            compression, place = self.file.text(content, 28)
+            stored, = struct.unpack_from("<Q", content, place)
+            body = content[place + 8:]
+            self.assertEqual((compression, stored, len(body)), ("", size, size))
+            self.assertEqual(crc, zlib.crc32(body))
+            self.assertLess(size, 64 * 1024)
+            found = collections.defaultdict(list)
+            for offset, name, message in self.file.split(body, 0, size):
+                self.assertEqual(name, "message")
+                channel, sequence, time, published = struct.unpack_from("<HIQQ", message)
+                self.assertEqual((sequence, published), (counts[channel], time))
+                self.assertTrue(begin <= time <= end)
+                json.loads(message[22:])
+                counts[channel] += 1
+                first, last = min(first, time), max(last, time)
+                found[channel].append((time, offset))
+            index = indexes[at]
+            self.assertEqual(index[:3] + index[5:], (begin, end, 9 + len(content), "", size, size))
+            after = at + 9 + len(content)
+            for channel, place in index[3].items():
+                _, message_index = next(r for r in self.file.of("message index") if r[0] == place)
+                self.assertEqual(struct.unpack_from("<H", message_index)[0], channel)
+                self.assertEqual(self.file.pairs(message_index, 2, "<QQ")[0], found.pop(channel))
+                after = max(after, place + 9 + len(message_index))
+            self.assertEqual(after - at - 9 - len(content), index[4])
+            self.assertFalse(found, "messages that are in no index")
+        (_, statistics), = self.file.of("statistics")
+        self.assertEqual(struct.unpack_from("<QHIIIIQQ", statistics),
+                         (sum(counts.values()), 4, 4, 0, 1, len(chunks), first, last))
+        self.assertEqual(dict(self.file.pairs(statistics, 42, "<HQ")[0]), dict(counts))
+
+    def test_the_summary_is_where_the_footer_says(self):
+        (_, footer), = self.file.of("footer")
+        summary, offsets, crc = struct.unpack("<QQI", footer)
+        self.assertEqual(crc, zlib.crc32(self.file.bytes[summary:-12]))
+        self.assertEqual(self.file.records[[n for _, n, _ in self.file.records].index("data end") + 1][0], summary)
+        self.assertEqual(self.file.of("summary offset")[0][0], offsets)
+        for _, content in self.file.of("summary offset"):
+            opcode, begin, length = struct.unpack("<BQQ", content)
+            group = list(self.file.split(self.file.bytes, begin, begin + length))
+            self.assertEqual({name for _, name, _ in group}, {Mcap.NAMES[opcode]})
+
+    def test_messages_are_what_their_schemas_say(self):
+        schemas = {}
+        for _, content in self.file.of("schema"):
+            identifier, = struct.unpack_from("<H", content)
+            name, at = self.file.text(content, 2)
+            encoding, at = self.file.text(content, at)
+            self.assertEqual(encoding, "jsonschema")
+            schemas[identifier] = json.loads(self.file.text(content, at)[0])
+        channels = {}
+        for _, content in self.file.of("channel"):
+            identifier, schema = struct.unpack_from("<HH", content)
+            topic, at = self.file.text(content, 4)
+            self.assertEqual(self.file.text(content, at)[0], "json")
+            channels[identifier] = (topic, schemas[schema])
+        self.assertEqual(sorted(topic for topic, _ in channels.values()), ["/can", "/estimate", "/event", "/measurement"])
+        kinds = {"integer": int, "number": (int, float), "string": str, "boolean": bool, "array": list, "object": dict}
+        got = collections.defaultdict(list)
+        for _, content in self.file.of("chunk"):
+            _, place = self.file.text(content, 28)
+            for _, _, message in self.file.split(content[place + 8:], 0, len(content) - place - 8):
+                channel, _, time, _ = struct.unpack_from("<HIQQ", message)
+                topic, schema = channels[channel]
+                value = json.loads(message[22:])
+                for key, part in value.items():
+                    self.assertIsInstance(part, kinds[schema["properties"][key]["type"]], f"{topic} {key}")
+                got[topic].append((time, value))
+        self.assertEqual([(time, value["id"], bytes(value["data"])) for time, value in got["/can"]],
+                         frames_of(self.drive))
+        pitch = [value["signals"]["Pitch"] for _, value in got["/can"] if value.get("name") == "Attitude"]
+        measured = [value["pitch"] for _, value in got["/measurement"]]
+        self.assertGreater(len(measured), 50)
+        self.assertEqual(set(measured) - set(pitch), set())
+        self.assertEqual([len(value["bins"]) for _, value in got["/estimate"]], [11] * len(got["/estimate"]))
+
+
+class Tampering(Session):
+    def test_what_holds_says_so_and_names_its_last_link(self):
+        text = run("session", "verify", self.drive)
+        link = re.search(r"last link ([0-9a-f]{64})", text)[1]
+        run("session", "verify", self.drive, "--link", link)
+        self.assertIn("sessions do not hold", complaint("session", "verify", self.drive, "--link", "0" * 64))
+        self.assertIn(link, run("session", "info", self.drive))
+
+    def test_what_was_changed_is_found_in_its_batch(self):
+        for sql in ("UPDATE can_frame SET data = x'0011223344556677' WHERE seq = 700",
+                    "DELETE FROM can_frame WHERE seq = 700",
+                    "UPDATE estimate_bin SET height_m = height_m + 0.1 WHERE bin = 9",
+                    "UPDATE event SET shown = 'CLEAR' WHERE kind = 'decision'"):
+            with self.subTest(sql=sql):
+                copy = self.copy()
+                change(copy, sql)
+                done = run("session", "verify", copy, code=1)
+                self.assertRegex(done, r"DOES NOT HOLD")
+                self.assertRegex(done, r"damage +2026-10-26 .* UTC \(\d+\.\d+ s\) to \d+\.\d+ s: ")
+
+    def test_a_broken_chain_says_from_where_on(self):
+        copy = self.copy()
+        change(copy, "UPDATE batch SET t_last = t_last + 1 WHERE id = 12")
+        text = run("session", "verify", copy, code=1)
+        self.assertRegex(text, r"broken +from batch 12 on nothing is proven: 2026-10-26 .* UTC \(\d+\.\d+ s\)")
+
+    def test_what_was_cut_off_shows_by_the_link(self):
+        copy = self.copy()
+        link = re.search(r"last link ([0-9a-f]{64})", run("session", "verify", copy))[1]
+        last, frame = sqlite3.connect(copy).execute(
+            "SELECT id, frame_first FROM batch ORDER BY id DESC LIMIT 1").fetchone()
+        for sql in (f"DELETE FROM can_frame WHERE seq >= {frame}", f"DELETE FROM event WHERE batch = {last}",
+                    f"DELETE FROM batch WHERE id = {last}"):
+            change(copy, sql)
+        run("session", "verify", copy)
+        self.assertIn("was cut off", run("session", "verify", copy, "--link", link, code=1))
+
+    def test_an_export_leaves_out_what_is_damaged_and_says_so(self):
+        copy, out = self.copy(), self.path / "part.log"
+        change(copy, "UPDATE can_frame SET can_id = 1 WHERE seq = 700")
+        first, count = sqlite3.connect(copy).execute(
+            "SELECT frame_first, frame_count FROM batch WHERE frame_first <= 700 ORDER BY id DESC LIMIT 1").fetchone()
+        done = subprocess.run([CLI, "session", "export", copy, "--out", out], capture_output=True, text=True, check=True)
+        self.assertIn("left out", done.stderr)
+        whole = self.export("drive.log").read_text().splitlines()
+        self.assertEqual(out.read_text().splitlines(), whole[:first - 1] + whole[first - 1 + count:])
+
+    def test_a_session_of_a_dead_program_is_recovered(self):
+        path = self.path / "open.tts"
+        make("open", path)
+        self.assertIn("not closed", run("session", "verify", path))
+        self.assertIn("recovered", run("session", "recover", path))
+        self.assertIn("was closed already", run("session", "recover", path))
+        self.assertEqual([p.name for p in self.path.iterdir()], ["open.tts"])
+        self.assertNotIn("not closed", run("session", "verify", path))
+
+    def test_what_is_no_session_is_named(self):
+        path = self.path / "no.tts"
+        path.write_text("no session")
+        for command in ("info", "recover"):
+            self.assertIn("no.tts", complaint("session", command, path))
+        self.assertIn("no.tts", run("session", "verify", path, code=1))
+
+
+class Merging(Session):
+    def test_sessions_of_different_sources_are_not_one_drive(self):
+        imported = self.path / "imported.tts"
+        run("session", "import", self.export("drive.log"), "--out", imported)
+        out = self.path / "both.tts"
+        self.assertIn("is of", complaint("session", "merge", self.drive, imported, "--out", out))
+        self.assertFalse(out.exists())
+
+    def test_two_drives_that_follow_each_other(self):
+        later = self.path / "later.tts"
+        make("later", later)
+        out = self.path / "both.tts"
+        text = run("session", "merge", later, self.drive, "--out", out)
+        self.assertIn("2 sessions", text)
+        frames = frames_of(self.drive)
+        self.assertEqual(frames_of(out), frames + [(t + 60 * 10**9, i, d) for t, i, d in frames])
+        self.assertIn(" holds", run("session", "verify", out))
+        info = {path: run("session", "info", path) for path in (self.drive, out)}
+        counts = {path: [int(n) for n in re.search(r"rows +(\d+) scenes, (\d+) estimates, (\d+) probes", text).groups()]
+                  for path, text in info.items()}
+        self.assertEqual(counts[out], [2 * n for n in counts[self.drive]])
+        merged = sqlite3.connect(out).execute(
+            "SELECT text FROM event WHERE kind = 'session' AND subject = 'merged' ORDER BY id").fetchall()
+        link = re.search(r"last link ([0-9a-f]{64})", run("session", "verify", self.drive))[1]
+        self.assertIn("drive.tts", merged[0][0])
+        self.assertIn(link, merged[0][0])
+        self.assertIn("later.tts", merged[1][0])
+        run("session", "what-if", out)
+
+    def test_sessions_that_overlap_are_not_one_drive(self):
+        out = self.path / "both.tts"
+        self.assertIn("overlap", complaint("session", "merge", self.drive, self.copy(), "--out", out))
+        self.assertFalse(out.exists())
+
+
+class WhatIf(Session):
+    def test_what_was_recorded_comes_out_again_bit_for_bit(self):
+        text = run("session", "what-if", self.drive)
+        self.assertEqual(text.count("reproduced bit for bit"), text.count(": estimate "))
+        self.assertIn("later probes against the bands before them", text)
+        self.assertIn("against the truth", text)
+
+    def test_other_settings_show_what_moves(self):
+        out = self.path / "what_if.csv"
+        text = run("session", "what-if", self.drive, "--estimate", 1, "--method", "local", "--out", out)
+        self.assertIn("pafc: now local", text)
+        moved = [abs(float(r["height_now_m"]) - float(r["height_then_m"])) for r in rows(out)]
+        self.assertEqual(len(moved), 11)
+        worst = 1000 * max(moved)
+        self.assertIn("moved most at", text)
+        self.assertIn(f"by {worst:.0f} mm", text)
+
+    def test_an_estimate_that_was_not_computed_so_is_found(self):
+        """A recorder that lies, with hashes that hold: made by the recorder itself."""
+        path = self.path / "lie.tts"
+        make("lie", path)
+        run("session", "verify", path)
+        self.assertIn("NOT reproduced", run("session", "what-if", path, code=1))
+
+    def test_a_model_that_is_not_there_is_asked_for(self):
+        make("rows", self.path / "rows.tts")
+        self.assertIn("rows.tts", complaint("session", "what-if", self.path / "rows.tts"))
+
+    def test_a_folder_is_all_its_sessions(self):
+        shutil.copy(self.drive, self.path / "a.tts")
+        shutil.copy(self.drive, self.path / "b.tts")
+        text = run("session", "what-if", self.path, "--seed", 5)
+        self.assertIn("of 2 sessions", text)
+        self.assertRegex(text, r"a\.tts: estimate 1 [\s\S]*b\.tts: estimate 1 ")
+
+
+class Report(Session):
+    def test_one_page_in_each_format(self):
+        for ending, begin in (("pdf", b"%PDF"), ("svg", b"<?xml"), ("png", b"\x89PNG"), ("html", b"<!DOCTYPE html>")):
+            out = self.path / f"report.{ending}"
+            run("session", "report", self.drive, "--out", out)
+            content = out.read_bytes()
+            self.assertTrue(content.startswith(begin), ending)
+            if ending == "pdf":
+                self.assertEqual(len(re.findall(rb"/Type /Page\b(?!s)", content)), 1)
+            if ending == "svg":
+                xml.dom.minidom.parseString(content)
+
+    def test_the_page_says_what_the_session_holds(self):
+        out = self.path / "report.html"
+        run("session", "report", self.drive, "--scene", 2, "--out", out)
+        page = out.read_text()
+        link = re.search(r"last link ([0-9a-f]{64})", run("session", "verify", self.drive))[1]
+        for words in ("method local", "approve", "on the screen: sd", link, "default.ttm", "every hash holds", "Absolem"):
+            self.assertIn(words, page)
+        self.assertIn("no scene 9", complaint("session", "report", self.drive, "--scene", 9, "--out", out))
+
+
+if __name__ == "__main__":
+    unittest.main()

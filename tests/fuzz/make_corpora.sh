@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Writes the seeds under tests/fuzz/corpora/ anew: make_corpora.sh TERRATACT, the command line program.  Robot and panel
+# files begin from those in resources/ (*.options), models from one the fuzz programs make themselves.
+set -euo pipefail
+terratact=$(realpath "$1")
+cd "$(dirname "$0")/../.."
+corpora=tests/fuzz/corpora
+rm -rf "$corpora"
+mkdir -p "$corpora"/{scene_file,csv_files,candump_log,can_frames}
+
+scenes=$(mktemp)
+trap 'rm -f "$scenes"' EXIT
+"$terratact" simulate --terrain varied --count 6 --seed 1 --out "$scenes" >/dev/null
+head -n 4 "$scenes" >"$corpora/scene_file/scenes.csv"
+cut -d, -f1-13 "$corpora/scene_file/scenes.csv" | sed 's/$/\r/' >"$corpora/scene_file/without_heights.csv"
+awk -F, -v OFS=, 'NR == 1 { print $0, "colour" } NR > 1 { $6 = ""; $9 = ""; print $0, "grey" }' \
+  "$corpora/scene_file/scenes.csv" >"$corpora/scene_file/gaps.csv"
+
+# The first byte says which reader (csv_files.cpp).
+printf 'px_m,z_m\n0,0\n0.5,0\n0.5,0.12\n1.5,0.2\n' >"$corpora/csv_files/points.csv"
+printf 'p0,0.05,0.1,0.1\n-0.2,0,0\n' >"$corpora/csv_files/heights.csv"
+printf 'bh1,h2,h3\n0,0.1,0.2\n0.3,0.2,0.1\n' >"$corpora/csv_files/blocks.csv"
+printf 'aplace,height_m,truth_m\nedge,0.12,0.125\nedge,0.118,\nfloor,-0.01,0\n' >"$corpora/csv_files/arm.csv"
+printf 'crow,class\n1,"step, low"\n2,"a ""pallet"""\n3,stairs\r\n' >"$corpora/csv_files/classes.csv"
+
+head -n 24 docs/can_demo.log >"$corpora/candump_log/compact.log"
+cp docs/can_absolem.log "$corpora/candump_log/absolem.log"
+cat >"$corpora/candump_log/long.log" <<'LOG'
+ (1436509052.249713)  vcan0  RX - -  044   [5]  2A 36 6C 2B BA   '*6l+.'
+  can0  0CF00400  [00]
+ (000.000100)  can1  044   [4]  remote request
+  can0  20000004   [8]  00 04 00 00 00 00 00 00   ERRORFRAME
+	controller-problem{rx-error-warning}
+DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 5)
+(1436509052.249713) can0 12345678##1001122334455667788990A0B R
+(1436509052.249713) can0 044#R4 T
+LOG
+
+# can_frames.cpp says what the twelve bytes of a record are; checksums are made right (0x40).
+for log in demo absolem; do
+  sed -E 's/.* ([0-9A-F])([0-9A-F]{2})#([0-9A-F]*)$/\2 \1 \3/' "docs/can_$log.log" |
+    while read -r low high data; do
+      printf '40%s0%s1%x%s\n' "$low" "$high" $((${#data} / 2)) "$(printf '%-16s' "$data" | tr ' ' 0)"
+    done | python3 -c 'import sys; sys.stdout.buffer.write(bytes.fromhex(sys.stdin.read()))' >"$corpora/can_frames/$log"
+done

@@ -1,0 +1,63 @@
+// Model files as bytes.  Mutants keep the size of a real file, whose header would else refuse them all.
+#include "core/learn/model_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+
+#include "tests/fuzz/promise.h"
+#include "tests/fuzz/scratch_file.h"
+#include "tests/support/random_model.h"
+
+using namespace terratact;
+using namespace terratact::fuzz;
+
+namespace {
+
+const ScratchFile& file()
+{
+    static const ScratchFile scratch("model.ttm");
+    return scratch;
+}
+
+const std::string& realModel()
+{
+    static const std::string bytes = [] {
+        promise(bool(writeModel(file().path(), randomModel(3))), "a model can be written");
+        return file().read();
+    }();
+    return bytes;
+}
+
+}  // namespace
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed)
+{
+    const std::string& real = realModel();
+    if (size != real.size() && real.size() <= most) {
+        std::copy(real.begin(), real.end(), data);
+        return real.size();
+    }
+    if (size == 0) return LLVMFuzzerMutate(data, size, most);
+    std::minstd_rand rng(seed);
+    constexpr std::size_t kMostChanged = 64;  // bytes
+    const std::size_t at = std::uniform_int_distribution<std::size_t>(0, size - 1)(rng);
+    const std::size_t length = std::min(kMostChanged, size - at);
+    LLVMFuzzerMutate(data + at, std::uniform_int_distribution<std::size_t>(1, length)(rng), length);
+    return size;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    file().write(data, size);
+    const Result<StoredModel> model = readModel(file().path());
+    if (!model) return promiseRefusal(model.error(), file().path()), 0;
+    promise(contentHash(model->data) == model->contentHash, "a model has the hash that is stored");
+    promise(bool(writeModel(file().path(), model->data)), "what was read can be written");
+    const Result<StoredModel> again = readModel(file().path());
+    promise(again && same(again->data, model->data), "a model survives being written and read");
+    return 0;
+}

@@ -1,0 +1,206 @@
+// Rows of a session with any values under hashes that hold, as somebody makes them who knows how: what is handed
+// out is finite and in range.
+#include <sqlite3.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+
+#include "core/log/session_hash.h"
+#include "core/log/session_reader.h"
+#include "core/log/session_tables.h"
+#include "tests/fuzz/promise.h"
+#include "tests/fuzz/scratch_file.h"
+#include "tests/support/sessions.h"
+
+using namespace terratact;
+using namespace terratact::fuzz;
+
+namespace {
+
+const ScratchFile& file()
+{
+    static const ScratchFile scratch("rows.tts");
+    return scratch;
+}
+
+const std::string& realSession()
+{
+    static const std::string bytes = [] {
+        std::filesystem::remove(file().path());
+        auto writer = someSession(file().path(), 8);
+        promise(writer && writer->seal(), "a session can be written");
+        return file().read();
+    }();
+    return bytes;
+}
+
+/// Bytes one after the other; zeros after the last.
+struct Bytes {
+    const std::uint8_t* data;
+    std::size_t left;
+
+    std::uint8_t next()
+    {
+        if (left == 0) return 0;
+        --left;
+        return *data++;
+    }
+    template <class Number>
+    Number number()
+    {
+        Number value{};
+        std::uint8_t bytes[sizeof value];
+        for (std::uint8_t& byte : bytes) byte = next();
+        std::memcpy(&value, bytes, sizeof value);
+        return value;
+    }
+    std::string text()
+    {
+        std::string value(next() % 64, '\0');
+        for (char& c : value) c = static_cast<char>(next());
+        return value;
+    }
+};
+
+/// Puts one value into a column of one row; what SQLite refuses, such as the wrong type, stays as it was.
+void put(sqlite3* db, const std::string& table, Bytes& bytes)
+{
+    sqlite3_stmt* columns = nullptr;
+    const std::string all = "SELECT * FROM " + table;
+    if (sqlite3_prepare_v2(db, all.c_str(), -1, &columns, nullptr) != SQLITE_OK) return;
+    const int column = bytes.next() % sqlite3_column_count(columns);
+    const std::string name = sqlite3_column_name(columns, column);
+    sqlite3_finalize(columns);
+    const std::string sql = "UPDATE OR IGNORE " + table + " SET " + name + " = ? WHERE rowid = ?";
+    sqlite3_stmt* update = nullptr;
+    if (sqlite3_prepare_v2(db, sql.c_str(), -1, &update, nullptr) != SQLITE_OK) return;
+    const std::uint8_t type = bytes.next() % 4;
+    const std::int64_t row = 1 + bytes.next() % 24;
+    if (type == 0) sqlite3_bind_int64(update, 1, bytes.number<std::int64_t>());
+    if (type == 1) sqlite3_bind_double(update, 1, bytes.number<double>());
+    if (type == 2) {
+        const std::string value = bytes.text();
+        sqlite3_bind_text(update, 1, value.data(), static_cast<int>(value.size()),
+                          SQLITE_TRANSIENT);
+    }
+    if (type == 3) {
+        const std::string value = bytes.text();
+        sqlite3_bind_blob(update, 1, value.data(), static_cast<int>(value.size()),
+                          SQLITE_TRANSIENT);
+    }
+    sqlite3_bind_int64(update, 2, row);
+    sqlite3_step(update);
+    sqlite3_finalize(update);
+}
+
+/// Makes the chain hold over what is in the file now.
+void rehash()
+{
+    SqliteFile db = SqliteFile::fill(file().path());
+    std::map<std::int64_t, RowsHash> rows;
+    RowBytes bytes;
+    for (std::size_t table = 0; table < kSessionRowTables.size(); ++table) {
+        SqliteStatement select = db.prepare(
+            "SELECT * FROM " + std::string(kSessionRowTables.at(table)) + " ORDER BY id");
+        while (select.step()) {
+            bytes.clear();
+            bytes.addRow(select, select.columns());
+            rows[select.integer(1)].add(table, bytes.bytes());
+        }
+    }
+    std::string chain = readSessionStart(db).hash;
+    SqliteStatement select = db.prepare("SELECT * FROM batch ORDER BY id");
+    SqliteStatement update =
+        db.prepare("UPDATE batch SET frames_hash = ?, rows_hash = ?, chain = ? WHERE id = ?");
+    while (select.step()) {
+        SessionBatch batch{.id = select.integer(0),
+                           .first = select.integer(1),
+                           .last = select.integer(2),
+                           .frameFirst = select.integer(3),
+                           .frameCount = select.integer(4)};
+        Sha256 frames;
+        SqliteStatement frame =
+            db.prepare("SELECT * FROM can_frame WHERE seq >= ? AND seq < ? ORDER BY seq");
+        frame.bind(0, batch.frameFirst);
+        frame.bind(1, batch.frameFirst > 1000 ? 0 : batch.frameFirst + batch.frameCount % 1000);
+        while (frame.step()) {
+            bytes.clear();
+            bytes.addRow(frame, frame.columns());
+            frames.add(bytes.bytes());
+        }
+        batch.framesHash = frames.take();
+        batch.rowsHash = rows[batch.id].take();
+        chain = chained(chain, batch);
+        update.bindBlob(0, batch.framesHash);
+        update.bindBlob(1, batch.rowsHash);
+        update.bindBlob(2, chain);
+        update.bind(3, batch.id);
+        update.run();
+    }
+}
+
+void promiseFinite(double value)
+{
+    promise(std::isfinite(value), "a number is finite");
+}
+
+void promiseEstimate(const EstimateRow& row)
+{
+    for (std::size_t i = 0; i < kBins; ++i)
+        for (const double value : {row.estimate.mean[i], row.estimate.sd[i], row.estimate.q10[i],
+                                   row.estimate.q90[i], row.estimate.height[i]})
+            promiseFinite(value);
+    for (const ArmReading& reading : row.readings) {
+        promise(reading.bin >= 0 && reading.bin < kBins, "a reading's bin exists");
+        promiseFinite(reading.height);
+    }
+    promise(row.estimate.settings.draws > 0, "settings are in range");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const std::string& real = realSession();
+    file().write(reinterpret_cast<const std::uint8_t*>(real.data()), real.size());
+    Bytes bytes{data, size};
+    sqlite3* db = nullptr;
+    promise(sqlite3_open(file().path().c_str(), &db) == SQLITE_OK, "the session can be opened");
+    sqlite3_exec(db, "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF", nullptr, nullptr,
+                 nullptr);
+    while (bytes.left > 0) {
+        const std::uint8_t table = bytes.next() % (kSessionRowTables.size() + 3);
+        put(db,
+            table < kSessionRowTables.size()        ? std::string(kSessionRowTables.at(table))
+            : table == kSessionRowTables.size()     ? "can_frame"
+            : table == kSessionRowTables.size() + 1 ? "batch"
+                                                    : "estimate_draws",
+            bytes);
+    }
+    sqlite3_close(db);
+    try {
+        rehash();
+    } catch (const SqliteError&) {
+        // the reader is asked all the same
+    }
+    auto session = SessionReader::open(file().path());
+    if (!session) return promiseRefusal(session.error(), file().path()), 0;
+    for (std::size_t i = 0; i < session->batches().size(); ++i)
+        for (const FrameRow& frame : session->frames(i))
+            promise(frame.frame.fd || frame.frame.length <= 8, "a frame has at most eight bytes");
+    for (const EstimateRow& row : session->estimates()) {
+        promiseEstimate(row);
+        if (const auto draws = session->draws(row.id))
+            for (const Heights& draw : *draws)
+                for (const double height : draw) promiseFinite(height);
+    }
+    for (const SceneRow& row : session->scenes()) {
+        promiseFinite(row.measurement.pitch);
+        for (const double force : row.measurement.force) promiseFinite(force);
+    }
+    for (const ProposalRow& row : session->proposals())
+        promise(row.bin >= 0 && row.bin < kBins, "a proposal's bin exists");
+    return 0;
+}

@@ -1,0 +1,46 @@
+// Makes sessions for the tests of the command line: make_session KIND OUT, KIND being
+//   rows   500 frames that mean nothing, and rows of every kind
+//   drive  a simulated drive with two explorations
+//   later  the same drive, a minute later
+//   lie    the same drive, every height recorded 1 mm too high
+//   open   like rows, as a program leaves it that died
+#include <cblas.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "tests/support/recorded_session.h"
+#include "tests/support/sessions.h"
+
+namespace terratact {
+namespace {
+
+void make(const std::string& kind, const std::string& path)
+{
+    if (kind == "drive") return recordDrive(path);
+    if (kind == "later") return recordDrive(path, {.later = 60});
+    if (kind == "lie") return recordDrive(path, {.lie = 0.001});
+    auto writer = someSession(path, 500);
+    if (!writer) throw std::runtime_error(writer.error().text);
+    if (kind == "open") _exit(0);  // without closing anything
+    if (const Status sealed = writer->seal(); !sealed)
+        throw std::runtime_error(sealed.error().text);
+}
+
+}  // namespace
+}  // namespace terratact
+
+int main(int argc, char** argv)
+{
+    if (argc != 3) return 2;
+    openblas_set_num_threads(1);  // as in the programs: the last bits depend on it
+    try {
+        terratact::make(argv[1], argv[2]);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "make_session: %s\n", error.what());
+        return 1;
+    }
+}
