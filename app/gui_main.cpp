@@ -25,12 +25,14 @@
 #include "app/review_window.h"
 #include "app/robot_in_process.h"
 #include "app/robot_setup.h"
+#include "app/scenes_window.h"
 #include "app/session_recorder.h"
 #include "app/steady_now.h"
 #include "app/tradeoff_csv.h"
 #include "app/what_if.h"
 #include "core/atem/panel_file.h"
 #include "core/file_read.h"
+#include "core/learn/scene_file.h"
 #include "core/learn/sha256.h"
 #include "drivers/can_interface.h"
 #include "drivers/candump_replay.h"
@@ -419,6 +421,32 @@ int openReview(int& argc, char** argv, const Arguments& arguments)
     return showFile(window, arguments, [&window] { return window.surveyed(); });
 }
 
+/// Opens a file of scenes and stays until it is closed.
+int openScenes(int& argc, char** argv, const Arguments& arguments)
+{
+    auto file = readScenes(arguments.replay);
+    if (!file) return failed(file.error().text);
+    if (file->scenes.empty()) return failed(arguments.replay + ": has no scenes");
+    LoadedPreferences loaded = preferencesFor(arguments);
+    const auto robot = readRobotModel(robotFor(arguments, loaded));
+    if (!robot) return failed(robot.error().text);
+    const Preferences preferences = inForce(loaded.preferences, arguments);
+    std::optional<QApplication> application;
+    if (const Status ready =
+            startApplication(argc, argv, !arguments.screenshot.empty(), preferences, application);
+        !ready)
+        return failed(ready.error().text);
+    Settings settings = withPreferences({}, preferences);
+    settings.seed = arguments.seed;
+    ScenesWindow window({.path = QString::fromStdString(arguments.replay),
+                         .scenes = std::move(file->scenes),
+                         .robot = *robot,
+                         .model = modelFileLoader(modelFor(arguments, loaded), *robot),
+                         .settings = settings,
+                         .stepLimit = preferences.obstacleLimit});
+    return showFile(window, arguments, [&window] { return window.estimate().has_value(); });
+}
+
 /// Opens the console and stays until it is closed; kReopen: the operator has chosen another robot.
 int openConsole(int& argc, char** argv, const Arguments& arguments,
                 std::optional<QApplication>& application)
@@ -465,6 +493,7 @@ int run(int& argc, char** argv, Arguments arguments)
     if (!arguments.replay.empty()) {
         const FileKind kind = kindOfFile(QString::fromStdString(arguments.replay));
         if (kind == FileKind::Session) return openReview(argc, argv, arguments);
+        if (kind == FileKind::Scenes) return openScenes(argc, argv, arguments);
         if (!arguments.screenshot.empty())
             return failed(arguments.replay + ": is no session, of which a picture could be saved");
     }

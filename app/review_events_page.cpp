@@ -99,6 +99,7 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
     kinds_ = new QComboBox(card);
     kinds_->setAccessibleName(tr("Kind of the events"));
     kinds_->setToolTip(tr("Which events are listed"));
+    kinds_->setMinimumHeight(scaled(kTarget));
     kinds_->addItem(tr("all kinds"));
     for (int kind = 0; kind < kEventKinds; ++kind)
         kinds_->addItem(nameOf(static_cast<EventKind>(kind)));

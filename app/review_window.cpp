@@ -236,24 +236,24 @@ QWidget* ReviewWindow::transport()
     connect(timeline_, &SessionTimeline::seekWanted, this, &ReviewWindow::goTo);
     auto* row = new QHBoxLayout;
     row->setSpacing(4);
-    button(*row, tr("|◀"), tr("To the begin"), tr("To the begin (Home)"),
+    button(*row, QStringLiteral("|◀"), tr("To the begin"), tr("To the begin (Home)"),
            [this] { goTo(player_.begin()); });
-    button(*row, tr("◀·"), tr("Frame back"), tr("One frame back (,)"),
+    button(*row, QStringLiteral("◀·"), tr("Frame back"), tr("One frame back (,)"),
            [this] { pauseAt(moments_.frameBefore(moment_.time)); });
-    backButton_ = button(*row, tr("◀"), tr("Play backwards"), tr("Play backwards (J)"),
+    backButton_ = button(*row, QStringLiteral("◀"), tr("Play backwards"), tr("Play backwards (J)"),
                          [this] { play(true); });
-    playButton_ = button(*row, tr("▶"), tr("Play"), tr("Play, pause (Space)"), [this] {
+    playButton_ = button(*row, QStringLiteral("▶"), tr("Play"), tr("Play, pause (Space)"), [this] {
         if (player_.playing())
             pauseAt({});
         else
             play(false);
     });
-    button(*row, tr("·▶"), tr("Frame on"), tr("One frame on (.)"),
+    button(*row, QStringLiteral("·▶"), tr("Frame on"), tr("One frame on (.)"),
            [this] { pauseAt(moments_.frameAfter(moment_.time)); });
-    button(*row, tr("▶|"), tr("To the end"), tr("To the end (End)"),
+    button(*row, QStringLiteral("▶|"), tr("To the end"), tr("To the end (End)"),
            [this] { goTo(player_.end()); });
     row->addSpacing(6);
-    button(*row, tr("−"), tr("Slower"), tr("Half as fast (S)"), [this] {
+    button(*row, QStringLiteral("−"), tr("Slower"), tr("Half as fast (S)"), [this] {
         player_.setSpeed(0.5 * player_.speed());
         showPlayer();
     });
@@ -262,7 +262,7 @@ QWidget* ReviewWindow::transport()
     speed_->setAlignment(Qt::AlignCenter);
     speed_->setMinimumWidth(scaled(56));
     row->addWidget(speed_);
-    button(*row, tr("+"), tr("Faster"), tr("Twice as fast (F)"), [this] {
+    button(*row, QStringLiteral("+"), tr("Faster"), tr("Twice as fast (F)"), [this] {
         player_.setSpeed(2.0 * player_.speed());
         showPlayer();
     });
@@ -502,7 +502,7 @@ void ReviewWindow::showState()
               : grows_          ? tr("BEING RECORDED")
                                 : tr("NOT SEALED: its program has not closed it"));
     const auto damaged = lanes_.gaps.size();
-    if (damaged > 0) parts << tr("DAMAGED at %n place(s)", nullptr, static_cast<int>(damaged));
+    if (damaged > 0) parts << tr("DAMAGED, places: %1").arg(damaged);
     if (!surveyedAll_) parts << tr("frames are looked through …");
     if (!notesTrouble_.isEmpty()) parts << notesTrouble_;
     parts << tr("no command can be sent");
@@ -526,9 +526,10 @@ void ReviewWindow::showPlayer()
     const double speed = player_.speed();
     speed_->setText(QString::number(speed, 'g', 3) + QStringLiteral("×"));
     const bool plays = player_.playing() && !player_.backwards();
-    playButton_->setText(plays ? tr("❚❚") : tr("▶"));
+    playButton_->setText(plays ? QStringLiteral("❚❚") : QStringLiteral("▶"));
     playButton_->setAccessibleName(plays ? tr("Pause") : tr("Play"));
-    backButton_->setText(player_.playing() && player_.backwards() ? tr("❚❚") : tr("◀"));
+    backButton_->setText(player_.playing() && player_.backwards() ? QStringLiteral("❚❚")
+                                                                  : QStringLiteral("◀"));
     loop_->setChecked(player_.loopWanted());
     follow_->setChecked(player_.following());
     follow_->setEnabled(!session_.sealed());

@@ -195,6 +195,7 @@ void TerrainPage::arrange(Layout layout, int fontScale)
 
 void TerrainPage::setThreshold(double newtons)
 {
+    if (newtons == threshold_) return;
     threshold_ = newtons;
     showThreshold();
 }
@@ -279,9 +280,13 @@ void TerrainPage::showPose(const TerrainSight& sight)
     if (!sight.measurement || sight.count == shownCount_) return;
     // An estimate belongs to the scene it rests on, so both are drawn in that pose.
     const Proprioception s = proprioception(sight.scene ? *sight.scene : *sight.measurement);
-    terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    if (shownPose_ != std::array{s.pitch, s.front, s.rear}) {
+        shownPose_ = std::array{s.pitch, s.front, s.rear};
+        terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    }
     const std::optional<Heights>* truth = sight.scene ? sight.sceneTruth : sight.truth;
-    terrain_->setTruth(truth ? *truth : std::nullopt);
+    const std::optional<Heights> known = truth ? *truth : std::nullopt;
+    if (shownTruth_ != known) terrain_->setTruth(shownTruth_ = known);
     shownCount_ = sight.count;
 }
 

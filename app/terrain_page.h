@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -134,6 +135,8 @@ private:
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_, shownSecond_;
+    std::optional<std::array<double, 3>> shownPose_;  ///< pitch, front, rear [rad]
+    std::optional<Heights> shownTruth_;
     QString shownReason_;
     bool shownEstimate_ = false;
 };

@@ -37,9 +37,8 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     result_->setAccessibleName(tr("What differs"));
     table_ = new QTableWidget(kBins, 8, card);
     table_->setAccessibleName(tr("Recorded estimate and the other, bin by bin"));
-    table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("shown then [m]"), tr("what if [m]"),
-                                       tr("difference"), tr("sd then"), tr("sd what if"),
-                                       tr("0.1 quantile by"), tr("0.9 quantile by")});
+    table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("then [m]"), tr("now [m]"), tr("by"),
+                                       tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -73,6 +72,7 @@ QWidget* WhatIfPage::form()
         auto* box = new QComboBox(form);
         box->setAccessibleName(label);
         box->setToolTip(tip);
+        box->setMinimumHeight(scaled(kTarget));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         rows->addRow(label, box);
         return box;
@@ -83,14 +83,16 @@ QWidget* WhatIfPage::form()
     quality_->addItem(tr("as recorded"));
     for (const Quality quality : kQualities) quality_->addItem(words::sentence(name(quality)));
     threshold_ = new QDoubleSpinBox(form);
+    threshold_->setMinimumHeight(scaled(kTarget));
     threshold_->setRange(0.1, 50.0);
     threshold_->setSingleStep(0.1);
     threshold_->setDecimals(2);
-    threshold_->setSuffix(tr(" N"));
+    threshold_->setSuffix(QStringLiteral(" N"));
     threshold_->setAccessibleName(tr("An element is a contact above"));
     threshold_->setToolTip(tr("Force from which an element touches the ground"));
     rows->addRow(tr("Contact above"), threshold_);
     seed_ = new QLineEdit(form);
+    seed_->setMinimumHeight(scaled(kTarget));
     seed_->setAccessibleName(tr("Seed"));
     seed_->setToolTip(tr("Of the random numbers: a whole number"));
     seed_->setValidator(

@@ -128,18 +128,22 @@ void SessionTimeline::setPlayhead(double seconds)
 {
     if (!isTime(seconds) || seconds == playhead_) return;
     const bool wasSeen = playhead_ >= first_ && playhead_ <= last_;
+    const bool isSeen = std::abs(pixelOf(seconds) - pixelOf(drawnPlayhead_)) >= 0.5;
     playhead_ = seconds;
     if (wasSeen && (seconds < first_ || seconds > last_)) {
         const double span = last_ - first_;
         const double from = seconds > last_ ? seconds - 0.1 * span : seconds - 0.9 * span;
         showSpan(from, from + span);
     }
+    if (!isSeen) return;
+    drawnPlayhead_ = seconds;
     tell();
     update();
 }
 
 void SessionTimeline::setCursors(std::optional<double> a, std::optional<double> b)
 {
+    if (a_ == a && b_ == b) return;
     a_ = a;
     b_ = b;
     update();

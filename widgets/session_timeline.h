@@ -94,7 +94,7 @@ private:
 
     Timeline timeline_;
     double first_ = 0.0, last_ = 1.0;
-    double playhead_ = 0.0;
+    double playhead_ = 0.0, drawnPlayhead_ = 0.0;
     std::optional<double> a_, b_;
     double grabbedAt_ = 0.0;
 };

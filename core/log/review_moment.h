@@ -40,7 +40,7 @@ struct ReviewMoment {
     std::vector<Alarm> alarms{};  ///< severity is not recorded
 };
 
-inline constexpr double kReviewWindow = 1.5;  ///< [s] of frames before a moment that it is made of
+inline constexpr double kReviewWindow = 1.0;  ///< [s] of frames before a moment that it is made of
 inline constexpr double kReviewLinkLost = 0.25;  ///< [s] without telemetry
 
 /// Moments of a session, each made of the file alone: the same time shows the same, however one came there.  What
