@@ -119,9 +119,9 @@ void ReviewMoments::hear(ReviewMoment& moment)
          i < reader_.batches().size() && reader_.batches()[i].first <= moment.time; ++i)
         for (const FrameRow& row : frames(i)) {
             if (row.time < from || row.time > moment.time) continue;
-            auto measurement = listener.take(row.frame, secondsOf(row.time));
+            const auto measurement = listener.take(row.frame, secondsOf(row.time));
             if (!measurement) continue;
-            moment.measurement = std::move(measurement);
+            moment.measurement = measurement;
             moment.measured = row.time;
             if (row.time > moment.time - sessionTimeOf(1.0)) ++lines;
         }

@@ -16,6 +16,7 @@
 #include "app/open_file.h"
 #include "app/review_events_page.h"
 #include "app/review_window.h"
+#include "app/scenes_window.h"
 #include "app/terrain_page.h"
 #include "app/what_if_page.h"
 #include "core/file_write.h"
@@ -400,6 +401,39 @@ TEST_F(ReviewOf, everyTextHasItsRoomAndEveryControlAName)
         }
     }
     EXPECT_TRUE(window->keys().html().contains("Space"));
+}
+
+TEST(ScenesOfAFile, areEstimatedOneByOneAndCommandNothing)
+{
+    std::vector<Scene> scenes(2);
+    scenes[0].run = "first";
+    scenes[0].s.force.fill(0.0);
+    scenes[1] = scenes[0];
+    scenes[1].run = "second";
+    scenes[1].s.pitch = 0.2;
+    scenes[1].truth[3] = -0.2;  // the other bins are not known
+    ScenesWindow window({.path = "/some/scenes.csv",
+                         .scenes = scenes,
+                         .robot = absolem(),
+                         .model = modelFileLoader(
+                             TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
+    showActive(window);
+    ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
+    const TerrainEstimate first = *window.estimate();
+    EXPECT_TRUE(window.stateLabel()->text().contains("first"));
+    QTest::keyClick(&window, Qt::Key_Period);
+    EXPECT_EQ(window.scene(), 1U);
+    EXPECT_FALSE(window.estimate()) << "of another scene";
+    ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
+    EXPECT_NE(*window.estimate(), first);
+    EXPECT_FALSE(painted(window).isNull());
+    QTest::keyClick(&window, Qt::Key_Period);
+    EXPECT_EQ(window.scene(), 1U) << "is the last";
+    QTest::keyClick(&window, Qt::Key_Comma);
+    EXPECT_EQ(window.scene(), 0U);
+    for (const QPushButton* button : commandButtons(*window.terrainPage()))
+        EXPECT_FALSE(button->isVisible() && button->isEnabled());
+    EXPECT_FALSE(window.header()->stopButton()->isVisible());
 }
 
 TEST(KindOfFile, isToldByWhatIsInIt)
