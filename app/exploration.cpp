@@ -67,7 +67,6 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                     proposedOn_ = grounds();
                 }
                 emit stands(false);
-                if (proposal_) emit proposed();
                 startSecond();
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
                 for (const std::string& warning : estimate.warnings)
@@ -513,6 +512,7 @@ void Exploration::enter(const AtemState& before)
         startEstimate();
         break;
     case AtemPhase::ProposingProbe:
+        emit proposed();
         note(tr("probe proposed at %1").arg(words::binName(proposal_->bin)));
         break;
     case AtemPhase::Probing:
