@@ -89,6 +89,9 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
 
 QString Exploration::nothingYet() const
 {
+    if (!linkAlive_ && !ended_) return tr("No estimate yet: nothing is heard of the robot");
+    if (!modelTrouble_.isEmpty()) return tr("No estimate: there is no model");
+    if (modelName_.isEmpty()) return tr("No estimate yet: the model is being loaded");
     if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");
     if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
     return tr("No estimate yet: explore the terrain (A)");
