@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QSocketNotifier>
+#include <QTimer>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -23,14 +24,19 @@
 #include "app/demo.h"
 #include "app/language.h"
 #include "app/main_window.h"
+#include "app/open_file.h"
 #include "app/resources.h"
+#include "app/review_window.h"
 #include "app/robot_in_process.h"
 #include "app/robot_setup.h"
+#include "app/scenes_window.h"
 #include "app/session_recorder.h"
 #include "app/steady_now.h"
 #include "app/tradeoff_csv.h"
+#include "app/what_if.h"
 #include "core/atem/panel_file.h"
 #include "core/file_read.h"
+#include "core/learn/scene_file.h"
 #include "core/learn/sha256.h"
 #include "drivers/can_interface.h"
 #include "drivers/candump_replay.h"
@@ -50,6 +56,7 @@ struct Arguments {
     std::string model, robot, terrain, screenshot, can, replay, panel;
     std::string fault = "none";
     double speed = 1.0;
+    std::optional<double> at;
     bool transmit = false;
     std::uint64_t seed = 1;
     std::string size;  ///< empty: as it was left, or 1440x900
@@ -91,21 +98,26 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_flag("--transmit", arguments.transmit,
                  "Command the robot on --can; without it the console only listens")
         ->needs(can);
-    auto* replay = app.add_option("file,--replay", arguments.replay,
-                                  "Log of candump -L to show as if it happened now")
-                       ->excludes(can)
-                       ->excludes("--terrain")
-                       ->excludes("--fault");
+    auto* replay =
+        app.add_option("file,--replay", arguments.replay,
+                       "Session to review, scenes as CSV to go through, or log of candump "
+                       "-L to show as if it happened now")
+            ->excludes(can)
+            ->excludes("--terrain")
+            ->excludes("--fault");
     app.add_option("--speed", arguments.speed, "Of the replay: seconds of the log per second")
         ->needs(replay)
         ->check(CLI::Range(0.01, 1000.0));
+    app.add_option("--at", arguments.at, "Of a session: where to begin its review [s]")
+        ->needs(replay)
+        ->check(CLI::Range(0.0, 1e9));
     app.add_option("--panel", arguments.panel,
                    "File of the operator's panel on GPIO lines (default: there is none)");
     app.add_option("--seed", arguments.seed, "Seed of the random numbers")->capture_default_str();
     app.add_option("--screenshot", arguments.screenshot,
-                   "Drive to a step, estimate it, save the window as PNG, and exit")
-        ->excludes(can)
-        ->excludes(replay);
+                   "Drive to a step, estimate it, save the window as PNG, and exit; of a session: "
+                   "as it is at --at")
+        ->excludes(can);
     app.add_option("--theme", arguments.theme, "Colours: day, night-red or high-contrast")
         ->check(CLI::IsMember({"day", "night-red", "high-contrast"}));
     app.add_option("--layout", arguments.layout, "Layout: drive, probe or review")
@@ -335,9 +347,8 @@ std::string modelFor(const Arguments& arguments, LoadedPreferences& loaded)
     return resourcePath("models/default.ttm");
 }
 
-void setSize(MainWindow& window, const Arguments& arguments)
+void setSize(QWidget& window, const QByteArray& left, const Arguments& arguments)
 {
-    const QByteArray& left = window.preferences().current().window;
     if (!arguments.size.empty())
         window.resize(sizeFrom(arguments.size));
     else if (left.isEmpty() || !window.restoreGeometry(left))
@@ -364,6 +375,103 @@ void closeOnSignals(QWidget& window)
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, requestEnd);
 }
 
+/// The application in its language and look; `pictures`: without a display.
+Status startApplication(int& argc, char** argv, bool pictures, const Preferences& preferences,
+                        std::optional<QApplication>& application)
+{
+    if (pictures && !std::getenv("QT_QPA_PLATFORM")) setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    if (!std::getenv("QT_QPA_PLATFORM") && !std::getenv("DISPLAY")
+        && !std::getenv("WAYLAND_DISPLAY"))
+        return Error{"no display: set DISPLAY, or use --screenshot FILE"};
+    if (!application) application.emplace(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("terratact-console"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
+    QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
+    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
+    installLanguage(*application, preferences.language);
+    applyLook(*application, preferences.theme, preferences.fontScale);
+    return Done{};
+}
+
+/// Shows a window of a file until it is closed, or saves it as it is once `isReady`.
+int showFile(QWidget& window, const Arguments& arguments, const std::function<bool()>& isReady)
+{
+    setSize(window, {}, arguments);
+    closeOnSignals(window);
+    window.show();
+    if (arguments.screenshot.empty()) return QApplication::exec();
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &window, [&] {
+        if (!isReady()) return;
+        look.stop();
+        const bool saved = window.grab().save(QString::fromStdString(arguments.screenshot), "PNG");
+        QApplication::exit(saved ? kDone : failed(arguments.screenshot + ": cannot be written"));
+    });
+    look.start(200);
+    return QApplication::exec();
+}
+
+/// Files a session's model may be in: what is preferred, and what is shipped.
+QStringList modelsFor(const Arguments& arguments, LoadedPreferences& loaded)
+{
+    QStringList models{QString::fromStdString(modelFor(arguments, loaded)),
+                       QString::fromStdString(resourcePath("models/default.ttm"))};
+    models.removeDuplicates();
+    return models;
+}
+
+/// Opens a recorded session for review and stays until it is closed.
+int openReview(int& argc, char** argv, const Arguments& arguments)
+{
+    auto session = SessionReader::open(arguments.replay);
+    if (!session) return failed(session.error().text);
+    const auto robot =
+        arguments.robot.empty() ? robotOf(*session) : readRobotModel(arguments.robot);
+    if (!robot) return failed(robot.error().text);
+    LoadedPreferences loaded = preferencesFor(arguments);
+    const Preferences preferences = inForce(loaded.preferences, arguments);
+    std::optional<QApplication> application;
+    if (const Status ready =
+            startApplication(argc, argv, !arguments.screenshot.empty(), preferences, application);
+        !ready)
+        return failed(ready.error().text);
+    QStringList models = modelsFor(arguments, loaded);
+    ReviewWindow window(
+        {.session = std::move(*session),
+         .robot = *robot,
+         .models = std::move(models),
+         .preferences = std::make_unique<PreferenceStore>(std::move(loaded), preferences)});
+    if (arguments.at) window.goTo(*arguments.at);
+    return showFile(window, arguments, [&window] { return window.surveyed(); });
+}
+
+/// Opens a file of scenes and stays until it is closed.
+int openScenes(int& argc, char** argv, const Arguments& arguments)
+{
+    auto file = readScenes(arguments.replay);
+    if (!file) return failed(file.error().text);
+    if (file->scenes.empty()) return failed(arguments.replay + ": has no scenes");
+    LoadedPreferences loaded = preferencesFor(arguments);
+    const auto robot = readRobotModel(robotFor(arguments, loaded));
+    if (!robot) return failed(robot.error().text);
+    const Preferences preferences = inForce(loaded.preferences, arguments);
+    std::optional<QApplication> application;
+    if (const Status ready =
+            startApplication(argc, argv, !arguments.screenshot.empty(), preferences, application);
+        !ready)
+        return failed(ready.error().text);
+    Settings settings = withPreferences({}, preferences);
+    settings.seed = arguments.seed;
+    ScenesWindow window({.path = QString::fromStdString(arguments.replay),
+                         .scenes = std::move(file->scenes),
+                         .robot = *robot,
+                         .model = modelFileLoader(modelFor(arguments, loaded), *robot),
+                         .settings = settings,
+                         .stepLimit = preferences.obstacleLimit});
+    return showFile(window, arguments, [&window] { return window.estimate().has_value(); });
+}
+
 /// Opens the console and stays until it is closed; kReopen: the operator has chosen another robot.
 int openConsole(int& argc, char** argv, const Arguments& arguments,
                 std::optional<QApplication>& application)
@@ -383,20 +491,8 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
         return failed(connected.error().text);
 
     const bool demo = !arguments.screenshot.empty();
-    if (demo && !std::getenv("QT_QPA_PLATFORM")) setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    if (!std::getenv("QT_QPA_PLATFORM") && !std::getenv("DISPLAY")
-        && !std::getenv("WAYLAND_DISPLAY"))
-        return failed("no display: set DISPLAY, or use --screenshot FILE");
-
-    if (!application) application.emplace(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("terratact-console"));
-    QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
-    QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
-    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
-    installLanguage(*application, preferences.language);
-    applyLook(*application, preferences.theme, preferences.fontScale);
-
+    if (const Status ready = startApplication(argc, argv, demo, preferences, application); !ready)
+        return failed(ready.error().text);
     options.modelPath = model;
     options.model = modelFileLoader(model, *robot);
     options.exploration.settings = withPreferences(options.exploration.settings, preferences);
@@ -407,7 +503,7 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     if (demo) options.exploration.linkLostAfter = 5.0;  // a picture must not fail on a busy machine
 
     MainWindow window(std::move(options));
-    setSize(window, arguments);
+    setSize(window, window.preferences().current().window, arguments);
     QObject::connect(
         &window, &MainWindow::reopenWanted, &window, [] { QApplication::exit(kReopen); },
         Qt::QueuedConnection);
@@ -420,6 +516,13 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
 
 int run(int& argc, char** argv, Arguments arguments)
 {
+    if (!arguments.replay.empty()) {
+        const FileKind kind = kindOfFile(QString::fromStdString(arguments.replay));
+        if (kind == FileKind::Session) return openReview(argc, argv, arguments);
+        if (kind == FileKind::Scenes) return openScenes(argc, argv, arguments);
+        if (!arguments.screenshot.empty())
+            return failed(arguments.replay + ": is no session, of which a picture could be saved");
+    }
     std::optional<QApplication> application;
     for (;;) {
         const int ended = openConsole(argc, argv, arguments, application);

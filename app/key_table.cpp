@@ -1,6 +1,8 @@
 #include "app/key_table.h"
 
-#include <QCoreApplication>
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QKeySequence>
 #include <algorithm>
 #include <stdexcept>
@@ -20,6 +22,17 @@ QString namesOf(const KeyTable::Entry& entry)
         names << QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped();
     const QString all = names.join(Says::tr(" or "));
     return entry.released ? Says::tr("%1, held").arg(all) : all;
+}
+
+/// Keys that mean something in the widget itself: what is typed into a field must move no robot.
+bool belongsTo(const QWidget& widget, int key)
+{
+    const bool isFunctionKey = key >= Qt::Key_F1 && key <= Qt::Key_F12;
+    const bool takesText = widget.inherits("QLineEdit") || widget.inherits("QAbstractSpinBox")
+                        || widget.inherits("QComboBox");
+    if (takesText) return !isFunctionKey;
+    const bool moves = key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Space;
+    return moves && qobject_cast<const QAbstractItemView*>(&widget);
 }
 
 }  // namespace
@@ -54,6 +67,29 @@ void KeyTable::release(int key) const
         for (const QKeyCombination own : entry.keys)
             if (own.key() == key) entry.released();
     }
+}
+
+bool KeyTable::filter(const QWidget& window, const QObject& object, const QEvent& event) const
+{
+    const bool press = event.type() == QEvent::KeyPress;
+    if (!(press || event.type() == QEvent::KeyRelease) || !object.isWidgetType()) return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    const Entry* const entry = entryOf(key);
+    if (entry && entry->everywhere) {
+        if (press && !key.isAutoRepeat()) entry->pressed();
+        return press;
+    }
+    // A key that is held is let go wherever that happens: over a menu, in a dialog, with Ctrl held.
+    if (!press && !key.isAutoRepeat()) release(key.key());
+    const auto& widget = static_cast<const QWidget&>(object);
+    if (!entry || !entry->pressed || widget.window() != &window || QApplication::activeModalWidget()
+        || QApplication::activePopupWidget())
+        return false;
+    if (belongsTo(widget, key.key())) return false;
+    // Space means the button that has the focus; only without one it has the table's meaning.
+    if (key.key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(&widget)) return false;
+    if (press && (!key.isAutoRepeat() || entry->repeats)) entry->pressed();
+    return true;
 }
 
 QString KeyTable::html() const

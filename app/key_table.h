@@ -5,6 +5,10 @@
 #include <QString>
 #include <functional>
 
+class QEvent;
+class QObject;
+class QWidget;
+
 namespace terratact {
 
 /// What the keys of the window mean: both what is done when one is pressed and the sheet that tells of it come
@@ -17,6 +21,7 @@ public:
         std::function<void()> pressed;
         std::function<void()> released = {};  ///< set: the key acts while it is held
         bool everywhere = false;              ///< in every window of the program, dialogs included
+        bool repeats = false;                 ///< acts again and again while it stays down
     };
     void addGroup(const QString& name);
     void add(Entry entry);  ///< to the last group; throws std::logic_error for a key that is taken
@@ -25,6 +30,10 @@ public:
     const Entry* entryOf(const QKeyEvent& event) const;
     /// Lets go of what the key held, whatever else is pressed.
     void release(int key) const;
+
+    /// To be called by the event filter of the application for events of the window: true where a key did what it
+    /// means, which a widget that has a use of its own for it does first.
+    bool filter(const QWidget& window, const QObject& object, const QEvent& event) const;
 
     QString html() const;  ///< the sheet: a table per group, two groups side by side
     const QList<Entry>& entries() const { return entries_; }

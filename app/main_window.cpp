@@ -20,8 +20,10 @@
 
 #include "app/alarms_page.h"
 #include "app/numbers_page.h"
+#include "app/open_file.h"
 #include "app/page.h"
 #include "app/resources.h"
+#include "app/robot_words.h"
 #include "app/session_scribe.h"
 #include "app/settings_page.h"
 #include "app/signals_page.h"
@@ -51,44 +53,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kLook = 10ms;      // at the world
 constexpr double kRedraw = 0.04;  // [s] 25 Hz
-
-Tone toneOf(RobotActivity activity)
-{
-    switch (activity) {
-    case RobotActivity::Halted: return Tone::Plain;
-    case RobotActivity::Driving:
-    case RobotActivity::Pressing:
-    case RobotActivity::Probing: return Tone::Accent;
-    case RobotActivity::Pressed: return Tone::Good;
-    case RobotActivity::Stopped: return Tone::Bad;
-    }
-    return Tone::Plain;
-}
-
-// Short enough for the header; the whole sentence is describe()'s.
-QString glance(RobotActivity activity)
-{
-    switch (activity) {
-    case RobotActivity::Halted: return MainWindow::tr("halted");
-    case RobotActivity::Driving: return MainWindow::tr("driving");
-    case RobotActivity::Pressing: return MainWindow::tr("pressing down");
-    case RobotActivity::Pressed: return MainWindow::tr("flippers pressed");
-    case RobotActivity::Probing: return MainWindow::tr("arm is probing");
-    case RobotActivity::Stopped: return MainWindow::tr("stopped");
-    }
-    return {};
-}
-
-/// Keys that mean something in the widget itself: what is typed into a field must move no robot.
-bool belongsTo(const QWidget& widget, int key)
-{
-    const bool isFunctionKey = key >= Qt::Key_F1 && key <= Qt::Key_F12;
-    const bool takesText = widget.inherits("QLineEdit") || widget.inherits("QAbstractSpinBox")
-                        || widget.inherits("QComboBox");
-    if (takesText) return !isFunctionKey;
-    const bool moves = key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Space;
-    return moves && qobject_cast<const QAbstractItemView*>(&widget);
-}
 
 QString shippedModel()
 {
@@ -170,7 +134,13 @@ void MainWindow::build(const Options& options)
     pages_->addWidget(terrainPage_);
     rail_->addPage(tr("Terrain"), Qt::Key_F2,
                    tr("The terrain under the robot, exploring it, and the arm"));
-    numbers_ = new NumbersPage(*exploration_, this);
+    numbers_ = new NumbersPage(
+        [this] {
+            const auto& estimate = exploration_->estimate();
+            return NumbersSight{estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
+                                exploration_->options().stepLimit};
+        },
+        this);
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
     connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
     addPages(options);
@@ -179,6 +149,12 @@ void MainWindow::build(const Options& options)
     recording_->setVisible(recorder_ != nullptr);
     connect(recording_, &QPushButton::clicked, this, &MainWindow::mark);
     rail_->addTool(recording_);
+    auto* openButton = new QPushButton(tr("Open"), rail_);
+    openButton->setAccessibleName(openButton->text());
+    openButton->setToolTip(
+        tr("Review a session, a log or scenes in a window of its own; this one goes on (Ctrl+O)"));
+    connect(openButton, &QPushButton::clicked, this, &MainWindow::open);
+    rail_->addTool(openButton);
     auto* view = new QPushButton(tr("View"), rail_);
     view->setAccessibleName(view->text());
     view->setToolTip(tr("Layout, colours and size of the letters"));
@@ -684,6 +660,7 @@ void MainWindow::showTerrain(double now)
     sight.estimate = pointer(exploration_->estimate());
     sight.estimateSeconds = exploration_->estimateSeconds();
     sight.second = pointer(exploration_->second());
+    if (sight.second) sight.secondName = words::text(name(sight.second->settings.method));
     sight.live = pointer(exploration_->live());
     sight.whyNoEstimate = exploration_->whyNoEstimate();
     sight.ghost = exploration_->ghost();
@@ -702,6 +679,12 @@ void MainWindow::showTerrain(double now)
     sight.whyNotDriving = exploration_->whyNotDriving();
     if (sight.whyNotDriving.isEmpty()) sight.whyNotDriving = panelForbids(now);
     terrainPage_->setSight(sight);
+}
+
+void MainWindow::open()
+{
+    if (const QString why = openInAnotherWindow(this); !why.isEmpty())
+        events()->add(why, Weight::Bad, QTime::currentTime());
 }
 
 void MainWindow::showHelp()
@@ -752,6 +735,9 @@ void MainWindow::defineKeys()
                    rail_->button(page)->accessibleName(),
                    [this, page] { rail_->choose(page); }});
     keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { showHelp(); }});
+    keys_.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
+               tr("open a session, a log or scenes in another window"),
+               [this] { open(); }});
 
     if (recorder_)
         keys_.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
@@ -793,25 +779,7 @@ void MainWindow::defineKeys()
 
 bool MainWindow::eventFilter(QObject* object, QEvent* event)
 {
-    const bool press = event->type() == QEvent::KeyPress;
-    if (!(press || event->type() == QEvent::KeyRelease) || !object->isWidgetType()) return false;
-    const auto* key = static_cast<QKeyEvent*>(event);
-    const KeyTable::Entry* entry = keys_.entryOf(*key);
-    if (entry && entry->everywhere) {
-        if (press && !key->isAutoRepeat()) entry->pressed();
-        return press;
-    }
-    // A key that is held is let go wherever that happens: over a menu, in a dialog, with Ctrl held.
-    if (!press && !key->isAutoRepeat()) keys_.release(key->key());
-    const auto* widget = static_cast<QWidget*>(object);
-    if (!entry || !entry->pressed || widget->window() != this || QApplication::activeModalWidget()
-        || QApplication::activePopupWidget())
-        return false;
-    if (belongsTo(*widget, key->key())) return false;
-    // Space means the button that has the focus; only without one it answers the proposal.
-    if (key->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(widget)) return false;
-    if (press && !key->isAutoRepeat()) entry->pressed();
-    return true;
+    return keys_.filter(*this, *object, *event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -129,6 +129,7 @@ private:
     void preferModelInUse();
     void offerViews();
     void showHelp();
+    void open();
     void defineKeys();
     void applyPreferences(const Preferences& before);
     void arrange();    ///< the terrain page in the layout in force, at the font scale in force

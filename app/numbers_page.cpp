@@ -3,8 +3,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
-#include "app/exploration.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/numbers_table.h"
@@ -12,8 +12,8 @@
 
 namespace terratact {
 
-NumbersPage::NumbersPage(const Exploration& exploration, QWidget* parent)
-    : Page(parent), exploration_(exploration)
+NumbersPage::NumbersPage(std::function<NumbersSight()> look, QWidget* parent)
+    : Page(parent), look_(std::move(look))
 {
     auto* card = new Card(tr("The scene as numbers"), this);
     copy_ = new QPushButton(tr("Copy (Ctrl+C)"), card);
@@ -31,28 +31,27 @@ NumbersPage::NumbersPage(const Exploration& exploration, QWidget* parent)
     column->setContentsMargins(12, 10, 12, 10);
     column->addWidget(card);
     connect(copy_, &QPushButton::clicked, table_, &NumbersTable::copy);
-    summary_->setText(exploration_.whyNoEstimate());
+    summary_->setText(look_().whyNoEstimate);
 }
 
 void NumbersPage::refresh(double /*now*/)
 {
-    const auto& estimate = exploration_.estimate();
-    const double limit = exploration_.options().stepLimit;
-    if (!estimate) {
+    const NumbersSight sight = look_();
+    if (!sight.estimate) {
         if (shown_) table_->clearEstimate();
         shown_.reset();
-        summary_->setText(exploration_.whyNoEstimate());
+        summary_->setText(sight.whyNoEstimate);
         return;
     }
-    if (shown_ == estimate && shownLimit_ == limit) return;
-    shown_ = estimate;
-    shownLimit_ = limit;
-    table_->setEstimate(*estimate, limit);
+    if (shown_ == *sight.estimate && shownLimit_ == sight.stepLimit) return;
+    shown_ = *sight.estimate;
+    shownLimit_ = sight.stepLimit;
+    table_->setEstimate(*shown_, shownLimit_);
     summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m")
-                          .arg(words::text(name(estimate->settings.method)))
-                          .arg(estimate->draws.size())
-                          .arg(estimate->settings.seed)
-                          .arg(words::number(limit, 2)));
+                          .arg(words::text(name(shown_->settings.method)))
+                          .arg(shown_->draws.size())
+                          .arg(shown_->settings.seed)
+                          .arg(words::number(shownLimit_, 2)));
 }
 
 }  // namespace terratact

@@ -1,28 +1,39 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "app/page.h"
 #include "core/infer/estimate.h"
+#include "core/infer/obstacle.h"
 
 class QLabel;
 class QPushButton;
 
 namespace terratact {
 
-class Exploration;
 class NumbersTable;
+
+/// What the numbers are of.
+struct NumbersSight {
+    const TerrainEstimate* estimate = nullptr;  ///< null: there is none
+    QString whyNoEstimate{};
+    double stepLimit = kStepLimit;  ///< [m]
+};
 
 /// The estimate as a table that can be read aloud and copied.
 class NumbersPage final : public Page {
     Q_OBJECT
 public:
-    explicit NumbersPage(const Exploration& exploration, QWidget* parent = nullptr);
+    /// look: at what is to be shown.
+    explicit NumbersPage(std::function<NumbersSight()> look, QWidget* parent = nullptr);
     void refresh(double now) override;
 
     NumbersTable* table() const { return table_; }
     QPushButton* copyButton() const { return copy_; }
 
 private:
-    const Exploration& exploration_;
+    std::function<NumbersSight()> look_;
     QLabel* summary_ = nullptr;
     NumbersTable* table_ = nullptr;
     QPushButton* copy_ = nullptr;

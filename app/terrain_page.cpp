@@ -76,15 +76,17 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     decide->setSpacing(10);
     decide->addWidget(atem_);
     decide->addWidget(probe_, 1);
-    auto* upper = new QHBoxLayout;
-    upper->setSpacing(10);
+    upper_ = new QHBoxLayout;
+    upper_->setSpacing(10);
     ground_ = new QVBoxLayout;
     ground_->setSpacing(10);
     ground_->addWidget(verdict_);
     ground_->addWidget(terrainCard_, 1);
-    upper->addLayout(ground_, 1);
-    upper->addLayout(decide);
-    lower_ = new QHBoxLayout;
+    upper_->addLayout(ground_, 1);
+    upper_->addLayout(decide);
+    lowerPanel_ = new QWidget(this);
+    lower_ = new QHBoxLayout(lowerPanel_);
+    lower_->setContentsMargins(0, 0, 0, 0);
     lower_->setSpacing(10);
     for (QWidget* card : std::initializer_list<QWidget*>{forces, robotState, eventCard})
         lower_->addWidget(card);
@@ -92,8 +94,8 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     rows_ = new QVBoxLayout(this);
     rows_->setContentsMargins(12, 10, 12, 10);
     rows_->setSpacing(10);
-    rows_->addLayout(upper);
-    rows_->addLayout(lower_);
+    rows_->addLayout(upper_);
+    rows_->addWidget(lowerPanel_);
 }
 
 Card* TerrainPage::terrainCard()
@@ -147,6 +149,12 @@ Card* TerrainPage::robotCard()
     return card;
 }
 
+void TerrainPage::placeLower()
+{
+    if (rows_->indexOf(lowerPanel_) < 0) rows_->addWidget(lowerPanel_);
+    arrange(layout_, fontScale_);
+}
+
 void TerrainPage::addTerrainTool(QWidget* tool)
 {
     terrainCard_->titleRow()->addWidget(tool);
@@ -174,9 +182,8 @@ void TerrainPage::arrange(Layout layout, int fontScale)
     const Shares shares = layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
                         : layout == Layout::Review ? Shares{13, 9, 9, 8, 16}
                                                    : Shares{17, 6, 10, 9, 10};
-    rows_->setStretch(rows_->count() - 2, shares.upper + (large ? 4 : 0));
-    rows_->setStretch(rows_->count() - 1, shares.lower);
-    if (large) rows_->setStretch(0, 0);
+    rows_->setStretchFactor(upper_, shares.upper + (large ? 4 : 0));
+    rows_->setStretchFactor(lowerPanel_, shares.lower);
     lower_->setStretch(0, shares.forces);
     lower_->setStretch(1, shares.robot);
     lower_->setStretch(2, shares.events);
@@ -188,6 +195,7 @@ void TerrainPage::arrange(Layout layout, int fontScale)
 
 void TerrainPage::setThreshold(double newtons)
 {
+    if (newtons == threshold_) return;
     threshold_ = newtons;
     showThreshold();
 }
@@ -260,9 +268,7 @@ void TerrainPage::showEstimate(const TerrainSight& sight)
     terrain_->setGhost(sight.ghost, sight.whyNoGhost);
     if (!isShown(shownSecond_, sight.second)) {
         shownSecond_ = copyOf(sight.second);
-        terrain_->setSecond(shownSecond_, shownSecond_
-                                              ? words::text(name(shownSecond_->settings.method))
-                                              : QString());
+        terrain_->setSecond(shownSecond_, sight.secondName);
     }
     shownLive_ = copyOf(sight.live);
     shownEstimate_ = sight.estimate && !sight.live;
@@ -274,9 +280,13 @@ void TerrainPage::showPose(const TerrainSight& sight)
     if (!sight.measurement || sight.count == shownCount_) return;
     // An estimate belongs to the scene it rests on, so both are drawn in that pose.
     const Proprioception s = proprioception(sight.scene ? *sight.scene : *sight.measurement);
-    terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    if (shownPose_ != std::array{s.pitch, s.front, s.rear}) {
+        shownPose_ = std::array{s.pitch, s.front, s.rear};
+        terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    }
     const std::optional<Heights>* truth = sight.scene ? sight.sceneTruth : sight.truth;
-    terrain_->setTruth(truth ? *truth : std::nullopt);
+    const std::optional<Heights> known = truth ? *truth : std::nullopt;
+    if (shownTruth_ != known) terrain_->setTruth(shownTruth_ = known);
     shownCount_ = sight.count;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -45,7 +46,8 @@ struct TerrainSight {
     const TerrainEstimate* estimate = nullptr;  ///< of it
     double estimateSeconds = 0.0;               ///< it took
     const TerrainEstimate* second = nullptr;    ///< of it, too
-    const TerrainEstimate* live = nullptr;      ///< a preview, shown instead
+    QString secondName{};
+    const TerrainEstimate* live = nullptr;  ///< a preview, shown instead
     QString whyNoEstimate{};
     std::optional<Ghost> ghost{};  ///< where the last estimate lies now
     QString whyNoGhost{};          ///< said where there is none; empty: nothing
@@ -73,7 +75,10 @@ public:
     void setSight(const TerrainSight& sight);
     void arrange(Layout layout, int fontScale);  ///< fontScale: [%]
     void setThreshold(double newtons);           ///< of contact
-    void addTerrainTool(QWidget* tool);          ///< to the terrain's title
+    /// Forces, robot and events, below the terrain; whoever takes them into a layout of its own gives them back so.
+    QWidget* lower() const { return lowerPanel_; }
+    void placeLower();
+    void addTerrainTool(QWidget* tool);  ///< to the terrain's title
 
     /// True once what was last shown includes the standing estimate.
     bool showsEstimate() const { return shownEstimate_; }
@@ -124,10 +129,14 @@ private:
     EventList* events_ = nullptr;
     QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
     QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
-    QBoxLayout* lower_ = nullptr;   ///< forces, robot, events
+    QBoxLayout* upper_ = nullptr;   ///< the terrain and the decisions
+    QWidget* lowerPanel_ = nullptr;
+    QBoxLayout* lower_ = nullptr;  ///< forces, robot, events
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_, shownSecond_;
+    std::optional<std::array<double, 3>> shownPose_;  ///< pitch, front, rear [rad]
+    std::optional<Heights> shownTruth_;
     QString shownReason_;
     bool shownEstimate_ = false;
 };

@@ -94,6 +94,7 @@ QFrame#statusHeader QLabel[chip="true"][tone="doubt"] { background: @chipDoubtAr
 QFrame#statusHeader QLabel[chip="true"][tone="bad"] { background: @chipBadArea; color: @chipBadText; }
 QFrame#statusHeader QLabel[chip="true"][tone="accent"] { background: @chipAccentArea; color: @chipAccentText; }
 QLabel#banner { background: @bannerArea; color: @bannerText; font-weight: bold; padding: 7px 16px; }
+QLabel#reviewStrip { background: @cautionArea; color: @cautionText; font-weight: bold; padding: 5px 12px; }
 
 QMenu { background: @card; color: @text; border: 1px solid @buttonBorder; }
 QMenu::item { padding: @8px @28px; }

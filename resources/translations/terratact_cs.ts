@@ -88,6 +88,21 @@
     </message>
 </context>
 <context>
+    <name>OpenFile</name>
+    <message>
+        <source>Open</source>
+        <translation>Otevřít</translation>
+    </message>
+    <message>
+        <source>Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)</source>
+        <translation>Relace, záznamy a scény (*.tts *.log *.csv);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: this program could not be started again</source>
+        <translation>%1 nelze otevřít: program se nepodařilo znovu spustit</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -132,6 +147,171 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Nastavení: %1 nelze přečíst; použije se dodaný model</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewDifference</name>
+    <message>
+        <source>B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N</source>
+        <translation>B − A: %1 s, sklon %2, přední %3, zadní %4, síly %5 N</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewTimeline</name>
+    <message>
+        <source>scene %1</source>
+        <translation>scéna %1</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2, %3</source>
+        <translation>odhad %1 scény %2, %3</translation>
+    </message>
+    <message>
+        <source>probe proposed at %1</source>
+        <translation>návrh sondy v %1</translation>
+    </message>
+    <message>
+        <source>an estimate stands</source>
+        <translation>odhad platí</translation>
+    </message>
+    <message>
+        <source>a force element is in contact</source>
+        <translation>silový prvek je v kontaktu</translation>
+    </message>
+    <message>
+        <source>no telemetry came</source>
+        <translation>nepřišla žádná telemetrie</translation>
+    </message>
+    <message>
+        <source>DAMAGED, not shown: %1</source>
+        <translation>POŠKOZENO, nezobrazeno: %1</translation>
+    </message>
+    <message>
+        <source>alarm: %1</source>
+        <translation>poplach: %1</translation>
+    </message>
+    <message>
+        <source>alarm seen: %1</source>
+        <translation>poplach potvrzen: %1</translation>
+    </message>
+    <message>
+        <source>alarm returned: %1</source>
+        <translation>poplach pominul, nepotvrzen: %1</translation>
+    </message>
+    <message>
+        <source>alarm gone: %1</source>
+        <translation>poplach skončil: %1</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 spojení</translation>
+    </message>
+    <message>
+        <source>2 contact</source>
+        <translation>2 kontakt</translation>
+    </message>
+    <message>
+        <source>3 scenes</source>
+        <translation>3 scény</translation>
+    </message>
+    <message>
+        <source>4 estimates</source>
+        <translation>4 odhady</translation>
+    </message>
+    <message>
+        <source>5 probes</source>
+        <translation>5 sondy</translation>
+    </message>
+    <message>
+        <source>6 operator</source>
+        <translation>6 obsluha</translation>
+    </message>
+    <message>
+        <source>7 alarms</source>
+        <translation>7 poplachy</translation>
+    </message>
+    <message>
+        <source>8 markers</source>
+        <translation>8 značky</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>zpráva</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>rozhodnutí</translation>
+    </message>
+    <message>
+        <source>exploration</source>
+        <translation>průzkum</translation>
+    </message>
+    <message>
+        <source>arming</source>
+        <translation>odjištění</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>spojení</translation>
+    </message>
+    <message>
+        <source>estimate gone</source>
+        <translation>odhad zanikl</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>poplach</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>panel</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>značka</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>mezera</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>relace</translation>
+    </message>
+    <message>
+        <source>contact closed: %1</source>
+        <translation>kontakt sepnut: %1</translation>
+    </message>
+    <message>
+        <source>contact open: %1</source>
+        <translation>kontakt rozepnut: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RobotWords</name>
+    <message>
+        <source>halted</source>
+        <translation>stojí</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>jede</translation>
+    </message>
+    <message>
+        <source>pressing down</source>
+        <translation>tlačí dolů</translation>
+    </message>
+    <message>
+        <source>flippers pressed</source>
+        <translation>flippery přitlačeny</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>rameno sonduje</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>zastaven</translation>
     </message>
 </context>
 <context>
@@ -1309,30 +1489,6 @@ Poslední deaktivace: %1</translation>
 <context>
     <name>terratact::MainWindow</name>
     <message>
-        <source>halted</source>
-        <translation>stojí</translation>
-    </message>
-    <message>
-        <source>driving</source>
-        <translation>jede</translation>
-    </message>
-    <message>
-        <source>pressing down</source>
-        <translation>tlačí dolů</translation>
-    </message>
-    <message>
-        <source>flippers pressed</source>
-        <translation>flippery přitlačeny</translation>
-    </message>
-    <message>
-        <source>arm is probing</source>
-        <translation>rameno sonduje</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>zastaven</translation>
-    </message>
-    <message>
         <source>Terratact — %1</source>
         <translation>Terratact — %1</translation>
     </message>
@@ -1702,6 +1858,18 @@ Kliknutí označí tento okamžik (K)</translation>
         <source>mark this moment in the recording</source>
         <translation>označit tento okamžik v záznamu</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Otevřít</translation>
+    </message>
+    <message>
+        <source>Review a session, a log or scenes in a window of its own; this one goes on (Ctrl+O)</source>
+        <translation>Prohlédnout relaci, záznam nebo scény ve vlastním okně; toto běží dál (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>open a session, a log or scenes in another window</source>
+        <translation>otevřít relaci, záznam nebo scény v jiném okně</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2025,6 +2193,520 @@ Kliknutí označí tento okamžik (K)</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewEventsPage</name>
+    <message>
+        <source>time</source>
+        <translation>čas</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>druh</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>co</translation>
+    </message>
+    <message>
+        <source>on the screen</source>
+        <translation>na obrazovce</translation>
+    </message>
+    <message>
+        <source>Events of the session</source>
+        <translation>Události relace</translation>
+    </message>
+    <message>
+        <source>Alarms that stand</source>
+        <translation>Trvající poplachy</translation>
+    </message>
+    <message>
+        <source>Kind of the events</source>
+        <translation>Druh událostí</translation>
+    </message>
+    <message>
+        <source>Which events are listed</source>
+        <translation>Které události se vypisují</translation>
+    </message>
+    <message>
+        <source>all kinds</source>
+        <translation>všechny druhy</translation>
+    </message>
+    <message>
+        <source>Enter or a double click goes there</source>
+        <translation>Enter nebo dvojklik přejde na místo</translation>
+    </message>
+    <message>
+        <source>No alarm stood at this time.</source>
+        <translation>V tomto čase netrval žádný poplach.</translation>
+    </message>
+    <message>
+        <source>Alarms at this time: %1</source>
+        <translation>Poplachy v tomto čase: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ReviewWindow</name>
+    <message>
+        <source>REVIEW — %1 — Terratact</source>
+        <translation>PŘEHRÁVÁNÍ — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>REVIEW · %1</source>
+        <translation>PŘEHRÁVÁNÍ · %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>What the operator saw at this time</source>
+        <translation>Co obsluha v tomto čase viděla</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>V tomto čase neplatil žádný odhad</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Čísla</translation>
+    </message>
+    <message>
+        <source>The scene of this time as a table</source>
+        <translation>Scéna tohoto času jako tabulka</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Události</translation>
+    </message>
+    <message>
+        <source>Everything the session tells of</source>
+        <translation>Vše, co relace obsahuje</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Forces, attitude and the last events</source>
+        <translation>Síly, náklon a poslední události</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Co kdyby</translation>
+    </message>
+    <message>
+        <source>Estimate the recorded scene with other settings</source>
+        <translation>Odhadnout zaznamenanou scénu s jiným nastavením</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otevřít</translation>
+    </message>
+    <message>
+        <source>Open another file in a window of its own (Ctrl+O)</source>
+        <translation>Otevřít jiný soubor ve vlastním okně (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
+        <translation>Uložit zobrazený obrázek nebo čísla (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vzhled</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Rozvržení, barvy a velikost písma</translation>
+    </message>
+    <message>
+        <source>To the begin</source>
+        <translation>Na začátek</translation>
+    </message>
+    <message>
+        <source>To the begin (Home)</source>
+        <translation>Na začátek (Home)</translation>
+    </message>
+    <message>
+        <source>Frame back</source>
+        <translation>Rámec zpět</translation>
+    </message>
+    <message>
+        <source>One frame back (,)</source>
+        <translation>O rámec zpět (,)</translation>
+    </message>
+    <message>
+        <source>Play backwards</source>
+        <translation>Přehrávat pozpátku</translation>
+    </message>
+    <message>
+        <source>Play backwards (J)</source>
+        <translation>Přehrávat pozpátku (J)</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Přehrát</translation>
+    </message>
+    <message>
+        <source>Play, pause (Space)</source>
+        <translation>Přehrát, pozastavit (Space)</translation>
+    </message>
+    <message>
+        <source>Frame on</source>
+        <translation>Rámec vpřed</translation>
+    </message>
+    <message>
+        <source>One frame on (.)</source>
+        <translation>O rámec vpřed (.)</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Na konec</translation>
+    </message>
+    <message>
+        <source>To the end (End)</source>
+        <translation>Na konec (End)</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Pomaleji</translation>
+    </message>
+    <message>
+        <source>Half as fast (S)</source>
+        <translation>Poloviční rychlostí (S)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Rychlost</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Rychleji</translation>
+    </message>
+    <message>
+        <source>Twice as fast (F)</source>
+        <translation>Dvojnásobnou rychlostí (F)</translation>
+    </message>
+    <message>
+        <source>Cursor A here</source>
+        <translation>Kurzor A sem</translation>
+    </message>
+    <message>
+        <source>Cursor A here (A); again removes it</source>
+        <translation>Kurzor A sem (A); znovu jej odstraní</translation>
+    </message>
+    <message>
+        <source>Cursor B here</source>
+        <translation>Kurzor B sem</translation>
+    </message>
+    <message>
+        <source>Cursor B here (B); again removes it</source>
+        <translation>Kurzor B sem (B); znovu jej odstraní</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>smyčka</translation>
+    </message>
+    <message>
+        <source>Loop between A and B</source>
+        <translation>Smyčka mezi A a B</translation>
+    </message>
+    <message>
+        <source>Play from A to B again and again (P)</source>
+        <translation>Přehrávat od A do B stále dokola (P)</translation>
+    </message>
+    <message>
+        <source>follow</source>
+        <translation>sledovat</translation>
+    </message>
+    <message>
+        <source>Follow the end</source>
+        <translation>Sledovat konec</translation>
+    </message>
+    <message>
+        <source>Stay at the end of a session that is still recorded (T)</source>
+        <translation>Zůstat na konci relace, která se ještě zaznamenává (T)</translation>
+    </message>
+    <message>
+        <source>Time in the session</source>
+        <translation>Čas v relaci</translation>
+    </message>
+    <message>
+        <source>Go to a time (G): seconds, or hours:minutes:seconds</source>
+        <translation>Přejít na čas (G): sekundy, nebo hodiny:minuty:sekundy</translation>
+    </message>
+    <message>
+        <source>note (M)</source>
+        <translation>poznámka (M)</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Poznámka k tomuto času</translation>
+    </message>
+    <message>
+        <source>Kept beside the session, in %1; Enter saves it</source>
+        <translation>Ukládá se vedle relace, do %1; Enter ji uloží</translation>
+    </message>
+    <message>
+        <source>From A to B</source>
+        <translation>Od A do B</translation>
+    </message>
+    <message>
+        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <translation>POŠKOZENO od %1 do %2, nic z toho se nezobrazuje: %3</translation>
+    </message>
+    <message>
+        <source>link %1 Hz</source>
+        <translation>spojení %1 Hz</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>SPOJENÍ ZTRACENO · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>žádná telemetrie</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>model %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>bez modelu</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>co kdyby: %1</translation>
+    </message>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Přehrávání neřídí žádného robota</translation>
+    </message>
+    <message>
+        <source>REVIEW of %1</source>
+        <translation>PŘEHRÁVÁNÍ souboru %1</translation>
+    </message>
+    <message>
+        <source>recorded %1</source>
+        <translation>zaznamenáno %1</translation>
+    </message>
+    <message>
+        <source>closed and sealed</source>
+        <translation>uzavřena a zapečetěna</translation>
+    </message>
+    <message>
+        <source>BEING RECORDED</source>
+        <translation>PRÁVĚ SE ZAZNAMENÁVÁ</translation>
+    </message>
+    <message>
+        <source>NOT SEALED: its program has not closed it</source>
+        <translation>NEZAPEČETĚNO: program ji neuzavřel</translation>
+    </message>
+    <message>
+        <source>DAMAGED, places: %1</source>
+        <translation>POŠKOZENO, míst: %1</translation>
+    </message>
+    <message>
+        <source>frames are looked through …</source>
+        <translation>rámce se procházejí …</translation>
+    </message>
+    <message>
+        <source>no command can be sent</source>
+        <translation>nelze odeslat žádný povel</translation>
+    </message>
+    <message>
+        <source>of %1 · %2%3</source>
+        <translation>z %1 · %2%3</translation>
+    </message>
+    <message>
+        <source>END</source>
+        <translation>KONEC</translation>
+    </message>
+    <message>
+        <source>BEGIN</source>
+        <translation>ZAČÁTEK</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pozastavit</translation>
+    </message>
+    <message>
+        <source>The session is closed: nothing more will come</source>
+        <translation>Relace je uzavřena: nic dalšího nepřijde</translation>
+    </message>
+    <message>
+        <source>NOTE NOT SAVED: %1</source>
+        <translation>POZNÁMKA NEULOŽENA: %1</translation>
+    </message>
+    <message>
+        <source>%1: a picture is a .png, .svg or .pdf</source>
+        <translation>%1: obrázek je .png, .svg nebo .pdf</translation>
+    </message>
+    <message>
+        <source>%1 could not be written</source>
+        <translation>%1 nelze zapsat</translation>
+    </message>
+    <message>
+        <source>Export what is shown</source>
+        <translation>Exportovat, co je zobrazeno</translation>
+    </message>
+    <message>
+        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
+        <translation>Obrázek (*.png *.svg *.pdf);;Čísla (*.csv)</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+    <message>
+        <source>play, pause</source>
+        <translation>přehrát, pozastavit</translation>
+    </message>
+    <message>
+        <source>play backwards</source>
+        <translation>přehrávat pozpátku</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>pozastavit</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>přehrát</translation>
+    </message>
+    <message>
+        <source>twice as fast</source>
+        <translation>dvojnásobnou rychlostí</translation>
+    </message>
+    <message>
+        <source>half as fast</source>
+        <translation>poloviční rychlostí</translation>
+    </message>
+    <message>
+        <source>cursor A here; again removes it</source>
+        <translation>kurzor A sem; znovu jej odstraní</translation>
+    </message>
+    <message>
+        <source>cursor B here; again removes it</source>
+        <translation>kurzor B sem; znovu jej odstraní</translation>
+    </message>
+    <message>
+        <source>loop from A to B</source>
+        <translation>smyčka od A do B</translation>
+    </message>
+    <message>
+        <source>follow a session that is still recorded</source>
+        <translation>sledovat relaci, která se zaznamenává</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Přejít</translation>
+    </message>
+    <message>
+        <source>one frame back</source>
+        <translation>o rámec zpět</translation>
+    </message>
+    <message>
+        <source>one frame on</source>
+        <translation>o rámec vpřed</translation>
+    </message>
+    <message>
+        <source>a second back</source>
+        <translation>o sekundu zpět</translation>
+    </message>
+    <message>
+        <source>a second on</source>
+        <translation>o sekundu vpřed</translation>
+    </message>
+    <message>
+        <source>to the scene before</source>
+        <translation>na předchozí scénu</translation>
+    </message>
+    <message>
+        <source>to the next scene</source>
+        <translation>na další scénu</translation>
+    </message>
+    <message>
+        <source>to the event before</source>
+        <translation>na předchozí událost</translation>
+    </message>
+    <message>
+        <source>to the next event</source>
+        <translation>na další událost</translation>
+    </message>
+    <message>
+        <source>to the next of: %1 (with Alt: before)</source>
+        <translation>na další: %1 (s Alt: předchozí)</translation>
+    </message>
+    <message>
+        <source>to the begin</source>
+        <translation>na začátek</translation>
+    </message>
+    <message>
+        <source>to the end</source>
+        <translation>na konec</translation>
+    </message>
+    <message>
+        <source>to a time</source>
+        <translation>na čas</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
+    </message>
+    <message>
+        <source>estimate the recorded scene again, on the page What if</source>
+        <translation>odhadnout zaznamenanou scénu znovu, na stránce Co kdyby</translation>
+    </message>
+    <message>
+        <source>a note at this time</source>
+        <translation>poznámka k tomuto času</translation>
+    </message>
+    <message>
+        <source>open another file</source>
+        <translation>otevřít jiný soubor</translation>
+    </message>
+    <message>
+        <source>export what is shown</source>
+        <translation>exportovat, co je zobrazeno</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>tento přehled</translation>
+    </message>
+    <message>
+        <source>timeline closer</source>
+        <translation>přiblížit časovou osu</translation>
+    </message>
+    <message>
+        <source>timeline wider</source>
+        <translation>oddálit časovou osu</translation>
+    </message>
+    <message>
+        <source>all of the timeline</source>
+        <translation>celá časová osa</translation>
+    </message>
+    <message>
+        <source>show some of the draws as thin lines</source>
+        <translation>některé vzorky jako tenké čáry</translation>
+    </message>
+    <message>
+        <source>back from a field to the keys</source>
+        <translation>z pole zpět ke klávesám</translation>
+    </message>
+    <message>
+        <source>to the next control, to the one before</source>
+        <translation>na další prvek, na předchozí</translation>
+    </message>
+</context>
+<context>
     <name>terratact::RobotReadout</name>
     <message>
         <source>Robot</source>
@@ -2060,6 +2742,69 @@ Kliknutí označí tento okamžik (K)</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ScenesWindow</name>
+    <message>
+        <source>SCENES — %1 — Terratact</source>
+        <translation>SCÉNY — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>SCENES OF A FILE</source>
+        <translation>SCÉNY ZE SOUBORU</translation>
+    </message>
+    <message>
+        <source>model loading …</source>
+        <translation>model se načítá …</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>model %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>bez modelu</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Odhaduje se …</translation>
+    </message>
+    <message>
+        <source>A scene of a file commands no robot</source>
+        <translation>Scéna ze souboru neřídí žádného robota</translation>
+    </message>
+    <message>
+        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · . and , go on and back</source>
+        <translation>SCÉNA %1 z %2 v %3 · jízda %4 v %5 s · odhadnuto nyní, nezaznamenáno · . a , další a předchozí</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Scény</translation>
+    </message>
+    <message>
+        <source>next scene</source>
+        <translation>další scéna</translation>
+    </message>
+    <message>
+        <source>scene before</source>
+        <translation>předchozí scéna</translation>
+    </message>
+    <message>
+        <source>first scene</source>
+        <translation>první scéna</translation>
+    </message>
+    <message>
+        <source>last scene</source>
+        <translation>poslední scéna</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>tento přehled</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ScreenshotDemo</name>
     <message>
         <source>the demonstration took too long</source>
@@ -2068,6 +2813,21 @@ Kliknutí označí tento okamžik (K)</translation>
     <message>
         <source>%1: cannot be written: %2</source>
         <translation>%1: nelze zapsat: %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionTimeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Časová osa</translation>
+    </message>
+    <message>
+        <source>%1 – %2  %3</source>
+        <translation>%1 – %2  %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
     </message>
 </context>
 <context>
@@ -3227,6 +3987,169 @@ vpředu</translation>
     <message>
         <source>language: %1 (at the next start)</source>
         <translation>jazyk: %1 (po novém spuštění)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::WhatIfPage</name>
+    <message>
+        <source>What if …</source>
+        <translation>Co kdyby …</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>V čem se liší</translation>
+    </message>
+    <message>
+        <source>Recorded estimate and the other, bin by bin</source>
+        <translation>Zaznamenaný odhad a ten druhý, po dílcích</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>bod [m]</translation>
+    </message>
+    <message>
+        <source>then [m]</source>
+        <translation>tehdy [m]</translation>
+    </message>
+    <message>
+        <source>now [m]</source>
+        <translation>nyní [m]</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>o</translation>
+    </message>
+    <message>
+        <source>sd then</source>
+        <translation>sd tehdy</translation>
+    </message>
+    <message>
+        <source>sd now</source>
+        <translation>sd nyní</translation>
+    </message>
+    <message>
+        <source>q10 by</source>
+        <translation>q10 o</translation>
+    </message>
+    <message>
+        <source>q90 by</source>
+        <translation>q90 o</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>Which method estimates</source>
+        <translation>Která metoda odhaduje</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Kvalita</translation>
+    </message>
+    <message>
+        <source>Draws, chains and precision</source>
+        <translation>Vzorky, řetězce a přesnost</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>jako v záznamu</translation>
+    </message>
+    <message>
+        <source>An element is a contact above</source>
+        <translation>Kontakt je prvek nad</translation>
+    </message>
+    <message>
+        <source>Force from which an element touches the ground</source>
+        <translation>Síla, od které se prvek dotýká země</translation>
+    </message>
+    <message>
+        <source>Contact above</source>
+        <translation>Kontakt nad</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semínko</translation>
+    </message>
+    <message>
+        <source>Of the random numbers: a whole number</source>
+        <translation>Náhodných čísel: celé číslo</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>File of the model</source>
+        <translation>Soubor modelu</translation>
+    </message>
+    <message>
+        <source>another file …</source>
+        <translation>jiný soubor …</translation>
+    </message>
+    <message>
+        <source>Models (*.ttm)</source>
+        <translation>Modely (*.ttm)</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Jako v záznamu</translation>
+    </message>
+    <message>
+        <source>Sets everything to what was recorded</source>
+        <translation>Nastaví vše podle záznamu</translation>
+    </message>
+    <message>
+        <source>Estimate again (R)</source>
+        <translation>Odhadnout znovu (R)</translation>
+    </message>
+    <message>
+        <source>Estimates the recorded scene with what is set here</source>
+        <translation>Odhadne zaznamenanou scénu s tímto nastavením</translation>
+    </message>
+    <message>
+        <source>Progress of the estimate</source>
+        <translation>Průběh odhadu</translation>
+    </message>
+    <message>
+        <source>Estimate %1 of scene %2 at %3 s, by %4 with the model %5</source>
+        <translation>Odhad %1 scény %2 v %3 s, metodou %4 s modelem %5</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time: go to one (key 4 finds the next).</source>
+        <translation>V tomto čase neplatil žádný odhad: přejděte na některý (klávesa 4 najde další).</translation>
+    </message>
+    <message>
+        <source>No estimate: %1</source>
+        <translation>Bez odhadu: %1</translation>
+    </message>
+    <message>
+        <source>No model is chosen</source>
+        <translation>Není vybrán žádný model</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Odhaduje se …</translation>
+    </message>
+    <message>
+        <source>The recorded settings and model give the recorded estimate again, bit for bit.</source>
+        <translation>Zaznamenané nastavení a model dávají znovu zaznamenaný odhad, bit po bitu.</translation>
+    </message>
+    <message>
+        <source>Time ended the recorded sampling, so that it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
+        <translation>Zaznamenané vzorkování ukončil čas, nelze je tedy opakovat bit po bitu: nejvýše %1 m, v dílci %2.</translation>
+    </message>
+    <message>
+        <source>The recorded settings and model do NOT give the recorded estimate: %1 m at most, at bin %2.</source>
+        <translation>Zaznamenané nastavení a model NEDÁVAJÍ zaznamenaný odhad: nejvýše %1 m, v dílci %2.</translation>
+    </message>
+    <message>
+        <source>Differs from what was shown by %1 m at most, at bin %2.</source>
+        <translation>Liší se od zobrazeného nejvýše o %1 m, v dílci %2.</translation>
+    </message>
+    <message>
+        <source>Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.</source>
+        <translation>Stupně přes %1 m: tehdy %2 (%3 %), nyní %4 (%5 %).</translation>
     </message>
 </context>
 </TS>

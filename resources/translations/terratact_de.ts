@@ -88,6 +88,21 @@
     </message>
 </context>
 <context>
+    <name>OpenFile</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)</source>
+        <translation>Sitzungen, Logs und Szenen (*.tts *.log *.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: this program could not be started again</source>
+        <translation>%1 ließ sich nicht öffnen: das Programm ließ sich nicht noch einmal starten</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -132,6 +147,171 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Einstellungen: %1 ist nicht lesbar; das mitgelieferte Modell wird verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewDifference</name>
+    <message>
+        <source>B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N</source>
+        <translation>B − A: %1 s, Neigung %2, vorn %3, hinten %4, Kräfte %5 N</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewTimeline</name>
+    <message>
+        <source>scene %1</source>
+        <translation>Szene %1</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2, %3</source>
+        <translation>Schätzung %1 der Szene %2, %3</translation>
+    </message>
+    <message>
+        <source>probe proposed at %1</source>
+        <translation>Sondierung vorgeschlagen bei %1</translation>
+    </message>
+    <message>
+        <source>an estimate stands</source>
+        <translation>eine Schätzung gilt</translation>
+    </message>
+    <message>
+        <source>a force element is in contact</source>
+        <translation>ein Kraftelement hat Kontakt</translation>
+    </message>
+    <message>
+        <source>no telemetry came</source>
+        <translation>es kam keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>DAMAGED, not shown: %1</source>
+        <translation>BESCHÄDIGT, nicht gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>alarm: %1</source>
+        <translation>Alarm: %1</translation>
+    </message>
+    <message>
+        <source>alarm seen: %1</source>
+        <translation>Alarm gesehen: %1</translation>
+    </message>
+    <message>
+        <source>alarm returned: %1</source>
+        <translation>Alarm vorbei, ungesehen: %1</translation>
+    </message>
+    <message>
+        <source>alarm gone: %1</source>
+        <translation>Alarm beendet: %1</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>2 contact</source>
+        <translation>2 Kontakt</translation>
+    </message>
+    <message>
+        <source>3 scenes</source>
+        <translation>3 Szenen</translation>
+    </message>
+    <message>
+        <source>4 estimates</source>
+        <translation>4 Schätzung</translation>
+    </message>
+    <message>
+        <source>5 probes</source>
+        <translation>5 Sonden</translation>
+    </message>
+    <message>
+        <source>6 operator</source>
+        <translation>6 Bediener</translation>
+    </message>
+    <message>
+        <source>7 alarms</source>
+        <translation>7 Alarme</translation>
+    </message>
+    <message>
+        <source>8 markers</source>
+        <translation>8 Marken</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>exploration</source>
+        <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>arming</source>
+        <translation>Scharfschalten</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>estimate gone</source>
+        <translation>Schätzung verfallen</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>Pult</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>contact closed: %1</source>
+        <translation>Kontakt geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>contact open: %1</source>
+        <translation>Kontakt offen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RobotWords</name>
+    <message>
+        <source>halted</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>fährt</translation>
+    </message>
+    <message>
+        <source>pressing down</source>
+        <translation>drückt an</translation>
+    </message>
+    <message>
+        <source>flippers pressed</source>
+        <translation>Flipper angedrückt</translation>
+    </message>
+    <message>
+        <source>arm is probing</source>
+        <translation>Arm sondiert</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
     </message>
 </context>
 <context>
@@ -1309,30 +1489,6 @@ Zuletzt gesperrt: %1</translation>
 <context>
     <name>terratact::MainWindow</name>
     <message>
-        <source>halted</source>
-        <translation>steht</translation>
-    </message>
-    <message>
-        <source>driving</source>
-        <translation>fährt</translation>
-    </message>
-    <message>
-        <source>pressing down</source>
-        <translation>drückt an</translation>
-    </message>
-    <message>
-        <source>flippers pressed</source>
-        <translation>Flipper angedrückt</translation>
-    </message>
-    <message>
-        <source>arm is probing</source>
-        <translation>Arm sondiert</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>gestoppt</translation>
-    </message>
-    <message>
         <source>Terratact — %1</source>
         <translation>Terratact — %1</translation>
     </message>
@@ -1702,6 +1858,18 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <source>mark this moment in the recording</source>
         <translation>diesen Augenblick in der Aufzeichnung markieren</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Review a session, a log or scenes in a window of its own; this one goes on (Ctrl+O)</source>
+        <translation>Eine Sitzung, ein Log oder Szenen in einem eigenen Fenster ansehen; dieses läuft weiter (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>open a session, a log or scenes in another window</source>
+        <translation>eine Sitzung, ein Log oder Szenen in einem anderen Fenster öffnen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2025,6 +2193,520 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewEventsPage</name>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>on the screen</source>
+        <translation>auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Events of the session</source>
+        <translation>Ereignisse der Sitzung</translation>
+    </message>
+    <message>
+        <source>Alarms that stand</source>
+        <translation>Anstehende Alarme</translation>
+    </message>
+    <message>
+        <source>Kind of the events</source>
+        <translation>Art der Ereignisse</translation>
+    </message>
+    <message>
+        <source>Which events are listed</source>
+        <translation>Welche Ereignisse aufgelistet werden</translation>
+    </message>
+    <message>
+        <source>all kinds</source>
+        <translation>alle Arten</translation>
+    </message>
+    <message>
+        <source>Enter or a double click goes there</source>
+        <translation>Enter oder ein Doppelklick geht dorthin</translation>
+    </message>
+    <message>
+        <source>No alarm stood at this time.</source>
+        <translation>Zu dieser Zeit stand kein Alarm an.</translation>
+    </message>
+    <message>
+        <source>Alarms at this time: %1</source>
+        <translation>Alarme zu dieser Zeit: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ReviewWindow</name>
+    <message>
+        <source>REVIEW — %1 — Terratact</source>
+        <translation>RÜCKSCHAU — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>REVIEW · %1</source>
+        <translation>RÜCKSCHAU · %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>What the operator saw at this time</source>
+        <translation>Was der Bediener zu dieser Zeit sah</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>Zu dieser Zeit galt keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>The scene of this time as a table</source>
+        <translation>Die Szene dieser Zeit als Tabelle</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Everything the session tells of</source>
+        <translation>Alles, wovon die Sitzung berichtet</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Forces, attitude and the last events</source>
+        <translation>Kräfte, Lage und die letzten Ereignisse</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre</translation>
+    </message>
+    <message>
+        <source>Estimate the recorded scene with other settings</source>
+        <translation>Die aufgezeichnete Szene mit anderen Einstellungen schätzen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open another file in a window of its own (Ctrl+O)</source>
+        <translation>Eine andere Datei in einem eigenen Fenster öffnen (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
+        <translation>Das gezeigte Bild oder die Zahlen speichern (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Anordnung, Farben und Schriftgröße</translation>
+    </message>
+    <message>
+        <source>To the begin</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>To the begin (Home)</source>
+        <translation>Zum Anfang (Home)</translation>
+    </message>
+    <message>
+        <source>Frame back</source>
+        <translation>Rahmen zurück</translation>
+    </message>
+    <message>
+        <source>One frame back (,)</source>
+        <translation>Einen Rahmen zurück (,)</translation>
+    </message>
+    <message>
+        <source>Play backwards</source>
+        <translation>Rückwärts abspielen</translation>
+    </message>
+    <message>
+        <source>Play backwards (J)</source>
+        <translation>Rückwärts abspielen (J)</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play, pause (Space)</source>
+        <translation>Abspielen, anhalten (Space)</translation>
+    </message>
+    <message>
+        <source>Frame on</source>
+        <translation>Rahmen vor</translation>
+    </message>
+    <message>
+        <source>One frame on (.)</source>
+        <translation>Einen Rahmen vor (.)</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>To the end (End)</source>
+        <translation>Zum Ende (End)</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Half as fast (S)</source>
+        <translation>Halb so schnell (S)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Twice as fast (F)</source>
+        <translation>Doppelt so schnell (F)</translation>
+    </message>
+    <message>
+        <source>Cursor A here</source>
+        <translation>Marke A hierher</translation>
+    </message>
+    <message>
+        <source>Cursor A here (A); again removes it</source>
+        <translation>Marke A hierher (A); noch einmal entfernt sie</translation>
+    </message>
+    <message>
+        <source>Cursor B here</source>
+        <translation>Marke B hierher</translation>
+    </message>
+    <message>
+        <source>Cursor B here (B); again removes it</source>
+        <translation>Marke B hierher (B); noch einmal entfernt sie</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Loop between A and B</source>
+        <translation>Schleife zwischen A und B</translation>
+    </message>
+    <message>
+        <source>Play from A to B again and again (P)</source>
+        <translation>Von A bis B immer wieder abspielen (P)</translation>
+    </message>
+    <message>
+        <source>follow</source>
+        <translation>folgen</translation>
+    </message>
+    <message>
+        <source>Follow the end</source>
+        <translation>Dem Ende folgen</translation>
+    </message>
+    <message>
+        <source>Stay at the end of a session that is still recorded (T)</source>
+        <translation>Am Ende einer Sitzung bleiben, die noch aufgezeichnet wird (T)</translation>
+    </message>
+    <message>
+        <source>Time in the session</source>
+        <translation>Zeit in der Sitzung</translation>
+    </message>
+    <message>
+        <source>Go to a time (G): seconds, or hours:minutes:seconds</source>
+        <translation>Zu einer Zeit gehen (G): Sekunden, oder Stunden:Minuten:Sekunden</translation>
+    </message>
+    <message>
+        <source>note (M)</source>
+        <translation>Notiz (M)</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Notiz zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>Kept beside the session, in %1; Enter saves it</source>
+        <translation>Steht neben der Sitzung, in %1; Enter speichert sie</translation>
+    </message>
+    <message>
+        <source>From A to B</source>
+        <translation>Von A bis B</translation>
+    </message>
+    <message>
+        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
+    </message>
+    <message>
+        <source>link %1 Hz</source>
+        <translation>Verbindung %1 Hz</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>VERBINDUNG WEG · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>Modell %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>was wäre: %1</translation>
+    </message>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
+    </message>
+    <message>
+        <source>REVIEW of %1</source>
+        <translation>RÜCKSCHAU auf %1</translation>
+    </message>
+    <message>
+        <source>recorded %1</source>
+        <translation>aufgezeichnet %1</translation>
+    </message>
+    <message>
+        <source>closed and sealed</source>
+        <translation>geschlossen und versiegelt</translation>
+    </message>
+    <message>
+        <source>BEING RECORDED</source>
+        <translation>WIRD AUFGEZEICHNET</translation>
+    </message>
+    <message>
+        <source>NOT SEALED: its program has not closed it</source>
+        <translation>NICHT VERSIEGELT: ihr Programm hat sie nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>DAMAGED, places: %1</source>
+        <translation>BESCHÄDIGT, Stellen: %1</translation>
+    </message>
+    <message>
+        <source>frames are looked through …</source>
+        <translation>Rahmen werden durchgesehen …</translation>
+    </message>
+    <message>
+        <source>no command can be sent</source>
+        <translation>kein Befehl kann gesendet werden</translation>
+    </message>
+    <message>
+        <source>of %1 · %2%3</source>
+        <translation>von %1 · %2%3</translation>
+    </message>
+    <message>
+        <source>END</source>
+        <translation>ENDE</translation>
+    </message>
+    <message>
+        <source>BEGIN</source>
+        <translation>ANFANG</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>The session is closed: nothing more will come</source>
+        <translation>Die Sitzung ist geschlossen: es kommt nichts mehr</translation>
+    </message>
+    <message>
+        <source>NOTE NOT SAVED: %1</source>
+        <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
+    </message>
+    <message>
+        <source>%1: a picture is a .png, .svg or .pdf</source>
+        <translation>%1: ein Bild ist .png, .svg oder .pdf</translation>
+    </message>
+    <message>
+        <source>%1 could not be written</source>
+        <translation>%1 ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Export what is shown</source>
+        <translation>Gezeigtes exportieren</translation>
+    </message>
+    <message>
+        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
+        <translation>Bild (*.png *.svg *.pdf);;Zahlen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>play, pause</source>
+        <translation>abspielen, anhalten</translation>
+    </message>
+    <message>
+        <source>play backwards</source>
+        <translation>rückwärts abspielen</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>anhalten</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>abspielen</translation>
+    </message>
+    <message>
+        <source>twice as fast</source>
+        <translation>doppelt so schnell</translation>
+    </message>
+    <message>
+        <source>half as fast</source>
+        <translation>halb so schnell</translation>
+    </message>
+    <message>
+        <source>cursor A here; again removes it</source>
+        <translation>Marke A hierher; noch einmal entfernt sie</translation>
+    </message>
+    <message>
+        <source>cursor B here; again removes it</source>
+        <translation>Marke B hierher; noch einmal entfernt sie</translation>
+    </message>
+    <message>
+        <source>loop from A to B</source>
+        <translation>Schleife von A bis B</translation>
+    </message>
+    <message>
+        <source>follow a session that is still recorded</source>
+        <translation>einer Sitzung folgen, die noch aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source>one frame back</source>
+        <translation>einen Rahmen zurück</translation>
+    </message>
+    <message>
+        <source>one frame on</source>
+        <translation>einen Rahmen vor</translation>
+    </message>
+    <message>
+        <source>a second back</source>
+        <translation>eine Sekunde zurück</translation>
+    </message>
+    <message>
+        <source>a second on</source>
+        <translation>eine Sekunde vor</translation>
+    </message>
+    <message>
+        <source>to the scene before</source>
+        <translation>zur Szene davor</translation>
+    </message>
+    <message>
+        <source>to the next scene</source>
+        <translation>zur nächsten Szene</translation>
+    </message>
+    <message>
+        <source>to the event before</source>
+        <translation>zum Ereignis davor</translation>
+    </message>
+    <message>
+        <source>to the next event</source>
+        <translation>zum nächsten Ereignis</translation>
+    </message>
+    <message>
+        <source>to the next of: %1 (with Alt: before)</source>
+        <translation>zum nächsten: %1 (mit Alt: davor)</translation>
+    </message>
+    <message>
+        <source>to the begin</source>
+        <translation>zum Anfang</translation>
+    </message>
+    <message>
+        <source>to the end</source>
+        <translation>zum Ende</translation>
+    </message>
+    <message>
+        <source>to a time</source>
+        <translation>zu einer Zeit</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>estimate the recorded scene again, on the page What if</source>
+        <translation>die aufgezeichnete Szene noch einmal schätzen, auf der Seite Was wäre</translation>
+    </message>
+    <message>
+        <source>a note at this time</source>
+        <translation>eine Notiz zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>open another file</source>
+        <translation>eine andere Datei öffnen</translation>
+    </message>
+    <message>
+        <source>export what is shown</source>
+        <translation>Gezeigtes exportieren</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>diese Übersicht</translation>
+    </message>
+    <message>
+        <source>timeline closer</source>
+        <translation>Zeitleiste näher</translation>
+    </message>
+    <message>
+        <source>timeline wider</source>
+        <translation>Zeitleiste weiter</translation>
+    </message>
+    <message>
+        <source>all of the timeline</source>
+        <translation>die ganze Zeitleiste</translation>
+    </message>
+    <message>
+        <source>show some of the draws as thin lines</source>
+        <translation>einige Ziehungen als dünne Linien</translation>
+    </message>
+    <message>
+        <source>back from a field to the keys</source>
+        <translation>aus einem Feld zurück zu den Tasten</translation>
+    </message>
+    <message>
+        <source>to the next control, to the one before</source>
+        <translation>zum nächsten Element, zum vorigen</translation>
+    </message>
+</context>
+<context>
     <name>terratact::RobotReadout</name>
     <message>
         <source>Robot</source>
@@ -2060,6 +2742,69 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ScenesWindow</name>
+    <message>
+        <source>SCENES — %1 — Terratact</source>
+        <translation>SZENEN — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>SCENES OF A FILE</source>
+        <translation>SZENEN EINER DATEI</translation>
+    </message>
+    <message>
+        <source>model loading …</source>
+        <translation>Modell lädt …</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>Modell %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzt …</translation>
+    </message>
+    <message>
+        <source>A scene of a file commands no robot</source>
+        <translation>Eine Szene einer Datei befiehlt keinem Roboter</translation>
+    </message>
+    <message>
+        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · . and , go on and back</source>
+        <translation>SZENE %1 von %2 in %3 · Fahrt %4 bei %5 s · jetzt geschätzt, nicht aufgezeichnet · . und , vor und zurück</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>next scene</source>
+        <translation>nächste Szene</translation>
+    </message>
+    <message>
+        <source>scene before</source>
+        <translation>Szene davor</translation>
+    </message>
+    <message>
+        <source>first scene</source>
+        <translation>erste Szene</translation>
+    </message>
+    <message>
+        <source>last scene</source>
+        <translation>letzte Szene</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>diese Übersicht</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ScreenshotDemo</name>
     <message>
         <source>the demonstration took too long</source>
@@ -2068,6 +2813,21 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>%1: cannot be written: %2</source>
         <translation>%1: kann nicht geschrieben werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionTimeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>%1 – %2  %3</source>
+        <translation>%1 – %2  %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -3227,6 +3987,169 @@ voraus</translation>
     <message>
         <source>language: %1 (at the next start)</source>
         <translation>Sprache: %1 (ab dem nächsten Start)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::WhatIfPage</name>
+    <message>
+        <source>What if …</source>
+        <translation>Was wäre, wenn …</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>Was abweicht</translation>
+    </message>
+    <message>
+        <source>Recorded estimate and the other, bin by bin</source>
+        <translation>Aufgezeichnete und andere Schätzung, Feld für Feld</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>Feld [m]</translation>
+    </message>
+    <message>
+        <source>then [m]</source>
+        <translation>damals [m]</translation>
+    </message>
+    <message>
+        <source>now [m]</source>
+        <translation>jetzt [m]</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>um</translation>
+    </message>
+    <message>
+        <source>sd then</source>
+        <translation>sd damals</translation>
+    </message>
+    <message>
+        <source>sd now</source>
+        <translation>sd jetzt</translation>
+    </message>
+    <message>
+        <source>q10 by</source>
+        <translation>q10 um</translation>
+    </message>
+    <message>
+        <source>q90 by</source>
+        <translation>q90 um</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Which method estimates</source>
+        <translation>Welche Methode schätzt</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Draws, chains and precision</source>
+        <translation>Ziehungen, Ketten und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>An element is a contact above</source>
+        <translation>Kontakt ist ein Element über</translation>
+    </message>
+    <message>
+        <source>Force from which an element touches the ground</source>
+        <translation>Kraft, ab der ein Element den Boden berührt</translation>
+    </message>
+    <message>
+        <source>Contact above</source>
+        <translation>Kontakt über</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Of the random numbers: a whole number</source>
+        <translation>Der Zufallszahlen: eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>File of the model</source>
+        <translation>Datei des Modells</translation>
+    </message>
+    <message>
+        <source>another file …</source>
+        <translation>andere Datei …</translation>
+    </message>
+    <message>
+        <source>Models (*.ttm)</source>
+        <translation>Modelle (*.ttm)</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Sets everything to what was recorded</source>
+        <translation>Setzt alles auf das Aufgezeichnete</translation>
+    </message>
+    <message>
+        <source>Estimate again (R)</source>
+        <translation>Noch einmal schätzen (R)</translation>
+    </message>
+    <message>
+        <source>Estimates the recorded scene with what is set here</source>
+        <translation>Schätzt die aufgezeichnete Szene mit dem, was hier steht</translation>
+    </message>
+    <message>
+        <source>Progress of the estimate</source>
+        <translation>Fortschritt der Schätzung</translation>
+    </message>
+    <message>
+        <source>Estimate %1 of scene %2 at %3 s, by %4 with the model %5</source>
+        <translation>Schätzung %1 der Szene %2 bei %3 s, mit %4 und dem Modell %5</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time: go to one (key 4 finds the next).</source>
+        <translation>Zu dieser Zeit galt keine Schätzung: gehen Sie zu einer (Taste 4 findet die nächste).</translation>
+    </message>
+    <message>
+        <source>No estimate: %1</source>
+        <translation>Keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>No model is chosen</source>
+        <translation>Kein Modell gewählt</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzt …</translation>
+    </message>
+    <message>
+        <source>The recorded settings and model give the recorded estimate again, bit for bit.</source>
+        <translation>Die aufgezeichneten Einstellungen und das Modell ergeben die aufgezeichnete Schätzung wieder, Bit für Bit.</translation>
+    </message>
+    <message>
+        <source>Time ended the recorded sampling, so that it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
+        <translation>Die Zeit beendete das aufgezeichnete Ziehen, es lässt sich also nicht Bit für Bit wiederholen: höchstens %1 m, im Feld %2.</translation>
+    </message>
+    <message>
+        <source>The recorded settings and model do NOT give the recorded estimate: %1 m at most, at bin %2.</source>
+        <translation>Die aufgezeichneten Einstellungen und das Modell ergeben die aufgezeichnete Schätzung NICHT: höchstens %1 m, im Feld %2.</translation>
+    </message>
+    <message>
+        <source>Differs from what was shown by %1 m at most, at bin %2.</source>
+        <translation>Weicht vom Gezeigten um höchstens %1 m ab, im Feld %2.</translation>
+    </message>
+    <message>
+        <source>Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.</source>
+        <translation>Stufen über %1 m: damals %2 (%3 %), jetzt %4 (%5 %).</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,250 @@
+#include "app/review_timeline.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <map>
+
+#include "core/log/review_moment.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+struct ReviewWords {
+    Q_DECLARE_TR_FUNCTIONS(ReviewTimeline)
+};
+
+using Lanes = QList<TimelineLane>;
+using Weight = TimelineWeight;
+
+TimelineLane& laneOf(Timeline& timeline, ReviewLane lane)
+{
+    return timeline.lanes[static_cast<int>(lane)];
+}
+
+/// Spans that are open at the time, by what they are of.
+class OpenSpans {
+public:
+    explicit OpenSpans(TimelineLane& lane) : lane_(lane) {}
+    void begin(const std::string& id, TimelineSpan span)
+    {
+        end(id, span.first);
+        open_[id] = std::move(span);
+    }
+    void end(const std::string& id, double at)
+    {
+        const auto found = open_.find(id);
+        if (found == open_.end()) return;
+        found->second.last = std::max(at, found->second.first);
+        lane_.spans << found->second;
+        open_.erase(found);
+    }
+    void endAll(double at)
+    {
+        while (!open_.empty()) end(open_.begin()->first, at);
+    }
+    bool has(const std::string& id) const { return open_.contains(id); }
+
+private:
+    TimelineLane& lane_;
+    std::map<std::string, TimelineSpan> open_;
+};
+
+void addRows(Timeline& timeline, const SessionReader& session)
+{
+    for (const SceneRow& row : session.scenes())
+        laneOf(timeline, ReviewLane::Scenes).marks << TimelineMark{
+            secondsOf(row.time), Weight::Plain, ReviewWords::tr("scene %1").arg(row.id)};
+    for (const EstimateRow& row : session.estimates())
+        laneOf(timeline, ReviewLane::Estimates).marks << TimelineMark{
+            secondsOf(row.time), row.estimate.converged ? Weight::Good : Weight::Doubt,
+            ReviewWords::tr("estimate %1 of scene %2, %3")
+                .arg(row.id)
+                .arg(row.scene)
+                .arg(words::text(name(row.estimate.settings.method)))};
+    for (const ProposalRow& row : session.proposals())
+        laneOf(timeline, ReviewLane::Probes).marks
+            << TimelineMark{secondsOf(row.time), Weight::Doubt,
+                            ReviewWords::tr("probe proposed at %1").arg(words::binName(row.bin))};
+}
+
+/// Phases, links, alarms and estimates, which last until something ends them.
+class EventLanes {
+public:
+    EventLanes(Timeline& timeline, const SessionReader& session)
+        : timeline_(timeline), link_(laneOf(timeline, ReviewLane::Link)),
+          estimates_(laneOf(timeline, ReviewLane::Estimates)),
+          probes_(laneOf(timeline, ReviewLane::Probes)),
+          alarms_(laneOf(timeline, ReviewLane::Alarms))
+    {
+        auto estimate = session.estimates().begin();
+        for (const EventRow& event : session.events()) {
+            for (; estimate != session.estimates().end() && estimate->time <= event.time;
+                 ++estimate)
+                begin(*estimate);
+            take(event);
+        }
+        for (; estimate != session.estimates().end(); ++estimate) begin(*estimate);
+        for (OpenSpans* open : {&link_, &estimates_, &probes_, &alarms_})
+            open->endAll(timeline.end);
+    }
+
+private:
+    void begin(const EstimateRow& row)
+    {
+        if (!estimates_.has("estimate"))
+            estimates_.begin("estimate", {secondsOf(row.time), 0.0, Weight::Plain,
+                                          ReviewWords::tr("an estimate stands")});
+    }
+
+    void mark(ReviewLane lane, const EventRow& event, Weight weight)
+    {
+        laneOf(timeline_, lane).marks
+            << TimelineMark{secondsOf(event.time), weight, sentenceOf(event)};
+    }
+
+    void take(const EventRow& event)
+    {
+        const double at = secondsOf(event.time);
+        switch (event.kind) {
+        case EventKind::Link:
+            link_.begin("link", {at, at, event.subject == "up" ? Weight::Good : Weight::Bad,
+                                 sentenceOf(event)});
+            break;
+        case EventKind::Forgotten: estimates_.end("estimate", at); break;
+        case EventKind::Phase: takePhase(event, at); break;
+        case EventKind::Alarm:
+            if (event.number.value_or(0.0) == 3.0)
+                alarms_.begin(event.subject, {at, at, Weight::Bad, sentenceOf(event)});
+            else if (event.number.value_or(0.0) != 2.0)
+                alarms_.end(event.subject, at);
+            break;
+        case EventKind::Decision: mark(ReviewLane::Operator, event, Weight::Accent); break;
+        case EventKind::Panel:
+        case EventKind::Arming: mark(ReviewLane::Operator, event, Weight::Plain); break;
+        case EventKind::Marker: mark(ReviewLane::Markers, event, Weight::Accent); break;
+        case EventKind::Gap: mark(ReviewLane::Link, event, Weight::Bad); break;
+        case EventKind::Session: mark(ReviewLane::Markers, event, Weight::Plain); break;
+        case EventKind::Word: break;
+        }
+    }
+
+    void takePhase(const EventRow& event, double at)
+    {
+        const auto phase = phaseFrom(event.subject);
+        probes_.end("probe", at);
+        if (phase == AtemPhase::ProposingProbe)
+            probes_.begin("probe", {at, at, Weight::Doubt, sentenceOf(event)});
+        if (phase == AtemPhase::Probing)
+            probes_.begin("probe", {at, at, Weight::Accent, sentenceOf(event)});
+        if (phase == AtemPhase::Stopped || phase == AtemPhase::Failed)
+            mark(ReviewLane::Operator, event, Weight::Bad);
+    }
+
+    Timeline& timeline_;
+    OpenSpans link_, estimates_, probes_, alarms_;
+};
+
+void addSurvey(Timeline& timeline, const Surveyed& surveyed)
+{
+    for (const SessionSpan& span : surveyed.contacts)
+        laneOf(timeline, ReviewLane::Contact).spans
+            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), Weight::Plain,
+                            ReviewWords::tr("a force element is in contact")};
+    for (const SessionSpan& span : surveyed.silences)
+        laneOf(timeline, ReviewLane::Link).spans
+            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), Weight::Bad,
+                            ReviewWords::tr("no telemetry came")};
+    for (const SessionDamage& damage : surveyed.damage)
+        timeline.gaps << TimelineSpan{
+            secondsOf(damage.first), secondsOf(damage.last), Weight::Bad,
+            ReviewWords::tr("DAMAGED, not shown: %1").arg(QString::fromStdString(damage.why))};
+}
+
+QString alarmSentence(const EventRow& event)
+{
+    const QString text =
+        event.text.empty() ? words::text(event.subject) : QString::fromStdString(event.text);
+    const double state = event.number.value_or(0.0);
+    if (state == 3.0) return ReviewWords::tr("alarm: %1").arg(text);
+    if (state == 2.0) return ReviewWords::tr("alarm seen: %1").arg(text);
+    if (state == 1.0) return ReviewWords::tr("alarm returned: %1").arg(text);
+    return ReviewWords::tr("alarm gone: %1").arg(text);
+}
+
+}  // namespace
+
+QString nameOf(ReviewLane lane)
+{
+    switch (lane) {
+    case ReviewLane::Link: return ReviewWords::tr("1 link");
+    case ReviewLane::Contact: return ReviewWords::tr("2 contact");
+    case ReviewLane::Scenes: return ReviewWords::tr("3 scenes");
+    case ReviewLane::Estimates: return ReviewWords::tr("4 estimates");
+    case ReviewLane::Probes: return ReviewWords::tr("5 probes");
+    case ReviewLane::Operator: return ReviewWords::tr("6 operator");
+    case ReviewLane::Alarms: return ReviewWords::tr("7 alarms");
+    case ReviewLane::Markers: return ReviewWords::tr("8 markers");
+    }
+    return {};
+}
+
+QString nameOf(EventKind kind)
+{
+    switch (kind) {
+    case EventKind::Word: return ReviewWords::tr("message");
+    case EventKind::Decision: return ReviewWords::tr("decision");
+    case EventKind::Phase: return ReviewWords::tr("exploration");
+    case EventKind::Arming: return ReviewWords::tr("arming");
+    case EventKind::Link: return ReviewWords::tr("link");
+    case EventKind::Forgotten: return ReviewWords::tr("estimate gone");
+    case EventKind::Alarm: return ReviewWords::tr("alarm");
+    case EventKind::Panel: return ReviewWords::tr("panel");
+    case EventKind::Marker: return ReviewWords::tr("marker");
+    case EventKind::Gap: return ReviewWords::tr("gap");
+    case EventKind::Session: return ReviewWords::tr("session");
+    }
+    return {};
+}
+
+QString sentenceOf(const EventRow& event)
+{
+    if (event.kind == EventKind::Alarm) return alarmSentence(event);
+    if (event.kind == EventKind::Word) return QString::fromStdString(event.text);
+    if (event.kind == EventKind::Panel)
+        return event.number.value_or(0.0) > 0.0
+                 ? ReviewWords::tr("contact closed: %1").arg(words::text(event.subject))
+                 : ReviewWords::tr("contact open: %1").arg(words::text(event.subject));
+    QStringList parts;
+    for (const std::string& part : {event.subject, event.text})
+        if (!part.empty()) parts << words::sentence(part);
+    if (event.kind == EventKind::Link) parts.prepend(ReviewWords::tr("link"));
+    return parts.join(QStringLiteral(": "));
+}
+
+Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
+                    const std::vector<ReviewNote>& notes)
+{
+    Timeline timeline{.begin = secondsOf(session.begin()), .end = secondsOf(session.end())};
+    for (int lane = 0; lane < kReviewLanes; ++lane)
+        timeline.lanes << TimelineLane{nameOf(static_cast<ReviewLane>(lane))};
+    addRows(timeline, session);
+    EventLanes(timeline, session);
+    addSurvey(timeline, surveyed);
+    for (const ReviewNote& note : notes)
+        laneOf(timeline, ReviewLane::Markers).marks
+            << TimelineMark{note.time, Weight::Good, QString::fromStdString(note.text)};
+    return timeline;
+}
+
+QList<double> timesOf(const TimelineLane& lane)
+{
+    QList<double> times;
+    for (const TimelineSpan& span : lane.spans) times << span.first;
+    for (const TimelineMark& mark : lane.marks) times << mark.time;
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+}  // namespace terratact

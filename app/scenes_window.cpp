@@ -1,0 +1,199 @@
+#include "app/scenes_window.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "app/terrain_page.h"
+#include "widgets/arming_control.h"
+#include "widgets/atem_panel.h"
+#include "widgets/event_list.h"
+#include "widgets/look.h"
+#include "widgets/robot_readout.h"
+#include "widgets/status_header.h"
+#include "widgets/verdict_strip.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+/// What the file says of a scene as telemetry: left and right alike.
+Measurement measurementOf(const Scene& scene)
+{
+    Measurement m;
+    m.time = scene.time;
+    m.pitch = scene.s.pitch;
+    m.frontLeft = m.frontRight = scene.s.front;
+    m.rearLeft = m.rearRight = scene.s.rear;
+    m.frontLeftCurrent = m.frontRightCurrent = scene.s.frontCurrent.value_or(0.0);
+    m.rearLeftCurrent = m.rearRightCurrent = scene.s.rearCurrent.value_or(0.0);
+    for (std::size_t i = 0; i < m.force.size(); ++i) m.force[i] = scene.s.force[i].value_or(0.0);
+    m.activity = RobotActivity::Pressed;
+    return m;
+}
+
+/// NaN where the file does not know it, which is not drawn.
+std::optional<Heights> truthOf(const Scene& scene)
+{
+    Heights truth{};
+    bool isKnown = false;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        truth[i] = scene.truth[i].value_or(std::numeric_limits<double>::quiet_NaN());
+        isKnown = isKnown || scene.truth[i];
+    }
+    return isKnown ? std::optional(truth) : std::nullopt;
+}
+
+}  // namespace
+
+ScenesWindow::ScenesWindow(Options options)
+    : options_(std::move(options)), worker_(std::make_unique<EstimatorWorker>(options_.model))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    resize(1440, 900);
+    setMinimumSize(1200, 680);
+    const QString name = QFileInfo(options_.path).fileName();
+    setWindowTitle(tr("SCENES — %1 — Terratact").arg(name));
+    header_ = new StatusHeader(this);
+    header_->setSource(tr("SCENES OF A FILE"));
+    header_->setModel(tr("model loading …"), Tone::Doubt);
+    for (QWidget* const unused :
+         std::initializer_list<QWidget*>{header_->stopButton(), header_->arming(),
+                                         header_->qualityButton(), header_->alarmsButton()})
+        unused->hide();
+    state_ = new QLabel(this);
+    state_->setObjectName(QStringLiteral("reviewStrip"));
+    page_ = new TerrainPage(options_.robot, this);
+    page_->arrange(Layout::Review, 100);
+    page_->viewButton()->hide();
+    page_->lower()->findChild<EventList*>()->parentWidget()->hide();
+    page_->setThreshold(options_.settings.forceThreshold);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(header_);
+    column->addWidget(state_);
+    column->addWidget(page_, 1);
+
+    connect(header_, &StatusHeader::helpRequested, this, [this] { help_->show(); });
+    connect(page_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
+        options_.stepLimit = metres;
+        showSight();
+    });
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, this, [this](const QString& model) {
+        header_->setModel(tr("model %1").arg(model), Tone::Plain);
+        ask();
+    });
+    connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
+        header_->setModel(tr("no model"), Tone::Bad, why);
+        trouble_ = why;
+        showSight();
+    });
+    connect(worker_.get(), &EstimatorWorker::estimated, this,
+            [this](int job, const TerrainEstimate& estimate, double seconds) {
+                if (job != job_) return;
+                estimate_ = estimate;
+                seconds_ = seconds;
+                showSight();
+            });
+    connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+        if (job != job_) return;
+        trouble_ = why;
+        showSight();
+    });
+    defineKeys();
+    qApp->installEventFilter(this);
+    worker_->start();
+    showScene(0);
+    setFocus();
+}
+
+ScenesWindow::~ScenesWindow() = default;
+
+void ScenesWindow::showScene(std::size_t scene)
+{
+    scene_ = std::min(scene, options_.scenes.size() - 1);
+    measurement_ = measurementOf(options_.scenes[scene_]);
+    truth_ = truthOf(options_.scenes[scene_]);
+    ask();
+}
+
+void ScenesWindow::ask()
+{
+    estimate_.reset();
+    trouble_.clear();
+    job_ = worker_->request({measurement_, {}, options_.settings});
+    showSight();
+}
+
+void ScenesWindow::showSight()
+{
+    TerrainSight sight;
+    sight.count = ++shows_;
+    sight.measurement = sight.scene = &measurement_;
+    ForceArray array;
+    for (std::size_t i = 0; i < kForceElements; ++i)
+        array.elements[i].newtons = options_.scenes[scene_].s.force[i];
+    const std::vector<ForceArray> forces{array};
+    sight.forces = &forces;
+    sight.sceneTruth = &truth_;
+    sight.whyNoEstimate =
+        trouble_.isEmpty() ? tr("Estimating …") : words::sentence(trouble_.toStdString());
+    page_->verdict()->setLimit(options_.stepLimit);
+    if (estimate_) {
+        sight.estimate = &*estimate_;
+        sight.estimateSeconds = seconds_;
+        sight.verdict = verdictOf(*estimate_, measurement_, true, options_.stepLimit);
+        sight.state.phase = AtemPhase::Presenting;
+    }
+    const QString why = tr("A scene of a file commands no robot");
+    sight.preconditions << Precondition{Precondition::Level::Missing, why};
+    sight.whyNotDriving = why;
+    page_->setSight(sight);
+    AtemPanel* const atem = page_->atemPanel();
+    for (QPushButton* const button : {atem->requestButton(), atem->abortButton()}) {
+        button->setEnabled(false);
+        button->hide();
+    }
+    const Scene& scene = options_.scenes[scene_];
+    state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "
+                       ". and , go on and back")
+                        .arg(scene_ + 1)
+                        .arg(options_.scenes.size())
+                        .arg(QFileInfo(options_.path).fileName(), QString::fromStdString(scene.run),
+                             words::number(scene.time, 2)));
+}
+
+void ScenesWindow::defineKeys()
+{
+    const auto step = [this](QList<QKeyCombination> keys, const QString& meaning,
+                             std::function<void()> act) {
+        keys_.add({.keys = std::move(keys),
+                   .meaning = meaning,
+                   .pressed = std::move(act),
+                   .repeats = true});
+    };
+    keys_.addGroup(tr("Scenes"));
+    step({Qt::Key_Period, Qt::Key_PageDown}, tr("next scene"), [this] { showScene(scene_ + 1); });
+    step({Qt::Key_Comma, Qt::Key_PageUp}, tr("scene before"),
+         [this] { showScene(scene_ > 0 ? scene_ - 1 : 0); });
+    step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
+    step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
+    help_ = new QLabel(this, Qt::Tool);
+    help_->setWindowTitle(tr("Keys"));
+    help_->setMargin(18);
+    keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { help_->show(); }});
+    help_->setText(keys_.html());
+}
+
+bool ScenesWindow::eventFilter(QObject* object, QEvent* event)
+{
+    return keys_.filter(*this, *object, *event);
+}
+
+}  // namespace terratact

@@ -1,0 +1,320 @@
+#include "app/what_if_page.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpressionValidator>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+#include "app/what_if.h"
+#include "core/infer/quality.h"
+#include "core/learn/sha256.h"
+#include "widgets/card.h"
+#include "widgets/look.h"
+#include "widgets/words.h"
+
+namespace terratact {
+
+WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
+    : Page(parent), robot_(std::move(robot)), models_(std::move(models))
+{
+    auto* card = new Card(tr("What if …"), this);
+    what_ = new QLabel(card);
+    what_->setWordWrap(true);
+    result_ = new QLabel(card);
+    result_->setWordWrap(true);
+    result_->setAccessibleName(tr("What differs"));
+    table_ = new QTableWidget(kBins, 8, card);
+    table_->setAccessibleName(tr("Recorded estimate and the other, bin by bin"));
+    table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("then [m]"), tr("now [m]"), tr("by"),
+                                       tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setTabKeyNavigation(false);
+    table_->setFrameShape(QFrame::NoFrame);
+    auto* answers = new QVBoxLayout;
+    answers->addWidget(result_);
+    answers->addWidget(table_, 1);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(18);
+    columns->addWidget(form());
+    columns->addLayout(answers, 1);
+    card->body()->addWidget(what_);
+    card->body()->addLayout(columns, 1);
+    auto* page = new QVBoxLayout(this);
+    page->setContentsMargins(12, 10, 12, 10);
+    page->addWidget(card);
+    setRecorded(nullptr, nullptr, nullptr);
+    drop();
+}
+
+WhatIfPage::~WhatIfPage() = default;
+
+QWidget* WhatIfPage::form()
+{
+    auto* form = new QWidget(this);
+    form->setFixedWidth(scaled(360));
+    auto* rows = new QFormLayout(form);
+    rows->setContentsMargins(0, 0, 0, 0);
+    const auto combo = [&](const QString& label, const QString& tip) {
+        auto* box = new QComboBox(form);
+        box->setAccessibleName(label);
+        box->setToolTip(tip);
+        box->setMinimumHeight(scaled(kTarget));
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        rows->addRow(label, box);
+        return box;
+    };
+    method_ = combo(tr("Method"), tr("Which method estimates"));
+    for (const Method method : kMethods) method_->addItem(words::text(name(method)));
+    quality_ = combo(tr("Quality"), tr("Draws, chains and precision"));
+    quality_->addItem(tr("as recorded"));
+    for (const Quality quality : kQualities) quality_->addItem(words::sentence(name(quality)));
+    threshold_ = new QDoubleSpinBox(form);
+    threshold_->setMinimumHeight(scaled(kTarget));
+    threshold_->setRange(0.1, 50.0);
+    threshold_->setSingleStep(0.1);
+    threshold_->setDecimals(2);
+    threshold_->setSuffix(QStringLiteral(" N"));
+    threshold_->setAccessibleName(tr("An element is a contact above"));
+    threshold_->setToolTip(tr("Force from which an element touches the ground"));
+    rows->addRow(tr("Contact above"), threshold_);
+    seed_ = new QLineEdit(form);
+    seed_->setMinimumHeight(scaled(kTarget));
+    seed_->setAccessibleName(tr("Seed"));
+    seed_->setToolTip(tr("Of the random numbers: a whole number"));
+    seed_->setValidator(
+        new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,20}")), seed_));
+    rows->addRow(tr("Seed"), seed_);
+    model_ = combo(tr("Model"), tr("File of the model"));
+    for (const QString& path : std::as_const(models_))
+        model_->addItem(QFileInfo(path).fileName(), path);
+    model_->addItem(tr("another file …"), QString());
+    connect(model_, &QComboBox::activated, this, [this](int index) {
+        if (!model_->itemData(index).toString().isEmpty()) return;
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Model"), {}, tr("Models (*.ttm)"));
+        if (!path.isEmpty()) model_->insertItem(0, QFileInfo(path).fileName(), path);
+        model_->setCurrentIndex(0);
+    });
+    asRecorded_ = new QPushButton(tr("As recorded"), form);
+    asRecorded_->setToolTip(tr("Sets everything to what was recorded"));
+    estimate_ = new QPushButton(tr("Estimate again (R)"), form);
+    estimate_->setProperty("role", "primary");
+    estimate_->setToolTip(tr("Estimates the recorded scene with what is set here"));
+    for (QPushButton* button : {asRecorded_, estimate_}) {
+        button->setFocusPolicy(Qt::TabFocus);
+        rows->addRow(button);
+    }
+    progress_ = new QProgressBar(form);
+    progress_->setAccessibleName(tr("Progress of the estimate"));
+    progress_->setVisible(false);
+    rows->addRow(progress_);
+    connect(asRecorded_, &QPushButton::clicked, this, &WhatIfPage::asRecorded);
+    connect(estimate_, &QPushButton::clicked, this, &WhatIfPage::estimate);
+    return form;
+}
+
+void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
+                             const SceneRow* scene, const ModelRow* model)
+{
+    if (model) {
+        recordedModel_ = QString::fromStdString(model->name);
+        recordedHash_ = QString::fromStdString(model->hash);
+    }
+    const bool same = estimate && recorded_ && estimate->id == recorded_->id;
+    if (same || (!estimate && !recorded_ && !what_->text().isEmpty())) return;
+    recorded_ = scene ? estimate : nullptr;
+    scene_ = scene ? std::optional(*scene) : std::nullopt;
+    estimate_->setEnabled(recorded_ != nullptr);
+    asRecorded_->setEnabled(recorded_ != nullptr);
+    what_->setText(recorded_
+                       ? tr("Estimate %1 of scene %2 at %3 s, by %4 with the model %5")
+                             .arg(recorded_->id)
+                             .arg(recorded_->scene)
+                             .arg(words::number(secondsOf(recorded_->time), 3),
+                                  words::text(name(recorded_->estimate.settings.method)),
+                                  recordedModel_.isEmpty() ? words::kNothing : recordedModel_)
+                       : tr("No estimate stood at this time: go to one (key 4 finds the next)."));
+    drop();
+    if (recorded_) asRecorded();
+}
+
+void WhatIfPage::drop()
+{
+    if (worker_) worker_->cancel();
+    job_ = 0;
+    asked_.reset();
+    if (answer_) {
+        answer_.reset();
+        emit answered();
+    }
+    say(QString(), Tone::Muted);
+    table_->clearContents();
+}
+
+void WhatIfPage::asRecorded()
+{
+    if (!recorded_) return;
+    const Settings& s = recorded_->estimate.settings;
+    method_->setCurrentText(words::text(name(s.method)));
+    quality_->setCurrentIndex(0);
+    threshold_->setValue(s.forceThreshold);
+    seed_->setText(QString::number(s.seed));
+    std::vector<std::string> paths;
+    for (const QString& path : std::as_const(models_)) paths.push_back(path.toStdString());
+    ModelRow row;
+    row.name = recordedModel_.toStdString();
+    row.hash = recordedHash_.toStdString();
+    const auto found = modelFileOf(row, paths);
+    if (!found) return say(QString::fromStdString(found.error().text), Tone::Doubt);
+    model_->setCurrentIndex(model_->findData(QString::fromStdString(*found)));
+}
+
+Settings WhatIfPage::settings() const
+{
+    Settings s = recorded_->estimate.settings;
+    s.method = kMethods.at(static_cast<std::size_t>(method_->currentIndex()));
+    if (const int quality = quality_->currentIndex(); quality > 0)
+        s = withQuality(s, kQualities.at(static_cast<std::size_t>(quality - 1)));
+    // What the form rounds is as recorded as long as nobody has changed it.
+    if (std::abs(threshold_->value() - s.forceThreshold) > 0.006)
+        s.forceThreshold = threshold_->value();
+    bool isNumber = false;
+    const qulonglong seed = seed_->text().toULongLong(&isNumber);
+    if (isNumber) s.seed = seed;
+    return s;
+}
+
+void WhatIfPage::useModel(const QString& path)
+{
+    if (worker_ && path == modelPath_) return;
+    modelPath_ = path;
+    const auto hash = sha256OfFile(path.toStdString());
+    modelHash_ = hash ? *hash : std::string();
+    const ModelLoader loader = modelFileLoader(path.toStdString(), robot_);
+    if (worker_) return worker_->load(loader);
+    worker_ = std::make_unique<EstimatorWorker>(loader);
+    connect(worker_.get(), &EstimatorWorker::estimated, this,
+            [this](int job, const TerrainEstimate& estimate) { take(job, estimate); });
+    const auto failed = [this](const QString& why) {
+        job_ = 0;
+        modelPath_.clear();
+        say(tr("No estimate: %1").arg(why), Tone::Bad);
+    };
+    connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+        if (job != job_) return;
+        job_ = 0;
+        say(tr("No estimate: %1").arg(why), Tone::Bad);
+    });
+    connect(worker_.get(), &EstimatorWorker::modelFailed, this, failed);
+    connect(worker_.get(), &EstimatorWorker::modelKept, this, failed);
+    worker_->start();
+}
+
+void WhatIfPage::estimate()
+{
+    if (!recorded_ || !scene_) return;
+    const QString path = model_->currentData().toString();
+    if (path.isEmpty()) return say(tr("No model is chosen"), Tone::Bad);
+    useModel(path);
+    asked_ = settings();
+    EstimateRequest request{scene_->measurement, recorded_->readings, *asked_};
+    request.stepLimit = recorded_->stepLimit;
+    job_ = worker_->request(request);
+    say(tr("Estimating …"), Tone::Muted);
+}
+
+void WhatIfPage::take(int job, const TerrainEstimate& estimate)
+{
+    if (job != job_ || !recorded_) return;
+    job_ = 0;
+    answer_ = estimate;
+    showAnswer();
+    emit answered();
+}
+
+bool WhatIfPage::isRecordedModel() const
+{
+    return !modelHash_.empty() && modelHash_ == recordedHash_.toStdString();
+}
+
+void WhatIfPage::showAnswer()
+{
+    const TerrainEstimate& before = recorded_->estimate;
+    const Differences found =
+        differencesBetween(before, *answer_, scene_->measurement, recorded_->stepLimit);
+    const bool asRecorded = *asked_ == before.settings && isRecordedModel();
+    QString text;
+    Tone tone = Tone::Plain;
+    if (asRecorded && found.identical) {
+        text = tr("The recorded settings and model give the recorded estimate again, bit for bit.");
+        tone = Tone::Good;
+    } else if (asRecorded && before.ending == Ending::Time) {
+        text = tr("Time ended the recorded sampling, so that it cannot be repeated bit for bit: "
+                  "%1 m at most, at bin %2.")
+                   .arg(words::number(found.largest(), 3), words::binName(found.largestBin));
+        tone = Tone::Doubt;
+    } else if (asRecorded) {
+        text =
+            tr("The recorded settings and model do NOT give the recorded estimate: %1 m at most, "
+               "at bin %2.")
+                .arg(words::number(found.largest(), 6), words::binName(found.largestBin));
+        tone = Tone::Bad;
+    } else {
+        text = tr("Differs from what was shown by %1 m at most, at bin %2.")
+                   .arg(words::number(found.largest(), 3), words::binName(found.largestBin));
+    }
+    text += QLatin1Char('\n')
+          + tr("Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.")
+                .arg(words::number(recorded_->stepLimit, 2),
+                     words::sentence(name(found.before.outlook)),
+                     words::number(100.0 * found.before.step.p, 1),
+                     words::sentence(name(found.after.outlook)),
+                     words::number(100.0 * found.after.step.p, 1));
+    say(text, tone);
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        const BinDifference& by = found.bin[i];
+        const QStringList cells{words::signedNumber(binCentre(bin), 1),
+                                words::signedNumber(before.height[i], 3),
+                                words::signedNumber(answer_->height[i], 3),
+                                words::signedNumber(by.height, 3),
+                                words::number(before.sd[i], 3),
+                                words::number(answer_->sd[i], 3),
+                                words::signedNumber(by.q10, 3),
+                                words::signedNumber(by.q90, 3)};
+        for (int column = 0; column < cells.size(); ++column) {
+            auto* item = new QTableWidgetItem(cells[column]);
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            table_->setItem(bin, column, item);
+        }
+    }
+}
+
+void WhatIfPage::say(const QString& text, Tone tone)
+{
+    result_->setText(text);
+    setTone(*result_, tone);
+}
+
+void WhatIfPage::refresh(double /*now*/)
+{
+    progress_->setVisible(job_ != 0);
+    if (job_ != 0 && worker_)
+        progress_->setValue(static_cast<int>(100.0 * worker_->progress().value_or(0.0)));
+}
+
+}  // namespace terratact
