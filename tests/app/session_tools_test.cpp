@@ -213,6 +213,20 @@ TEST_F(Tools, logsHaveEveryKindOfFrameThatTheyCan)
     EXPECT_EQ(counts.leftOut, 2U);
 }
 
+TEST_F(Tools, framesFromBeforeTheBeginningAreInEveryLog)
+{
+    const std::string path = session("early.tts", [](SessionWriter& writer) {
+        for (const SessionTime time : {-200'000'000, 300'000'000})
+            ASSERT_TRUE(writer.add(FrameRow{.time = time, .frame = {.id = 1, .length = 0}}));
+    });
+    EXPECT_EQ(exported(path, "a.log"), "(1792999999.800000) can0 001#\n"
+                                       "(1793000000.300000) can0 001#\n");
+    const std::string asc = exported(path, "a.asc");
+    EXPECT_NE(asc.find(":19 2026\n"), std::string::npos) << asc;
+    EXPECT_NE(asc.find("   0.800000 1  1 "), std::string::npos) << asc;
+    EXPECT_NE(asc.find("   1.300000 1  1 "), std::string::npos) << asc;
+}
+
 TEST_F(Tools, textsOfAForeignFileStayInTheirFields)
 {
     const std::string path = session("words.tts", [](SessionWriter& writer) {
