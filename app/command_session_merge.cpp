@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 
@@ -269,9 +270,10 @@ Status mergeSessions(const SessionMergeOptions& options)
                 fmt::format("begins at {}, before {} ends at {}: sessions that overlap "
                             "are not one drive",
                             utcText(part.first), before.reader.path(), utcText(before.last)));
-        if (part.first - before.last > kMostApart)
+        if (part.first - before.last > kMostApart
+            || std::abs(part.reader.start().wallTime - before.reader.start().wallTime) > kMostApart)
             return fileError(part.reader.path(),
-                             "begins more than a month after " + before.reader.path() + " ends");
+                             "was recorded more than a month apart from " + before.reader.path());
         start.transmits = start.transmits || part.reader.start().transmits;
         wallTime = std::min(wallTime, part.reader.start().wallTime);
     }

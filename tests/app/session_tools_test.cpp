@@ -301,7 +301,7 @@ TEST_F(Tools, sessionsOfDifferentMonthsAreNotOneDrive)
         "ages.tts", oneFrame, std::numeric_limits<std::int64_t>::max() - someStart().wallTime);
     const std::string out = directory.file("whole.tts");
     EXPECT_TRUE(
-        refused(mergeSessions({.files = {now, ages}, .out = out}), ages, {"a month after"}));
+        refused(mergeSessions({.files = {now, ages}, .out = out}), ages, {"a month apart"}));
     EXPECT_FALSE(directory.entries().contains("whole.tts"));
 }
 
