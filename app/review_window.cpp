@@ -45,7 +45,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kLook = 40;            // [ms]
+constexpr int kLook = 50;            // [ms]
 constexpr double kRefresh = 0.5;     // [s] between two looks at a file that may grow
 constexpr double kStillGrows = 3.0;  // [s] after the last growth
 constexpr double kSecond = 1.0;      // [s] of a small jump
@@ -518,7 +518,8 @@ void ReviewWindow::showPlayer()
     const bool atBegin = now <= player_.begin(), atEnd = now >= player_.end();
     if (!position_->hasFocus()) position_->setText(timeWords(now));
     const QString of = tr("of %1 · %2%3")
-                           .arg(timeWords(player_.end(), 1.0), calendar(session_, moment_.time),
+                           .arg(timeWords(player_.end(), 1.0),
+                                calendar(session_, moment_.time).section(QLatin1Char(' '), 1),
                                 atEnd     ? QStringLiteral(" · ") + tr("END")
                                 : atBegin ? QStringLiteral(" · ") + tr("BEGIN")
                                           : QString());

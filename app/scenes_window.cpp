@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -14,6 +15,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
+#include "widgets/navigation_rail.h"
 #include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/verdict_strip.h"
@@ -71,14 +73,34 @@ ScenesWindow::ScenesWindow(Options options)
     page_ = new TerrainPage(options_.robot, this);
     page_->arrange(Layout::Review, 100);
     page_->viewButton()->hide();
-    page_->lower()->findChild<EventList*>()->parentWidget()->hide();
+    page_->events()->parentWidget()->hide();
+    page_->atemPanel()->hide();
     page_->setThreshold(options_.settings.forceThreshold);
+    header_->setLink(tr("no link: a file"), Tone::Plain);
+    header_->setRobot(tr("robot: --"), Tone::Plain);
+    auto* rail = new NavigationRail(this);
+    rail->addPage(tr("Terrain"), Qt::Key_F2, tr("The scene and its estimate"));
+    const auto tool = [&](const QString& text, const QString& tip, int by) {
+        auto* button = new QPushButton(text, rail);
+        button->setToolTip(tip);
+        button->setAccessibleName(tip);
+        button->setFocusPolicy(Qt::TabFocus);
+        connect(button, &QPushButton::clicked, this, [this, by] { go(by); });
+        rail->addTool(button);
+    };
+    tool(tr("next\n."), tr("Next scene (.)"), +1);
+    tool(tr("before\n,"), tr("Scene before (,)"), -1);
+    rail->addTool(header_->helpButton());
+    auto* below = new QHBoxLayout;
+    below->setSpacing(0);
+    below->addWidget(rail);
+    below->addWidget(page_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(header_);
     column->addWidget(state_);
-    column->addWidget(page_, 1);
+    column->addLayout(below, 1);
 
     connect(header_, &StatusHeader::helpRequested, this, [this] { help_->show(); });
     connect(page_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
@@ -121,6 +143,12 @@ void ScenesWindow::showScene(std::size_t scene)
     measurement_ = measurementOf(options_.scenes[scene_]);
     truth_ = truthOf(options_.scenes[scene_]);
     ask();
+}
+
+void ScenesWindow::go(int by)
+{
+    if (by < 0 && scene_ == 0) return;
+    showScene(by < 0 ? scene_ - 1 : scene_ + 1);
 }
 
 void ScenesWindow::ask()
@@ -179,9 +207,8 @@ void ScenesWindow::defineKeys()
                    .repeats = true});
     };
     keys_.addGroup(tr("Scenes"));
-    step({Qt::Key_Period, Qt::Key_PageDown}, tr("next scene"), [this] { showScene(scene_ + 1); });
-    step({Qt::Key_Comma, Qt::Key_PageUp}, tr("scene before"),
-         [this] { showScene(scene_ > 0 ? scene_ - 1 : 0); });
+    step({Qt::Key_Period, Qt::Key_PageDown}, tr("next scene"), [this] { go(+1); });
+    step({Qt::Key_Comma, Qt::Key_PageUp}, tr("scene before"), [this] { go(-1); });
     step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
     step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
     help_ = new QLabel(this, Qt::Tool);

@@ -45,6 +45,7 @@ protected:
 
 private:
     void defineKeys();
+    void go(int by);
     void ask();
     void showSight();
 

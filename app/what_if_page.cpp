@@ -34,6 +34,8 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     what_->setWordWrap(true);
     result_ = new QLabel(card);
     result_->setWordWrap(true);
+    result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    result_->setMinimumHeight(4 * fontMetrics().lineSpacing());
     result_->setAccessibleName(tr("What differs"));
     table_ = new QTableWidget(kBins, 8, card);
     table_->setAccessibleName(tr("Recorded estimate and the other, bin by bin"));

@@ -118,6 +118,7 @@ void SessionTimeline::setTimeline(const Timeline& timeline)
     if (!isTime(timeline_.begin)) timeline_.begin = 0.0;
     if (!isTime(timeline_.end) || timeline_.end < timeline_.begin + kShortest)
         timeline_.end = timeline_.begin + kShortest;
+    measureNames();
     if (all) showAll();
     if (!sameLanes) updateGeometry();
     tell();
@@ -128,7 +129,7 @@ void SessionTimeline::setPlayhead(double seconds)
 {
     if (!isTime(seconds) || seconds == playhead_) return;
     const bool wasSeen = playhead_ >= first_ && playhead_ <= last_;
-    const bool isSeen = std::abs(pixelOf(seconds) - pixelOf(drawnPlayhead_)) >= 0.5;
+    const bool isSeen = std::abs(pixelOf(seconds) - pixelOf(drawnPlayhead_)) >= 1.0;
     playhead_ = seconds;
     if (wasSeen && (seconds < first_ || seconds > last_)) {
         const double span = last_ - first_;
@@ -175,9 +176,16 @@ void SessionTimeline::zoom(double factor, double at)
     showSpan(where - share * span, where + (1.0 - share) * span);
 }
 
+void SessionTimeline::measureNames()
+{
+    names_ = 0.0;
+    for (const TimelineLane& lane : timeline_.lanes)
+        names_ = std::max(names_, 14.0 + fontMetrics().horizontalAdvance(lane.name));
+}
+
 QRectF SessionTimeline::plot() const
 {
-    const double names = scaled(96), scale = scaled(20);
+    const double names = names_, scale = scaled(20);
     return {names, scale, std::max(1.0, width() - names - 8.0),
             std::max(1.0, height() - scale - 3.0)};
 }
@@ -366,6 +374,10 @@ void SessionTimeline::wheelEvent(QWheelEvent* event)
 
 bool SessionTimeline::event(QEvent* event)
 {
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange) {
+        measureNames();
+        updateGeometry();
+    }
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const QString text = textAt(help->pos());

@@ -90,10 +90,12 @@ private:
     void paintGaps(QPainter& painter) const;
     void paintCursor(QPainter& painter, double seconds, const QString& name) const;
     void paintPlayhead(QPainter& painter) const;
+    void measureNames();
     void tell();  ///< to who cannot see it
 
     Timeline timeline_;
     double first_ = 0.0, last_ = 1.0;
+    double names_ = 0.0;  ///< [px] width of the lanes' names
     double playhead_ = 0.0, drawnPlayhead_ = 0.0;
     std::optional<double> a_, b_;
     double grabbedAt_ = 0.0;

@@ -2803,6 +2803,42 @@ Kliknutí označí tento okamžik (K)</translation>
         <source>this sheet</source>
         <translation>tento přehled</translation>
     </message>
+    <message>
+        <source>no link: a file</source>
+        <translation>bez spojení: soubor</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>The scene and its estimate</source>
+        <translation>Scéna a její odhad</translation>
+    </message>
+    <message>
+        <source>next
+.</source>
+        <translation>další
+.</translation>
+    </message>
+    <message>
+        <source>Next scene (.)</source>
+        <translation>Další scéna (.)</translation>
+    </message>
+    <message>
+        <source>before
+,</source>
+        <translation>zpět
+,</translation>
+    </message>
+    <message>
+        <source>Scene before (,)</source>
+        <translation>Předchozí scéna (,)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScreenshotDemo</name>

@@ -2803,6 +2803,42 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <source>this sheet</source>
         <translation>diese Übersicht</translation>
     </message>
+    <message>
+        <source>no link: a file</source>
+        <translation>keine Verbindung: eine Datei</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>The scene and its estimate</source>
+        <translation>Die Szene und ihre Schätzung</translation>
+    </message>
+    <message>
+        <source>next
+.</source>
+        <translation>weiter
+.</translation>
+    </message>
+    <message>
+        <source>Next scene (.)</source>
+        <translation>Nächste Szene (.)</translation>
+    </message>
+    <message>
+        <source>before
+,</source>
+        <translation>zurück
+,</translation>
+    </message>
+    <message>
+        <source>Scene before (,)</source>
+        <translation>Szene davor (,)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScreenshotDemo</name>

@@ -386,8 +386,9 @@ TEST_F(ReviewOf, everyTextHasItsRoomAndEveryControlAName)
         window->goTo(At::kMarker);
         QCoreApplication::processEvents();
         // The table of numbers is seen to by its own test; four draws that fall apart are too much for it.
-        if (window->rail()->keyOf(page) != Qt::Key_F3)
+        if (window->rail()->keyOf(page) != Qt::Key_F3) {
             EXPECT_EQ(cutText(*window), std::vector<std::string>{}) << page;
+        }
         for (const QWidget* widget : window->findChildren<QWidget*>()) {
             const auto* button = qobject_cast<const QAbstractButton*>(widget);
             if (!widget->isVisible() || widget->objectName().startsWith("qt_")) continue;
