@@ -205,8 +205,9 @@ std::vector<std::string> Canvas::wrapped(std::string_view words, double width,
         const std::size_t end = std::min(words.find(' '), words.size());
         std::string word(words.substr(0, end));
         words.remove_prefix(std::min(end + 1, words.size()));
-        if (!line.empty() && fits(line + " " + word)) {
-            line += " " + word;
+        if (const std::string longer = fmt::format("{} {}", line, word);
+            !line.empty() && fits(longer)) {
+            line = longer;
             continue;
         }
         if (!line.empty()) lines.push_back(line);

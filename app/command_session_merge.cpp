@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 
@@ -12,6 +13,8 @@
 namespace terratact {
 
 namespace {
+
+constexpr std::int64_t kMostApart = std::int64_t{86'400} * 31 * 1'000'000'000;  // [ns]
 
 /// Writes the rows of several sessions into a new one: ids anew, times since the first one's start.
 class Merger {
@@ -267,6 +270,10 @@ Status mergeSessions(const SessionMergeOptions& options)
                 fmt::format("begins at {}, before {} ends at {}: sessions that overlap "
                             "are not one drive",
                             utcText(part.first), before.reader.path(), utcText(before.last)));
+        if (part.first - before.last > kMostApart
+            || std::abs(part.reader.start().wallTime - before.reader.start().wallTime) > kMostApart)
+            return fileError(part.reader.path(),
+                             "was recorded more than a month apart from " + before.reader.path());
         start.transmits = start.transmits || part.reader.start().transmits;
         wallTime = std::min(wallTime, part.reader.start().wallTime);
     }

@@ -67,7 +67,6 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
                     proposedOn_ = grounds();
                 }
                 emit stands(false);
-                if (proposal_) emit proposed();
                 startSecond();
                 emit happened(tr("estimate in %1 s").arg(words::number(seconds, 2)), Weight::Note);
                 for (const std::string& warning : estimate.warnings)
@@ -90,6 +89,9 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
 
 QString Exploration::nothingYet() const
 {
+    if (!linkAlive_ && !ended_) return tr("No estimate yet: nothing is heard of the robot");
+    if (!modelTrouble_.isEmpty()) return tr("No estimate: there is no model");
+    if (modelName_.isEmpty()) return tr("No estimate yet: the model is being loaded");
     if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");
     if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
     return tr("No estimate yet: explore the terrain (A)");
@@ -513,6 +515,7 @@ void Exploration::enter(const AtemState& before)
         startEstimate();
         break;
     case AtemPhase::ProposingProbe:
+        emit proposed();
         note(tr("probe proposed at %1").arg(words::binName(proposal_->bin)));
         break;
     case AtemPhase::Probing:

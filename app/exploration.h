@@ -124,7 +124,7 @@ signals:
     // For whoever keeps a record.
     void captured(const terratact::CapturedScene& scene);
     void stands(bool second);  ///< an estimate, of the second method or not
-    void proposed();
+    void proposed();  ///< to the operator, a probe
     void forgotten(const QString& why);                   ///< the estimate that stood
     void decided(const char* what, const QString& text);  ///< by the operator
 

@@ -1,10 +1,14 @@
 #include <cblas.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QFileInfo>
 #include <QIcon>
+#include <QSocketNotifier>
 #include <QTimer>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -351,6 +355,26 @@ void setSize(QWidget& window, const QByteArray& left, const Arguments& arguments
         window.resize(kDefaultSize);
 }
 
+int endingPipe[2] = {-1, -1};
+
+extern "C" void requestEnd(int /*signal*/)
+{
+    const char byte = 0;
+    [[maybe_unused]] const ssize_t written = ::write(endingPipe[1], &byte, 1);
+}
+
+/// A polite signal closes the window as its user would: the robot is halted and the recording closed.
+void closeOnSignals(QWidget& window)
+{
+    if (endingPipe[0] < 0 && ::pipe2(endingPipe, O_CLOEXEC | O_NONBLOCK) != 0) return;
+    auto* notifier = new QSocketNotifier(endingPipe[0], QSocketNotifier::Read, &window);
+    QObject::connect(notifier, &QSocketNotifier::activated, &window, [&window, notifier] {
+        notifier->setEnabled(false);
+        window.close();
+    });
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, requestEnd);
+}
+
 /// The application in its language and look; `pictures`: without a display.
 Status startApplication(int& argc, char** argv, bool pictures, const Preferences& preferences,
                         std::optional<QApplication>& application)
@@ -374,6 +398,7 @@ Status startApplication(int& argc, char** argv, bool pictures, const Preferences
 int showFile(QWidget& window, const Arguments& arguments, const std::function<bool()>& isReady)
 {
     setSize(window, {}, arguments);
+    closeOnSignals(window);
     window.show();
     if (arguments.screenshot.empty()) return QApplication::exec();
     QTimer look;
@@ -482,6 +507,7 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     QObject::connect(
         &window, &MainWindow::reopenWanted, &window, [] { QApplication::exit(kReopen); },
         Qt::QueuedConnection);
+    closeOnSignals(window);
     window.show();
     if (!demo) return QApplication::exec();
     const ScreenshotDemo screenshot(window, QString::fromStdString(arguments.screenshot));

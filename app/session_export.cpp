@@ -79,25 +79,17 @@ class AscExporter final : public Exporter {
 public:
     AscExporter(std::ostream& out, const SessionStart& start) : out_(out), start_(start) {}
 
-    void begin() override
+    void end() override
     {
-        const std::time_t seconds = base_ / kSecond;
-        std::tm when{};
-        localtime_r(&seconds, &when);
-        constexpr std::array kDays{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
-        constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                                     "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-        out_ << fmt::format("date {} {} {:02} {:02}:{:02}:{:02} {}\n",
-                            kDays.at(static_cast<std::size_t>(when.tm_wday)),
-                            kMonths.at(static_cast<std::size_t>(when.tm_mon)), when.tm_mday,
-                            when.tm_hour, when.tm_min, when.tm_sec, 1900 + when.tm_year)
-             << "base hex  timestamps absolute\nno internal events logged\n";
+        if (!base_) writeHeader(wallTimeOf(start_, 0));
     }
 
     bool take(const FrameRow& row) override
     {
         const CanFrame& frame = row.frame;
-        const std::int64_t time = wallTimeOf(start_, row.time) - base_;
+        const std::int64_t wall = wallTimeOf(start_, row.time);
+        if (!base_) writeHeader(wall);
+        const std::int64_t time = wall - *base_;
         if (!isShort(frame) || frame.fd || time < 0) return false;
         const std::string moment = fmt::format("{:4}.{:06}", time / kSecond, time % kSecond / 1000);
         if (frame.error) {
@@ -114,10 +106,26 @@ public:
     }
 
 private:
+    /// The header tells whole seconds.  first: [ns] since 1970; a recording may begin before its time 0.
+    void writeHeader(std::int64_t first)
+    {
+        base_ = std::min(first, wallTimeOf(start_, 0)) / kSecond * kSecond;
+        const std::time_t seconds = *base_ / kSecond;
+        std::tm when{};
+        localtime_r(&seconds, &when);
+        constexpr std::array kDays{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
+        constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                     "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+        out_ << fmt::format("date {} {} {:02} {:02}:{:02}:{:02} {}\n",
+                            kDays.at(static_cast<std::size_t>(when.tm_wday)),
+                            kMonths.at(static_cast<std::size_t>(when.tm_mon)), when.tm_mday,
+                            when.tm_hour, when.tm_min, when.tm_sec, 1900 + when.tm_year)
+             << "base hex  timestamps absolute\nno internal events logged\n";
+    }
+
     std::ostream& out_;
     const SessionStart& start_;
-    // The header tells whole seconds.
-    std::int64_t base_ = wallTimeOf(start_, 0) / kSecond * kSecond;
+    std::optional<std::int64_t> base_;  ///< [ns] since 1970, of time 0 in the file
 };
 
 std::string hexBytes(const CanFrame& frame)

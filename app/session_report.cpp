@@ -296,8 +296,11 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted)
          fmt::format("{}, bus {}, recorded by {}", start.source, start.bus, start.program)},
         {"captured", fmt::format("{}, {} after the session's start",
                                  utcText(wallTimeOf(start, scene->time)), momentText(scene->time))},
-        {"estimated", fmt::format("{}, in {:.2f} s, ended by: {}", momentText(row.time),
-                                  row.seconds, name(row.estimate.ending))},
+        {"estimated",
+         fmt::format("{}, in {:.2f} s{}", momentText(row.time), row.seconds,
+                     row.estimate.ending == Ending::NotSampled
+                         ? ""
+                         : fmt::format(", sampling ended: {}", name(row.estimate.ending)))},
         {"pose", poseText(scene->measurement)},
         {"arm", readingsText(row)},
         {"settings", settingsText(row.estimate.settings)},

@@ -1427,6 +1427,18 @@ Poslední deaktivace: %1</translation>
         <source>No ghost: %1</source>
         <translation>Bez stínu: %1</translation>
     </message>
+    <message>
+        <source>No estimate yet: nothing is heard of the robot</source>
+        <translation>Zatím bez odhadu: robot není slyšet</translation>
+    </message>
+    <message>
+        <source>No estimate: there is no model</source>
+        <translation>Bez odhadu: chybí model</translation>
+    </message>
+    <message>
+        <source>No estimate yet: the model is being loaded</source>
+        <translation>Zatím bez odhadu: model se načítá</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ForceArrays</name>

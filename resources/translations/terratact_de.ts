@@ -1427,6 +1427,18 @@ Zuletzt gesperrt: %1</translation>
         <source>No ghost: %1</source>
         <translation>Kein Schatten: %1</translation>
     </message>
+    <message>
+        <source>No estimate yet: nothing is heard of the robot</source>
+        <translation>Noch keine Schätzung: vom Roboter ist nichts zu hören</translation>
+    </message>
+    <message>
+        <source>No estimate: there is no model</source>
+        <translation>Keine Schätzung: es gibt kein Modell</translation>
+    </message>
+    <message>
+        <source>No estimate yet: the model is being loaded</source>
+        <translation>Noch keine Schätzung: das Modell wird geladen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ForceArrays</name>

@@ -247,8 +247,8 @@ private:
     std::optional<Measurement> latest_;
 };
 
-/// A drive up to a step with two explorations: one by `pafc` on flat ground, where nothing is to be probed, one by
-/// `local` before the step, with a probe.  Sealed.
+/// A drive up to a step with two explorations, each with a probe: one by `pafc` while the ground is flat, one by
+/// `local` before the step.  Sealed.
 inline void recordDrive(const std::string& path, const RecordedDrive::Options& options = {})
 {
     RecordedDrive drive(path, TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml",
