@@ -123,9 +123,9 @@ signals:
     void happened(const QString& text, terratact::Weight weight);
     // For whoever keeps a record.
     void captured(const terratact::CapturedScene& scene);
-    void stands(bool second);  ///< an estimate, of the second method or not
-    void proposed();  ///< to the operator, a probe
-    void forgotten(const QString& why);                   ///< the estimate that stood
+    void stands(bool second);            ///< an estimate, of the second method or not
+    void proposed();                     ///< to the operator, a probe
+    void forgotten(const QString& why);  ///< the estimate that stood
     void decided(const char* what, const QString& text);  ///< by the operator
 
 private:
