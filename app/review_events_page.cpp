@@ -37,13 +37,13 @@ public:
     }
     std::optional<EventKind> kind() const { return kind_; }
 
-    double timeOf(int row) const { return secondsOf(event(row).time); }
+    double timeOf(int row) const { return secondsOf(rowOf(row).time); }
 
     /// The last line up to a time; −1: none.
     int rowAt(SessionTime time) const
     {
         for (int row = rowCount({}) - 1; row >= 0; --row)
-            if (event(row).time <= time) return row;
+            if (rowOf(row).time <= time) return row;
         return -1;
     }
 
@@ -69,7 +69,7 @@ public:
     QVariant data(const QModelIndex& index, int role) const override
     {
         if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
-        const EventRow& row = event(index.row());
+        const EventRow& row = rowOf(index.row());
         switch (index.column()) {
         case Time: return timeWords(secondsOf(row.time));
         case Kind: return nameOf(row.kind);
@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    const EventRow& event(int row) const
+    const EventRow& rowOf(int row) const
     {
         return session_.events()[rows_[static_cast<std::size_t>(row)]];
     }

@@ -71,11 +71,15 @@ void addRows(Timeline& timeline, const SessionReader& session)
 /// Phases, links, alarms and estimates, which last until something ends them.
 class EventLanes {
 public:
-    EventLanes(Timeline& timeline, const SessionReader& session)
+    explicit EventLanes(Timeline& timeline)
         : timeline_(timeline), link_(laneOf(timeline, ReviewLane::Link)),
           estimates_(laneOf(timeline, ReviewLane::Estimates)),
           probes_(laneOf(timeline, ReviewLane::Probes)),
           alarms_(laneOf(timeline, ReviewLane::Alarms))
+    {
+    }
+
+    void add(const SessionReader& session)
     {
         auto estimate = session.estimates().begin();
         for (const EventRow& event : session.events()) {
@@ -86,7 +90,7 @@ public:
         }
         for (; estimate != session.estimates().end(); ++estimate) begin(*estimate);
         for (OpenSpans* open : {&link_, &estimates_, &probes_, &alarms_})
-            open->endAll(timeline.end);
+            open->endAll(timeline_.end);
     }
 
 private:
@@ -229,7 +233,7 @@ Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
     for (int lane = 0; lane < kReviewLanes; ++lane)
         timeline.lanes << TimelineLane{nameOf(static_cast<ReviewLane>(lane))};
     addRows(timeline, session);
-    EventLanes(timeline, session);
+    EventLanes(timeline).add(session);
     addSurvey(timeline, surveyed);
     for (const ReviewNote& note : notes)
         laneOf(timeline, ReviewLane::Markers).marks

@@ -376,6 +376,24 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     EXPECT_FALSE(page.answer()) << "of another estimate";
 }
 
+TEST_F(ReviewOf, theShippedSessionIsRepeatedBitForBit)
+{
+    path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+    open({TERRATACT_SOURCE_DIR "/resources/models/default.ttm"});
+    press(Qt::Key_4);
+    for (int estimate = 0; estimate < 2; ++estimate) {
+        if (estimate > 0) {
+            window->goTo(secondsOf(window->session().estimates().back().time));
+            ASSERT_TRUE(window->moment().state.probed);
+        }
+        ASSERT_TRUE(window->moment().estimate);
+        window->whatIf()->estimate();
+        ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().has_value(); }, 60000));
+        EXPECT_TRUE(window->whatIf()->result()->text().contains("bit for bit"))
+            << window->whatIf()->result()->text().toStdString();
+    }
+}
+
 TEST_F(ReviewOf, everyTextHasItsRoomAndEveryControlAName)
 {
     applyLook(*qApp);
