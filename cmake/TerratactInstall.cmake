@@ -21,6 +21,7 @@ install(TARGETS ${_programs})
 install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.presets.csv
   DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/models)
 install(FILES ${_resources}/robots/absolem.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/robots)
+install(FILES ${_resources}/sessions/demo.tts DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)
 install(FILES ${_resources}/dbc/terratact.dbc DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/dbc)
 install(FILES ${_resources}/panels/example.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/panels)
 
