@@ -109,7 +109,7 @@ std::vector<BinError> errorsOfGhost(std::size_t number, Scene scene, const Ghost
     return binErrors(number, scene, "ghost", forecast);
 }
 
-struct Findings {
+struct GhostFindings {
     std::vector<Scene> scenes;                      ///< with a scene before them
     std::vector<BinError> ghost;                    ///< of its bins
     std::vector<BinError> without, with;            ///< all bins of scenes with a ghost
@@ -140,7 +140,7 @@ public:
     {
     }
 
-    Findings run(const std::vector<DrivenScene>& drive)
+    GhostFindings run(const std::vector<DrivenScene>& drive)
     {
         std::optional<TerrainEstimate> lastWithout, lastWith;
         OdometryReading at;
@@ -192,7 +192,7 @@ private:
     const Toolbox& toolbox_;
     const GhostOptions& options_;
     Settings settings_;
-    Findings found_;
+    GhostFindings found_;
 };
 
 void renumber(std::vector<BinError>& errors, std::size_t first)
@@ -200,22 +200,22 @@ void renumber(std::vector<BinError>& errors, std::size_t first)
     for (BinError& e : errors) e.scene += first;
 }
 
-void append(Findings& all, Findings some)
+void append(GhostFindings& all, GhostFindings some)
 {
     const std::size_t first = all.scenes.size();
     all.scenes.insert(all.scenes.end(), some.scenes.begin(), some.scenes.end());
-    for (const auto member : {&Findings::ghost, &Findings::without, &Findings::with,
-                              &Findings::withoutThere, &Findings::withThere}) {
+    for (const auto member : {&GhostFindings::ghost, &GhostFindings::without, &GhostFindings::with,
+                              &GhostFindings::withoutThere, &GhostFindings::withThere}) {
         renumber(some.*member, first);
         append(all.*member, some.*member);
     }
     all.ended += some.ended;
 }
 
-Findings tryMethod(const GhostOptions& options, const Toolbox& toolbox, const Drives& drives,
-                   Method method)
+GhostFindings tryMethod(const GhostOptions& options, const Toolbox& toolbox, const Drives& drives,
+                        Method method)
 {
-    std::vector<Findings> each(drives.size());
+    std::vector<GhostFindings> each(drives.size());
     Progress progress(fmt::format("{}: drive", name(method)), static_cast<int>(drives.size()));
     parallelFor(static_cast<int>(drives.size()), [&](int n) {
         const auto k = static_cast<std::size_t>(n);
@@ -225,8 +225,8 @@ Findings tryMethod(const GhostOptions& options, const Toolbox& toolbox, const Dr
         each[k] = DriveTrial(toolbox, options, settings).run(drives[k]);
         progress.tick();
     });
-    Findings all;
-    for (Findings& some : each) append(all, std::move(some));
+    GhostFindings all;
+    for (GhostFindings& some : each) append(all, std::move(some));
     return all;
 }
 
@@ -239,7 +239,7 @@ void printRow(const std::string& what, const std::vector<BinError>& errors)
 }
 
 void printGain(const std::string& where, const std::vector<BinError>& before,
-               const std::vector<BinError>& after, const Findings& found, std::uint64_t seed)
+               const std::vector<BinError>& after, const GhostFindings& found, std::uint64_t seed)
 {
     const PairedGain gain = pairedGain(before, after, found.scenes, seed);
     if (!gain.intervals) {
@@ -257,7 +257,7 @@ void printGain(const std::string& where, const std::vector<BinError>& before,
                gain.helps() ? "helps" : "not shown to help");
 }
 
-void printFindings(Method method, const Findings& found, std::uint64_t seed)
+void printFindings(Method method, const GhostFindings& found, std::uint64_t seed)
 {
     const std::string label(name(method));
     fmt::print("\n{}: {} scenes with a ghost, {} where it had ended\n", label, found.scenes.size(),

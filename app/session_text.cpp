@@ -11,13 +11,14 @@ namespace terratact {
 
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
+constexpr std::int64_t kNanosecondsInSecond = 1'000'000'000;  // [ns]
 
 std::string calendar(std::int64_t wallTime, const std::tm& when, const char* zone)
 {
     std::array<char, 40> date{};
     std::strftime(date.data(), date.size(), "%Y-%m-%d %H:%M:%S", &when);
-    return fmt::format("{}.{:03} {}", date.data(), wallTime % kSecond / 1'000'000, zone);
+    return fmt::format("{}.{:03} {}", date.data(), wallTime % kNanosecondsInSecond / 1'000'000,
+                       zone);
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ std::int64_t wallTimeOf(const SessionStart& start, SessionTime time)
 
 std::string utcText(std::int64_t wallTime)
 {
-    const std::time_t seconds = wallTime / kSecond;
+    const std::time_t seconds = wallTime / kNanosecondsInSecond;
     std::tm when{};
     gmtime_r(&seconds, &when);
     return calendar(wallTime, when, "UTC");
@@ -40,7 +41,7 @@ std::string utcText(std::int64_t wallTime)
 
 std::string localText(std::int64_t wallTime)
 {
-    const std::time_t seconds = wallTime / kSecond;
+    const std::time_t seconds = wallTime / kNanosecondsInSecond;
     std::tm when{};
     localtime_r(&seconds, &when);
     return calendar(wallTime, when, when.tm_zone);
@@ -48,7 +49,8 @@ std::string localText(std::int64_t wallTime)
 
 std::string nanosecondText(std::int64_t wallTime)
 {
-    return fmt::format("{}.{:09}", wallTime / kSecond, wallTime % kSecond);
+    return fmt::format("{}.{:09}", wallTime / kNanosecondsInSecond,
+                       wallTime % kNanosecondsInSecond);
 }
 
 std::string momentText(SessionTime time)

@@ -47,14 +47,14 @@ Comparison compare(const Claim& claim, std::span<const BinError> errors,
 
 }  // namespace
 
-std::string_view name(Verdict verdict)
+std::string_view name(ClaimVerdict verdict)
 {
     switch (verdict) {
-    case Verdict::Holds: return "holds";
-    case Verdict::DoesNotHold: return "does not hold";
-    case Verdict::NotDecided: return "not decided";
+    case ClaimVerdict::Holds: return "holds";
+    case ClaimVerdict::DoesNotHold: return "does not hold";
+    case ClaimVerdict::NotDecided: return "not decided";
     }
-    throw std::invalid_argument("name: no such Verdict");
+    throw std::invalid_argument("name: no such ClaimVerdict");
 }
 
 ClaimResult judge(const Claim& claim, std::span<const BinError> errors,
@@ -75,8 +75,8 @@ ClaimResult judge(const Claim& claim, std::span<const BinError> errors,
     const Interval interval = interval95(bootstrapDrives(result.runs, seed, resamples, difference));
     result.low = interval.low;
     result.high = interval.high;
-    if (result.high < 0.0) result.verdict = Verdict::Holds;
-    if (result.low > 0.0) result.verdict = Verdict::DoesNotHold;
+    if (result.high < 0.0) result.verdict = ClaimVerdict::Holds;
+    if (result.low > 0.0) result.verdict = ClaimVerdict::DoesNotHold;
     return result;
 }
 

@@ -27,14 +27,14 @@ inline constexpr std::array kClaims{
     Claim{"the arm improves bins 0.6 and 0.7", Method::Pafc, Method::Pafac, 9, 10},
 };
 
-enum class Verdict : std::uint8_t { Holds, DoesNotHold, NotDecided };
+enum class ClaimVerdict : std::uint8_t { Holds, DoesNotHold, NotDecided };
 
 /// "holds", "does not hold", "not decided".
-std::string_view name(Verdict verdict);
+std::string_view name(ClaimVerdict verdict);
 
 struct ClaimResult {
     Claim claim;
-    Verdict verdict = Verdict::NotDecided;
+    ClaimVerdict verdict = ClaimVerdict::NotDecided;
     std::size_t n = 0;     ///< errors compared: bins that both methods estimated
     std::size_t runs = 0;  ///< drives they come from
     double baseMedian = 0.0, betterMedian = 0.0;  ///< [m] median |error|

@@ -56,9 +56,9 @@ TEST(Claims, areThoseOfThePaper)
 
 TEST(Judge, findsAClearGainALossAndNothing)
 {
-    EXPECT_EQ(World(20, 10, -0.05, 0.02).judged().verdict, Verdict::Holds);
-    EXPECT_EQ(World(20, 10, +0.05, 0.02).judged().verdict, Verdict::DoesNotHold);
-    EXPECT_EQ(World(20, 10, 0.0, 0.02).judged().verdict, Verdict::NotDecided);
+    EXPECT_EQ(World(20, 10, -0.05, 0.02).judged().verdict, ClaimVerdict::Holds);
+    EXPECT_EQ(World(20, 10, +0.05, 0.02).judged().verdict, ClaimVerdict::DoesNotHold);
+    EXPECT_EQ(World(20, 10, 0.0, 0.02).judged().verdict, ClaimVerdict::NotDecided);
 }
 
 TEST(Judge, reportsMediansAndAnIntervalAroundTheirDifference)
@@ -85,10 +85,10 @@ TEST(Judge, countsDrivesNotScenes)
 TEST(Judge, decidesNothingFromFewerThanFiveDrives)
 {
     const ClaimResult four = World(4, 50, -0.05, 0.001).judged();
-    EXPECT_EQ(four.verdict, Verdict::NotDecided);
+    EXPECT_EQ(four.verdict, ClaimVerdict::NotDecided);
     EXPECT_NEAR(four.betterMedian - four.baseMedian, -0.05, 0.01);
     EXPECT_EQ(four.low, 0.0);
-    EXPECT_EQ(World(5, 50, -0.05, 0.001).judged().verdict, Verdict::Holds);
+    EXPECT_EQ(World(5, 50, -0.05, 0.001).judged().verdict, ClaimVerdict::Holds);
 }
 
 TEST(Judge, comparesOnlyBinsThatBothMethodsEstimated)
@@ -132,7 +132,7 @@ TEST(Judge, ofNothingDecidesNothingAndOfAStrangeSceneIsRefused)
 {
     World world(6, 2, 0.0, 0.0);
     EXPECT_EQ(judge(kClaims[2], world.errors, world.scenes, 1).n, 0U);
-    EXPECT_EQ(judge(kClaims[2], world.errors, world.scenes, 1).verdict, Verdict::NotDecided);
+    EXPECT_EQ(judge(kClaims[2], world.errors, world.scenes, 1).verdict, ClaimVerdict::NotDecided);
     EXPECT_THROW(judge(kClaim, world.errors, {}, 1), std::invalid_argument);
     EXPECT_THROW(judge(kClaims[2], world.errors, world.scenes, 1, 0), std::invalid_argument);
 }
