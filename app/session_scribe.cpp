@@ -46,7 +46,7 @@ SessionScribe::SessionScribe(std::shared_ptr<SessionRecorder> recorder, Explorat
     connectTo(exploration);
     connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionScribe::takeModel);
     connect(&events, &EventList::added, this, [this](const QString& text, Weight weight) {
-        event(EventKind::Word, inWords(weight), text.toStdString());
+        tell(EventKind::Word, inWords(weight), text.toStdString());
     });
 }
 
@@ -60,7 +60,7 @@ void SessionScribe::connectTo(Exploration& exploration)
     connect(&exploration, &Exploration::proposed, this, &SessionScribe::takeProposal);
     connect(&exploration, &Exploration::decided, this, &SessionScribe::decision);
     connect(&exploration, &Exploration::forgotten, this, [this](const QString& why) {
-        event(EventKind::Forgotten, {}, why.toStdString());
+        tell(EventKind::Forgotten, {}, why.toStdString());
         estimate_ = proposal_ = 0;
     });
 }
@@ -116,8 +116,8 @@ void SessionScribe::takeProposal()
     proposal_ = recorder_->record(std::move(row));
 }
 
-void SessionScribe::event(EventKind kind, const std::string& subject, const std::string& text,
-                          std::optional<double> number)
+void SessionScribe::tell(EventKind kind, const std::string& subject, const std::string& text,
+                         std::optional<double> number)
 {
     const bool isDecision = kind == EventKind::Decision || kind == EventKind::Marker;
     recorder_->record(EventRow{.id = 0,
@@ -133,12 +133,12 @@ void SessionScribe::event(EventKind kind, const std::string& subject, const std:
 
 void SessionScribe::decision(const char* what, const QString& text)
 {
-    event(EventKind::Decision, what, text.toStdString());
+    tell(EventKind::Decision, what, text.toStdString());
 }
 
 void SessionScribe::mark(const QString& note)
 {
-    event(EventKind::Marker, "operator", note.toStdString());
+    tell(EventKind::Marker, "operator", note.toStdString());
 }
 
 std::string SessionScribe::shown() const
@@ -160,16 +160,15 @@ void SessionScribe::look(bool linkAlive, const std::optional<CanView>& link,
                          const AlarmList& alarms, const std::optional<PanelState>& panel)
 {
     if (std::exchange(linkAlive_, linkAlive) != linkAlive)
-        event(EventKind::Link, linkAlive ? "up" : "lost",
-              link && !linkAlive ? describe(link->bus, "bus") : std::string());
+        tell(EventKind::Link, linkAlive ? "up" : "lost",
+             link && !linkAlive ? describe(link->bus, "bus") : std::string());
     if (link && std::exchange(arming_, link->link.arming.phase) != link->link.arming.phase)
-        event(EventKind::Arming, describe(*arming_),
-              *arming_ == ArmingPhase::Disarmed ? describe(link->link.arming.cause)
-                                                : std::string());
+        tell(EventKind::Arming, describe(*arming_),
+             *arming_ == ArmingPhase::Disarmed ? describe(link->link.arming.cause) : std::string());
     const AtemState& state = exploration_.state();
     if (std::exchange(phase_, state.phase) != state.phase)
-        event(EventKind::Phase, describe(state.phase),
-              state.phase == AtemPhase::Failed ? describe(state.failure) : std::string());
+        tell(EventKind::Phase, describe(state.phase),
+             state.phase == AtemPhase::Failed ? describe(state.failure) : std::string());
     lookAtAlarms(alarms);
     if (panel) lookAtPanel(*panel);
 }
@@ -181,10 +180,10 @@ void SessionScribe::lookAtAlarms(const AlarmList& alarms)
         now[alarm.id] = alarm.state;
         const auto before = alarms_.find(alarm.id);
         if (before == alarms_.end() || before->second != alarm.state)
-            event(EventKind::Alarm, alarm.id, alarm.text, numberOf(alarm.state));
+            tell(EventKind::Alarm, alarm.id, alarm.text, numberOf(alarm.state));
     }
     for (const auto& [id, state] : alarms_)
-        if (!now.contains(id)) event(EventKind::Alarm, id, {}, 0.0);
+        if (!now.contains(id)) tell(EventKind::Alarm, id, {}, 0.0);
     alarms_ = std::move(now);
 }
 
@@ -195,7 +194,7 @@ void SessionScribe::lookAtPanel(const PanelState& panel)
         closed[contact] = panel.contacts[contact].closed;
     for (const PanelContact contact : kAllPanelContacts)
         if (!contacts_ || (*contacts_)[contact] != closed[contact])
-            event(EventKind::Panel, std::string(name(contact)), {}, closed[contact] ? 1.0 : 0.0);
+            tell(EventKind::Panel, std::string(name(contact)), {}, closed[contact] ? 1.0 : 0.0);
     contacts_ = closed;
 }
 

@@ -39,8 +39,8 @@ private:
     void takeModel(const QString& name, const QString& details, const QString& hash);
     void takeEstimate(bool second);
     void takeProposal();
-    void event(EventKind kind, const std::string& subject, const std::string& text = {},
-               std::optional<double> number = std::nullopt);
+    void tell(EventKind kind, const std::string& subject, const std::string& text = {},
+              std::optional<double> number = std::nullopt);
     void decision(const char* what, const QString& text);
     std::string shown() const;
     void lookAtAlarms(const AlarmList& alarms);
