@@ -24,7 +24,7 @@ namespace {
 // A number that changes more often cannot be read.
 constexpr double kRows = 0.1, kTrace = 0.2;  // [s]
 
-QString kindOf(const CanFrame& frame)
+QString frameName(const CanFrame& frame)
 {
     if (frame.error) return SignalsPage::tr("error frame");
     const bool mayBeOurs = !frame.extended && !frame.remote && !frame.fd;
@@ -37,7 +37,7 @@ TraceWords wordsFor(const CanFrame& frame)
     // A reader of its own: what the frame says is the same whatever came before.
     const FrameWords said = frameReader(CanProtocol::Terratact)->read(frame, 0.0);
     return {.id = words::text(idText(frame)),
-            .name = kindOf(frame),
+            .name = frameName(frame),
             .bytes = words::text(bytesText(frame)),
             .content = words::text(said.values.empty() && frame.error ? said.verdict
                                                                       : wordsOf(said.values))};
@@ -139,7 +139,7 @@ std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames)
         }
         if (rows.size() == first) rows.push_back(wholeFrame(frame));
         rows[first].frame =
-            QStringLiteral("%1 %2").arg(words::text(idText(frame.newest)), kindOf(frame.newest));
+            QStringLiteral("%1 %2").arg(words::text(idText(frame.newest)), frameName(frame.newest));
     }
     return rows;
 }
@@ -182,7 +182,7 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link, QWidge
     signalCard->titleRow()->addWidget(forget);
 
     auto* traceCard = new Card(tr("Newest frames"), this);
-    trace_ = new RawTrace(wordsFor, kindOf, traceCard);
+    trace_ = new RawTrace(wordsFor, frameName, traceCard);
     traceCard->body()->addWidget(trace_, 1);
     auto* both = new QSplitter(Qt::Vertical, this);
     both->addWidget(signalCard);
