@@ -204,7 +204,7 @@ TEST(Probes, sayWhatOneGainsAndHowManyAreNeeded)
 
 TEST(ClaimsText, saysTheVerdictAndWhatItRestsOn)
 {
-    ClaimResult clear{.claim = kClaims[0], .verdict = Verdict::Holds, .n = 60, .runs = 12};
+    ClaimResult clear{.claim = kClaims[0], .verdict = ClaimVerdict::Holds, .n = 60, .runs = 12};
     clear.baseMedian = 0.010;
     clear.betterMedian = 0.008;
     clear.low = -0.003;
