@@ -625,6 +625,7 @@ void Exploration::forget(const QString& why)
     if (estimate_) emit forgotten(why);
     estimate_.reset();
     second_.reset();
+    secondJob_ = 0;
     scene_.reset();
     proposal_.reset();
     moved_ = false;

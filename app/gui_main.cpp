@@ -282,6 +282,7 @@ std::shared_ptr<SessionRecorder> recorderFor(const Arguments& arguments,
         readFile(robotPath, kMost) ? *readFile(robotPath, kMost) : std::string();
     SessionRecorder::Options options;
     options.folder = folder;
+    options.on = preferences.record;
     options.start = {.program = std::string("terratact-console ") + TERRATACT_VERSION,
                      .source = simulated ? "SIMULATED ROBOT" : arguments.can,
                      .bus = simulated ? "sim0" : arguments.can,

@@ -342,6 +342,7 @@ void ReviewWindow::followSession()
     bool news = false;
     if (!session_.sealed()) {
         const auto more = session_.refresh();
+        if (!more) showMoment();  // it may have moved rows before it failed
         if (more && *more) {
             news = true;
             sinceGrowth_ = 0.0;

@@ -69,8 +69,11 @@ std::vector<std::string> sessionsIn(const std::string& folder)
 }  // namespace
 
 SessionRecorder::SessionRecorder(Options options)
-    : options_(std::move(options)), began_(steadyNow()),
-      thread_([this](const std::stop_token& stop) { run(stop); })
+    : options_(std::move(options)), began_(steadyNow()), on_(options_.on),
+      thread_([this](const std::stop_token& stop) {
+          options_.start.wallTime = wallNow() - now();
+          run(stop);
+      })
 {
 }
 
@@ -152,7 +155,7 @@ void SessionRecorder::record(EventRow row)
 void SessionRecorder::setOn(bool on)
 {
     const std::scoped_lock lock(mutex_);
-    on_ = state_.on = on;
+    on_ = on;
     urgent_ = true;
     wake_.notify_one();
 }
@@ -160,7 +163,9 @@ void SessionRecorder::setOn(bool on)
 RecordingState SessionRecorder::state() const
 {
     const std::scoped_lock lock(mutex_);
-    return state_;
+    RecordingState state = state_;
+    state.on = on_;
+    return state;
 }
 
 void SessionRecorder::run(const std::stop_token& stop)
@@ -178,9 +183,14 @@ void SessionRecorder::run(const std::stop_token& stop)
         }
         if (!on) {
             if (writer_) seal("recording was switched off");
+            for (const Row& row : batch_.rows) remember(row);
             batch_ = {};
+            const std::scoped_lock lock(mutex_);
+            state_.trouble.clear();
             continue;
         }
+        const bool nothing = batch_.frames.empty() && batch_.rows.empty();
+        if (last && !writer_ && nothing) return;  // a console that did not come to be
         if (!open()) continue;
         Status written = write();
         if (written) written = writer_->commit();
@@ -198,10 +208,11 @@ void SessionRecorder::run(const std::stop_token& stop)
 /// Ends the file in good order.
 void SessionRecorder::seal(const std::string& why)
 {
-    Status sealed = writer_->add(
+    Status ended = writer_->add(
         EventRow{.time = now(), .kind = EventKind::Session, .subject = "ended", .text = why});
-    if (sealed) sealed = writer_->seal();
-    close(sealed ? std::string() : sealed.error().text);
+    if (ended) ended = writer_->commit();
+    if (ended) (void)writer_->seal();  // refused while somebody reads it: then at the next start
+    close(ended ? std::string() : ended.error().text);
 }
 
 /// Takes what waits behind what could not be written so far, together no more than may wait.
@@ -250,7 +261,6 @@ Status SessionRecorder::begin()
         return Error{options_.folder + ": the disk is full: only " + std::to_string(*left >> 20U)
                      + " MB are free, " + std::to_string(options_.leastFree >> 20U)
                      + " MB are left alone; recording goes on when there is room"};
-    options_.start.wallTime = wallNow() - now();
     const std::string path = freeName(options_.folder, wallNow());
     auto writer = SessionWriter::create(path, options_.start);
     if (!writer) return writer.error();
@@ -275,29 +285,33 @@ Status SessionRecorder::begin()
 /// What later rows may refer to, in a file that goes on after another.
 Status SessionRecorder::writeContext()
 {
-    Status status = Done{};
-    const auto add = [&](const auto& row) {
-        if (row && status) status = writer_->add(*row);
-    };
-    add(model_);
-    add(scene_);
-    add(estimate_);
-    add(proposal_);
-    return status;
+    for (const Row& row : context_) {
+        try {
+            Status added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
+            if (!added) return added;
+        } catch (const std::invalid_argument&) {
+            miss(now(), 0, 1);
+        }
+    }
+    return writer_->commit();  // a batch of its own, since its times are those of before
 }
 
 Status SessionRecorder::write()
 {
     for (const FrameRow& frame : batch_.frames)
         if (Status added = writer_->add(frame); !added) return added;
-    for (const Row& row : batch_.rows) {
+    Status added = Done{};
+    std::erase_if(batch_.rows, [&](const Row& row) {
+        if (!added) return false;
         try {
-            Status added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
-            if (!added) return added;
+            added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
+            return false;
         } catch (const std::invalid_argument&) {
             miss(now(), 0, 1);  // a row that no session can hold must not end the recording
+            return true;
         }
-    }
+    });
+    if (!added) return added;
     if (batch_.missingFrames + batch_.missingRows == 0) return Done{};
     return writer_->add(EventRow{
         .time = batch_.missingSince,
@@ -310,12 +324,19 @@ Status SessionRecorder::write()
         .number = static_cast<double>(batch_.missingFrames)});
 }
 
+/// What later rows may refer to: the model in use, and all of the scene that was captured last.
 void SessionRecorder::remember(const Row& row)
 {
-    if (const auto* model = std::get_if<ModelRow>(&row)) model_ = *model;
-    if (const auto* scene = std::get_if<SceneRow>(&row)) scene_ = *scene;
-    if (const auto* estimate = std::get_if<EstimateRow>(&row)) estimate_ = *estimate;
-    if (const auto* proposal = std::get_if<ProposalRow>(&row)) proposal_ = *proposal;
+    if (std::holds_alternative<EventRow>(row)) return;
+    if (std::holds_alternative<SceneRow>(row)) {
+        const auto newest = std::find_if(context_.rbegin(), context_.rend(), [](const Row& kept) {
+            return std::holds_alternative<ModelRow>(kept);
+        });
+        std::vector<Row> model;
+        if (newest != context_.rend()) model.push_back(*newest);
+        context_ = std::move(model);
+    }
+    context_.push_back(row);
 }
 
 void SessionRecorder::close(const std::string& why)

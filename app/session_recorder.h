@@ -40,6 +40,7 @@ public:
     struct Options {
         std::string folder;
         SessionStart start;                    ///< wallTime is set here
+        bool on = true;                        ///< see setOn()
         std::size_t mostFrames = 18'018;       ///< that wait: two seconds of a full bus of 1 Mbit/s
         std::size_t mostRows = 10'000;         ///< likewise, of the other rows
         std::chrono::milliseconds batch{200};  ///< between two commits
@@ -63,7 +64,7 @@ public:
     std::int64_t record(ProposalRow row);
     void record(EventRow row);
 
-    /// Off: the file is closed, and nothing is kept.
+    /// Off: the file is closed, and nothing is kept but what later rows may refer to.
     void setOn(bool on);
 
     RecordingState state() const;
@@ -98,11 +99,8 @@ private:
 
     // Only the thread touches these.
     std::optional<SessionWriter> writer_;
-    Batch batch_;  ///< not committed yet
-    std::optional<ModelRow> model_;
-    std::optional<SceneRow> scene_;
-    std::optional<EstimateRow> estimate_;
-    std::optional<ProposalRow> proposal_;
+    Batch batch_;                    ///< not committed yet
+    std::vector<Row> context_;       ///< for the next file, see remember()
     std::int64_t framesBefore_ = 0;  ///< in files before this one
     double nextTry_ = 0.0;           ///< [s] steady clock
     double openedAt_ = 0.0;

@@ -17,7 +17,7 @@ namespace terratact {
 
 /// Tells the recorder what happens at the console: scenes, estimates and proposals as they come, what the operator
 /// does with the numbers that were on the screen, and every change of link, arming, exploration, alarms and panel.
-/// Rows are in English, whatever the console speaks; only the words of the list of events are as they were shown.
+/// What rows say of themselves is in English; words that were on the screen are as they stood there, in its language.
 /// GUI thread only.
 class SessionScribe final : public QObject {
     Q_OBJECT

@@ -61,7 +61,12 @@ void SessionSurveyor::run(const std::stop_token& stop)
         if (reader->sealed()) return;
         std::unique_lock lock(idle);
         wake.wait_for(lock, stop, kLookForMore, [] { return false; });
-        if (!reader->refresh()) return;
+        if (const auto more = reader->refresh(); !more) {
+            const std::scoped_lock locked(mutex_);
+            found_.trouble = more.error().text;
+            ++version_;
+            return;
+        }
     }
 }
 

@@ -174,7 +174,9 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         case EventKind::Alarm: takeAlarm(alarms, event); break;
         case EventKind::Forgotten: moment.forgotten = event.text; break;
         case EventKind::Decision:
-            if (moment.proposal && event.proposal == moment.proposal->id) moment.decision = &event;
+            if (moment.proposal && event.proposal == moment.proposal->id
+                && (event.subject == "approve" || event.subject == "refuse"))
+                moment.decision = &event;
             break;
         case EventKind::Word:
         case EventKind::Panel:

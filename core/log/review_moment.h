@@ -32,7 +32,7 @@ struct ReviewMoment {
     const SceneRow* scene = nullptr;
     std::shared_ptr<const EstimateRow> estimate{}, second{};  ///< with their draws
     const ProposalRow* proposal = nullptr;                    ///< of the estimate
-    const EventRow* decision = nullptr;                       ///< the operator's, of the proposal
+    const EventRow* decision = nullptr;                       ///< the operator's answer to it
     std::string forgotten{};  ///< why the last estimate no longer stands; empty: there was none
 
     AtemState state{};  ///< `since` [s] on the session's clock

@@ -15,12 +15,13 @@
 namespace terratact {
 namespace {
 
-constexpr int kLongest = 64 << 20;            // bytes of one value: draws
-constexpr std::size_t kMostRows = 2'000'000;  // of one table but the frames
+constexpr int kLongest = 64 << 20;          // bytes of one value: draws
+constexpr std::size_t kMostRows = 500'000;  // of one table but the frames
 constexpr double kMostNumber = 1e12;
 constexpr SessionTime kMostTime = std::int64_t{1} << 60;  // 36 years
 constexpr std::int64_t kMostCount = std::int64_t{1} << 48;
-constexpr std::int64_t kMostPerBatch = 10'000'000;  // frames
+constexpr std::int64_t kMostPerBatch = 200'000;  // frames
+constexpr std::size_t kMostBatches = 4'000'000;
 
 /// What a row holds is not what a session has.  Thrown and caught in this file only.
 struct Refused {
@@ -167,16 +168,17 @@ struct SessionReader::Impl {
     bool readMore();
     std::vector<SessionBatch> newBatches(std::vector<std::string>& links);
     void judge(std::vector<SessionBatch>& fresh, const std::vector<std::string>& links);
-    std::map<std::int64_t, std::string> rowHashes(std::int64_t from);
+    std::map<std::int64_t, std::string> rowHashes(const std::vector<SessionBatch>& fresh);
     SqliteStatement rowsFrom(std::size_t table, std::int64_t batch);
     void readRows(std::int64_t from);
     void take(std::size_t table, Row& row, std::int64_t batch);
     void addDamage(const SessionBatch& batch, const std::string& why);
     bool isSound(std::int64_t batch) const
     {
-        return !std::binary_search(unsound.begin(), unsound.end(), batch);
+        return byId(batches, batch) && !std::binary_search(unsound.begin(), unsound.end(), batch);
     }
     std::vector<FrameRow> frames(const SessionBatch& batch);
+    void countStrayFrames();
     void readSettings(Row& row, std::int64_t id);
     void readModel(Row& row, std::int64_t id);
     void readTruth(Row& row);
@@ -193,7 +195,8 @@ struct SessionReader::Impl {
     bool sealed;
     StoredStart stored;
     std::vector<SessionBatch> batches;
-    std::string chain;  ///< after batches.back(), as far as it holds
+    std::string chain;   ///< the file's own, after batches.back()
+    std::string proven;  ///< the last link that holds
     std::optional<SessionDamage> broken;
     std::vector<std::int64_t> unsound;  ///< batches whose rows are not handed out, ascending
     std::vector<SessionDamage> damage;
@@ -220,6 +223,7 @@ std::vector<SessionBatch> SessionReader::Impl::newBatches(std::vector<std::strin
     select.bind(0, batches.empty() ? 0 : batches.back().id);
     while (select.step()) {
         if (fresh.size() % 1024 == 0) file.grantSteps();
+        require(batches.size() + fresh.size() < kMostBatches, "has too many batches");
         Row row(select);
         SessionBatch batch;
         batch.id = row.id();
@@ -240,7 +244,7 @@ std::vector<SessionBatch> SessionReader::Impl::newBatches(std::vector<std::strin
 void SessionReader::Impl::judge(std::vector<SessionBatch>& fresh,
                                 const std::vector<std::string>& links)
 {
-    const auto hashes = rowHashes(fresh.front().id);
+    const auto hashes = rowHashes(fresh);
     const std::string none = RowsHash().take();
     std::int64_t id = batches.empty() ? 1 : batches.back().id + 1;
     std::int64_t frame =
@@ -261,9 +265,9 @@ void SessionReader::Impl::judge(std::vector<SessionBatch>& fresh,
         before = links[i];
         id = batch.id + 1;
         frame = batch.frameFirst + batch.frameCount;
-        if (!broken) chain = links[i];
+        if (!broken) proven = links[i];
     }
-    if (broken) chain = before;  // of what follows; what holds is verify()'s to say
+    chain = before;
 }
 
 SqliteStatement SessionReader::Impl::rowsFrom(std::size_t table, std::int64_t batch)
@@ -275,24 +279,58 @@ SqliteStatement SessionReader::Impl::rowsFrom(std::size_t table, std::int64_t ba
     return select;
 }
 
-/// rows_hash of every batch from `from` on that has rows, as they are in the file.
-std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(std::int64_t from)
+/// rows_hash of every one of the batches that has rows, as they are in the file.  Rows of a batch stand together
+/// in each table; those of no batch are damage.
+std::map<std::int64_t, std::string>
+SessionReader::Impl::rowHashes(const std::vector<SessionBatch>& fresh)
 {
-    std::map<std::int64_t, RowsHash> collected;
-    RowBytes bytes;
+    std::map<std::int64_t, std::string> parts;  // the tables' hashes one behind the other
+    const std::string none = Sha256().take();
+    const auto fill = [&](std::string& part, std::size_t tables) {
+        while (part.size() < tables * Sha256::kBytes) part += none;
+    };
+    std::size_t strays = 0;
     for (std::size_t table = 0; table < kSessionRowTables.size(); ++table) {
-        SqliteStatement select = rowsFrom(table, from);
+        Sha256 hash;
+        std::optional<std::int64_t> current;
+        const auto finish = [&] {
+            if (!current) return;
+            std::string& part = parts[*current];
+            fill(part, table);
+            part += hash.take();  // a second one in this table makes it too long, and wrong
+        };
+        RowBytes bytes;
+        // From the beginning at first, so that rows of no batch are seen.
+        SqliteStatement select = rowsFrom(
+            table, batches.empty() ? std::numeric_limits<std::int64_t>::min() : fresh.front().id);
         for (std::size_t rows = 0; select.step(); ++rows) {
             require(rows < kMostRows, "a table has more rows than a session can have");
             if (rows % 1024 == 0) file.grantSteps();
+            const std::int64_t batch = select.integer(1);
+            if (!byId(fresh, batch)) {
+                ++strays;
+                continue;
+            }
+            if (batch != current) {
+                finish();
+                current = batch;
+            }
             bytes.clear();
             bytes.addRow(select, select.columns());
-            collected[select.integer(1)].add(table, bytes.bytes());
+            hash.add(bytes.bytes());
         }
+        finish();
     }
-    std::map<std::int64_t, std::string> hashes;
-    for (auto& [batch, hash] : collected) hashes[batch] = hash.take();
-    return hashes;
+    const SessionTime last = fresh.back().last;
+    if (strays > 0)
+        damage.push_back({last, last, std::to_string(strays) + " rows belong to no batch"});
+    for (auto& [batch, part] : parts) {
+        fill(part, kSessionRowTables.size());
+        Sha256 all;
+        all.add(part);
+        part = all.take();
+    }
+    return parts;
 }
 
 void SessionReader::Impl::readRows(std::int64_t from)
@@ -483,6 +521,14 @@ void SessionReader::Impl::readEvent(Row& row, std::int64_t id)
     events.push_back(std::move(e));
 }
 
+/// Where its frames begin: before them a file that goes on after another repeats what that said.
+SessionTime beginOf(const std::vector<SessionBatch>& batches)
+{
+    const auto first = std::find_if(batches.begin(), batches.end(),
+                                    [](const SessionBatch& batch) { return batch.frameCount > 0; });
+    return (first == batches.end() ? batches.front() : *first).first;
+}
+
 bool SessionReader::Impl::readMore()
 {
     file.grantSteps();
@@ -491,7 +537,7 @@ bool SessionReader::Impl::readMore()
     std::vector<SessionBatch> fresh = newBatches(links);
     if (!fresh.empty()) {
         judge(fresh, links);
-        if (batches.empty()) begin = fresh.front().first;
+        if (batches.empty()) begin = beginOf(fresh);
         for (const SessionBatch& batch : fresh) end = std::max(end, batch.last);
         const std::int64_t from = fresh.front().id;
         batches.insert(batches.end(), std::make_move_iterator(fresh.begin()),
@@ -500,6 +546,17 @@ bool SessionReader::Impl::readMore()
     }
     file.run("COMMIT");
     return !fresh.empty();
+}
+
+void SessionReader::Impl::countStrayFrames()
+{
+    const std::int64_t last =
+        batches.empty() ? 0 : batches.back().frameFirst + batches.back().frameCount - 1;
+    file.grantSteps();
+    SqliteStatement select =
+        file.prepare("SELECT seq FROM can_frame WHERE seq < 1 OR seq > ? LIMIT 1");
+    select.bind(0, last);
+    if (sealed && select.step()) damage.push_back({end, end, "frames belong to no batch"});
 }
 
 std::vector<FrameRow> SessionReader::Impl::frames(const SessionBatch& batch)
@@ -543,7 +600,7 @@ Result<SessionReader> SessionReader::open(const std::string& path)
         auto impl = std::make_unique<Impl>(path, SqliteFile::openLog(path, kLongest), sealed);
         requireSessionSchema(impl->file);
         impl->stored = readSessionStart(impl->file);
-        impl->chain = impl->stored.hash;
+        impl->chain = impl->proven = impl->stored.hash;
         static_cast<void>(impl->readMore());
         return SessionReader(std::move(impl));
     } catch (const SqliteError& error) {
@@ -555,12 +612,20 @@ Result<SessionReader> SessionReader::open(const std::string& path)
 
 Result<bool> SessionReader::refresh()
 {
+    const auto failed = [this](const std::string& cause) {
+        try {
+            impl_->file.run("ROLLBACK");
+        } catch (const SqliteError&) {
+            // there was nothing to end
+        }
+        return fileError(impl_->path, cause);
+    };
     try {
         return impl_->readMore();
     } catch (const SqliteError& error) {
-        return fileError(impl_->path, error.what());
+        return failed(error.what());
     } catch (const Refused& refused) {
-        return fileError(impl_->path, refused.cause);
+        return failed(refused.cause);
     }
 }
 
@@ -649,6 +714,7 @@ std::vector<FrameRow> SessionReader::frames(std::size_t batch)
     if (batch >= impl_->batches.size())
         throw std::invalid_argument("SessionReader::frames: no such batch");
     const SessionBatch& wanted = impl_->batches[batch];
+    if (!impl_->isSound(wanted.id)) return {};
     try {
         return impl_->frames(wanted);
     } catch (const Refused& refused) {
@@ -689,6 +755,11 @@ SessionVerification SessionReader::verify(const std::function<bool(double)>& pro
         if (progress && i % 64 == 0 && !progress(share)) break;
         ++found.batches;
     }
+    try {
+        impl_->countStrayFrames();
+    } catch (const SqliteError& error) {
+        impl_->damage.push_back({0, 0, error.what()});
+    }
     for (const EstimateRow& row : impl_->estimates)
         if (const auto stored = draws(row.id); !stored)
             impl_->damage.push_back({row.time, row.time, stored.error().text});
@@ -697,7 +768,7 @@ SessionVerification SessionReader::verify(const std::function<bool(double)>& pro
     found.broken = impl_->broken;
     for (const SessionDamage& damage : found.damage)
         if (!found.broken || damage.first < found.broken->first) found.broken = damage;
-    found.chain = hexOf(impl_->chain);
+    found.chain = hexOf(impl_->proven);
     return found;
 }
 

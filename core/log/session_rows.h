@@ -140,7 +140,7 @@ struct EventRow {
     std::string subject{}, text{};
     std::optional<double> number{};
     std::int64_t estimate = 0,
-                 proposal = 0;  ///< that it refers to, perhaps in the file before; 0: none
+                 proposal = 0;  ///< that it refers to, or 0
     std::string shown{};        ///< what was on the screen, in words
     bool operator==(const EventRow&) const = default;
 };

@@ -50,7 +50,8 @@ std::int64_t wallTimeFrom(const std::string& text)
 {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    require(error == std::errc{} && std::to_string(value) == text && value >= 0,
+    constexpr std::int64_t kMost = std::int64_t{1} << 62U;  // the year 2116; times are added to it
+    require(error == std::errc{} && std::to_string(value) == text && value >= 0 && value <= kMost,
             "its start is no time: " + shown(text));
     return value;
 }

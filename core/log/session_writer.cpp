@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "core/file_read.h"
@@ -135,6 +137,7 @@ struct SessionWriter::Impl {
 
     bool open = false;  ///< a transaction is
     bool broken = false;
+    bool ended = false;  ///< of a file that was opened again: its program had ended it
     SessionBatch batch{.id = 1, .frameFirst = 1};
     Sha256 frameHash;
     RowsHash rows;
@@ -262,8 +265,10 @@ void requireKnown(std::int64_t id, std::int64_t last, bool mayBeNone)
 
 Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionStart& start)
 {
+    bool made = false;
     try {
         SqliteFile file = SqliteFile::createLog(path);
+        made = true;
         file.run("PRAGMA application_id = " + std::to_string(kSessionApplicationId));
         file.run("PRAGMA user_version = " + std::to_string(kSessionVersion));
         file.run("BEGIN");
@@ -274,6 +279,10 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
         impl->chain = genesis;
         return SessionWriter(std::move(impl));
     } catch (const SqliteError& error) {
+        std::error_code none;
+        if (made)
+            for (const char* const end : {"", "-wal", "-shm"})
+                std::filesystem::remove(path + end, none);
         return fileError(path, error.what());
     }
 }
@@ -306,7 +315,11 @@ void requireFinite(const SceneRow& row)
 void requireFinite(const EstimateRow& row)
 {
     const TerrainEstimate& e = row.estimate;
-    requireFinite({row.seconds, row.stepLimit, e.novelty});
+    const Settings& s = e.settings;
+    requireFinite({row.seconds, row.stepLimit, e.novelty, s.forceThreshold, s.contactSd,
+                   s.probeAbove, s.rollLimit, s.asymmetryLimit});
+    for (const double ceiling : e.ceiling)
+        if (!std::isinf(ceiling)) requireFinite({ceiling});
     for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})
         requireFinite(*values);
     for (const Heights& draw : e.draws) requireFinite(draw);
@@ -427,16 +440,23 @@ const std::string& SessionWriter::path() const
 void SessionWriter::Impl::goOn()
 {
     chain = readSessionStart(file).hash;
+    const auto counted = [](std::int64_t value) {
+        constexpr std::int64_t kMost = std::int64_t{1} << 48U;
+        if (value < 0 || value > kMost) throw SqliteError("a number is out of range");
+        return value;
+    };
     SqliteStatement newest = file.prepare(
-        "SELECT id, frame_first + frame_count, t_last, chain FROM batch ORDER BY id DESC LIMIT 1");
+        "SELECT id, frame_first, frame_count, t_last, chain FROM batch ORDER BY id DESC LIMIT 1");
     if (newest.step()) {
-        batch = {.id = newest.integer(0) + 1,
-                 .first = newest.integer(2),
-                 .last = newest.integer(2),
-                 .frameFirst = newest.integer(1)};
-        chain = newest.blob(3);
+        batch = {.id = counted(newest.integer(0)) + 1,
+                 .first = newest.integer(3),
+                 .last = newest.integer(3),
+                 .frameFirst = counted(newest.integer(1)) + counted(newest.integer(2))};
+        chain = newest.blob(4);
     }
-    lastEvent = file.integer("SELECT coalesce(max(id), 0) FROM event");
+    lastEvent = counted(file.integer("SELECT coalesce(max(id), 0) FROM event"));
+    SqliteStatement last = file.prepare("SELECT kind, subject FROM event ORDER BY id DESC LIMIT 1");
+    ended = last.step() && last.text(0) == name(EventKind::Session) && last.text(1) == "ended";
 }
 
 Result<SessionRecovery> recoverSession(const std::string& path)
@@ -458,12 +478,15 @@ Result<SessionRecovery> SessionWriter::finish(const std::string& path, SqliteFil
     auto impl = std::make_unique<Impl>(path, std::move(file));
     impl->goOn();
     const SessionTime time = impl->batch.last;
+    const bool ended = impl->ended;  // all but the closing of its journal
     SessionWriter writer(std::move(impl));
-    const Status added =
-        writer.add(EventRow{.time = time,
-                            .kind = EventKind::Session,
-                            .subject = "recovered",
-                            .text = "the program that recorded ended without closing the session"});
+    Status added = Done{};
+    if (!ended)
+        added = writer.add(
+            EventRow{.time = time,
+                     .kind = EventKind::Session,
+                     .subject = "recovered",
+                     .text = "the program that recorded ended without closing the session"});
     const Status sealed = added ? writer.seal() : added;
     if (!sealed) return sealed.error();
     return SessionRecovery::Recovered;

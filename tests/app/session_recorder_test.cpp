@@ -195,6 +195,57 @@ TEST_F(Recorder, keepsNothingWhileItIsOff)
     EXPECT_EQ(numbersIn(*reader).front(), 10U);
 }
 
+TEST_F(Recorder, knowsInEveryFileWhatWasSaidWhileItWasOffOrBefore)
+{
+    options.on = false;
+    {
+        SessionRecorder recorder(options);
+        recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        recorder.record(someScene(1, 0));
+        recorder.record(someEstimate(1, 0));
+        recorder.record(someProposal(0));
+        std::this_thread::sleep_for(100ms);  // ten turns of its thread
+        for (const char* const what : {"approve", "stop"}) {
+            recorder.setOn(true);
+            recorder.record(EventRow{
+                .kind = EventKind::Decision, .subject = what, .estimate = 1, .proposal = 1});
+            ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+            EstimateRow second = someEstimate(1, 0);
+            second.role = EstimateRole::Second;
+            recorder.record(second);
+            recorder.take(busFrames(0, 10));
+            const std::int64_t before = recorder.state().frames;
+            ASSERT_TRUE(eventually([&] { return recorder.state().frames >= before; }));
+            std::this_thread::sleep_for(100ms);
+            recorder.setOn(false);
+            ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
+        }
+    }
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 2U);
+    for (const std::string& file : files) {
+        auto reader = SessionReader::open(file);
+        ASSERT_TRUE(reader) << reader.error().text;
+        const auto found = reader->verify();
+        EXPECT_FALSE(found.broken) << found.broken->why;
+        EXPECT_NE(reader->proposal(1), nullptr) << file;
+        EXPECT_NE(reader->estimate(1), nullptr) << file;
+        EXPECT_NE(reader->estimate(2), nullptr) << file;
+        for (const EventRow& event : reader->events()) EXPECT_NE(event.kind, EventKind::Gap);
+    }
+    EXPECT_TRUE(hasEvent(*SessionReader::open(files[0]), EventKind::Decision, "approve"));
+    EXPECT_TRUE(hasEvent(*SessionReader::open(files[1]), EventKind::Decision, "stop"));
+}
+
+TEST_F(Recorder, leavesNoFileOfAConsoleThatDidNotComeToBe)
+{
+    options.batch = 10s;
+    {
+        const SessionRecorder recorder(options);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
 TEST_F(Recorder, deletesOnlyWhatTheUsersLimitsSay)
 {
     std::filesystem::create_directories(folder);
