@@ -28,19 +28,24 @@ bool chance(std::mt19937_64& rng, double probability)
     return uniform(rng, 0.0, 1.0) < probability;
 }
 
-double eitherSign(std::mt19937_64& rng)
+// Draws are statements of their own: in which order the operands of one expression are evaluated is the
+// compiler's choice, and the same seed shall give the same ground.
+
+/// Of that size, up or down.
+double eitherWay(std::mt19937_64& rng, double low, double high)
 {
-    return chance(rng, 0.5) ? 1.0 : -1.0;
+    const double size = uniform(rng, low, high);
+    return chance(rng, 0.5) ? size : -size;
 }
 
 void addStep(TerrainPath& path, std::mt19937_64& rng)
 {
-    path.face(uniform(rng, 0.03, 0.40) * eitherSign(rng));
+    path.face(eitherWay(rng, 0.03, 0.40));
 }
 
 void addStairs(TerrainPath& path, std::mt19937_64& rng)
 {
-    const double riser = uniform(rng, 0.08, 0.20) * eitherSign(rng);
+    const double riser = eitherWay(rng, 0.08, 0.20);
     const double tread = uniform(rng, 0.22, 0.40);
     const int count = whole(rng, 2, 12);
     for (int k = 0; k < count; ++k) {
@@ -51,12 +56,19 @@ void addStairs(TerrainPath& path, std::mt19937_64& rng)
 
 void addRamp(TerrainPath& path, std::mt19937_64& rng)
 {
-    path.slope(uniform(rng, 0.2, 2.0), uniform(rng, -0.52, 0.52));
+    const double angle = uniform(rng, -0.52, 0.52);
+    path.slope(uniform(rng, 0.2, 2.0), angle);
 }
 
-/// A raised or sunken piece with vertical faces.
-void addBlock(TerrainPath& path, double height, double width, std::mt19937_64& rng)
+struct Range {
+    double low, high;
+};
+
+/// A raised or, sign −1, sunken piece with vertical faces.
+void addBlock(TerrainPath& path, double sign, Range heights, Range widths, std::mt19937_64& rng)
 {
+    const double width = uniform(rng, widths.low, widths.high);
+    const double height = sign * uniform(rng, heights.low, heights.high);
     path.face(height);
     path.level(width);
     path.face(-height * (chance(rng, 0.7) ? 1.0 : uniform(rng, 0.3, 1.3)));
@@ -66,7 +78,7 @@ void addBlock(TerrainPath& path, double height, double width, std::mt19937_64& r
 void addHump(TerrainPath& path, std::mt19937_64& rng)
 {
     constexpr int kPosts = 16;
-    const double height = uniform(rng, 0.03, 0.25) * eitherSign(rng);
+    const double height = eitherWay(rng, 0.03, 0.25);
     const double width = uniform(rng, 0.2, 1.2);
     double before = 0.0;
     for (int k = 1; k <= kPosts; ++k) {
@@ -83,9 +95,9 @@ void addFeature(TerrainPath& path, std::mt19937_64& rng)
     case 1: return addStairs(path, rng);
     case 2:
     case 3: return addRamp(path, rng);
-    case 4: return addBlock(path, uniform(rng, 0.04, 0.35), uniform(rng, 0.2, 1.5), rng);
-    case 5: return addBlock(path, uniform(rng, 0.03, 0.18), uniform(rng, 0.06, 0.25), rng);
-    case 6: return addBlock(path, -uniform(rng, 0.03, 0.25), uniform(rng, 0.1, 0.6), rng);
+    case 4: return addBlock(path, 1.0, {0.04, 0.35}, {0.2, 1.5}, rng);
+    case 5: return addBlock(path, 1.0, {0.03, 0.18}, {0.06, 0.25}, rng);
+    case 6: return addBlock(path, -1.0, {0.03, 0.25}, {0.1, 0.6}, rng);
     case 7: return addHump(path, rng);
     default: return addStep(path, rng);
     }
@@ -106,7 +118,8 @@ TerrainProfile builtGround(std::mt19937_64& rng)
         path.level(landing(rng));
     }
     // A line at an angle to head-on cuts the same ground stretched by 1 / cos.
-    const double stretch = 1.0 / std::cos(uniform(rng, 0.0, 1.05) * uniform(rng, 0.0, 1.0));
+    const double widest = uniform(rng, 0.0, 1.05);
+    const double stretch = 1.0 / std::cos(widest * uniform(rng, 0.0, 1.0));
     return std::move(path).stretched(stretch);
 }
 
@@ -130,7 +143,7 @@ TerrainProfile naturalGround(std::mt19937_64& rng)
         if (chance(rng, 0.7))
             addHump(path, rng);
         else
-            path.face(uniform(rng, 0.03, 0.25) * eitherSign(rng));
+            path.face(eitherWay(rng, 0.03, 0.25));
         path.level(uniform(rng, 0.2, 2.5));
     }
     return sum(std::move(path).finish(kRandomTerrainLength), roughness(3.0, 6.0, rng));
