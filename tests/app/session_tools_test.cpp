@@ -297,8 +297,8 @@ TEST_F(Tools, sessionsOfDifferentMonthsAreNotOneDrive)
 {
     const auto oneFrame = [](SessionWriter& writer) { ASSERT_TRUE(writer.add(someFrame(0))); };
     const std::string now = session("now.tts", oneFrame);
-    const std::string ages = session(
-        "ages.tts", oneFrame, std::numeric_limits<std::int64_t>::max() - someStart().wallTime);
+    const std::string ages =
+        session("ages.tts", oneFrame, (std::int64_t{1} << 62U) - someStart().wallTime);
     const std::string out = directory.file("whole.tts");
     EXPECT_TRUE(
         refused(mergeSessions({.files = {now, ages}, .out = out}), ages, {"a month apart"}));
