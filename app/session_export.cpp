@@ -431,7 +431,7 @@ ExportCounts run(SessionReader& session, Exporter& exporter, const ExportSelecti
             if (!selection.covers(frame.time)) continue;
             for (; other != others.end() && other->first <= frame.time; ++other)
                 other->second(exporter);
-            ++(exporter.take(frame) ? counts.rows : counts.leftOut);
+            ++(exporter.take(frame) ? counts.frames : counts.leftOut);
         }
     }
     for (; other != others.end(); ++other) other->second(exporter);

@@ -35,7 +35,7 @@ struct ExportSelection {
 };
 
 struct ExportCounts {
-    std::uint64_t rows = 0;
+    std::uint64_t frames = 0;   ///< written; rows of other kinds are not counted
     std::uint64_t leftOut = 0;  ///< frames that the format cannot express
 };
 

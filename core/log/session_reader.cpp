@@ -253,13 +253,13 @@ void SessionReader::Impl::judge(std::vector<SessionBatch>& fresh,
     for (std::size_t i = 0; i < fresh.size(); ++i) {
         const SessionBatch& batch = fresh[i];
         const bool follows = batch.id == id && batch.frameFirst == frame;
-        const bool links_ = follows && chained(before, batch) == links[i];
-        if (!links_ && !broken)
+        const bool linked = follows && chained(before, batch) == links[i];
+        if (!linked && !broken)
             broken = SessionDamage{batch.first, batch.last, "the chain of hashes is broken here"};
-        if (!links_) addDamage(batch, "the chain of hashes is broken here");
+        if (!linked) addDamage(batch, "the chain of hashes is broken here");
         const auto rows = hashes.find(batch.id);
-        if (!links_ || (rows == hashes.end() ? none : rows->second) != batch.rowsHash) {
-            if (links_) addDamage(batch, "rows were changed, lost or added");
+        if (!linked || (rows == hashes.end() ? none : rows->second) != batch.rowsHash) {
+            if (linked) addDamage(batch, "rows were changed, lost or added");
             unsound.push_back(batch.id);
         }
         before = links[i];
