@@ -1,6 +1,7 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md anew from a release build: the console on its built-in robot,
-# the review of the shipped session, and five of the states that tests/app/screens_test.cpp walks through.  Wants imagemagick, to make the files smaller.
+# the review of the shipped session, and five of the states that tests/app/screens_test.cpp walks through.  Wants
+# imagemagick, to make the files smaller.
 #   docs/screens.sh
 set -eu
 cd "$(dirname "$0")/.."
