@@ -1,10 +1,9 @@
 // Model files as bytes.  Mutants keep the size of a real file, whose header would else refuse them all.
 #include "core/learn/model_file.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <random>
 
+#include "tests/fuzz/in_place.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/support/random_model.h"
@@ -31,23 +30,10 @@ const std::string& realModel()
 
 }  // namespace
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
-
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed)
 {
-    const std::string& real = realModel();
-    if (size != real.size() && real.size() <= most) {
-        std::copy(real.begin(), real.end(), data);
-        return real.size();
-    }
-    if (size == 0) return LLVMFuzzerMutate(data, size, most);
-    std::minstd_rand rng(seed);
-    constexpr std::size_t kMostChanged = 64;  // bytes
-    const std::size_t at = std::uniform_int_distribution<std::size_t>(0, size - 1)(rng);
-    const std::size_t length = std::min(kMostChanged, size - at);
-    LLVMFuzzerMutate(data + at, std::uniform_int_distribution<std::size_t>(1, length)(rng), length);
-    return size;
+    return mutateInPlace(realModel(), data, size, most, seed);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -1,10 +1,9 @@
 // Session files as bytes: what is shown was recorded, whatever was flipped, cut or put in.
 #include "core/log/session_reader.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <random>
 
+#include "tests/fuzz/in_place.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/support/sessions.h"
@@ -50,23 +49,10 @@ void promiseShown(SessionReader& session)
 
 }  // namespace
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
-
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed)
 {
-    const std::string& real = realSession();
-    if (size != real.size() && real.size() <= most) {
-        std::copy(real.begin(), real.end(), data);
-        return real.size();
-    }
-    if (size == 0) return LLVMFuzzerMutate(data, size, most);
-    std::minstd_rand rng(seed);
-    constexpr std::size_t kMostChanged = 64;  // bytes
-    const std::size_t at = std::uniform_int_distribution<std::size_t>(0, size - 1)(rng);
-    const std::size_t length = std::min(kMostChanged, size - at);
-    LLVMFuzzerMutate(data + at, std::uniform_int_distribution<std::size_t>(1, length)(rng), length);
-    return size;
+    return mutateInPlace(realSession(), data, size, most, seed);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
