@@ -14,6 +14,7 @@
 #include <random>
 #include <thread>
 
+#include "core/log/session_hash.h"
 #include "core/log/session_reader.h"
 #include "core/log/session_writer.h"
 #include "tests/support/sessions.h"
@@ -197,6 +198,37 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{"end", "UPDATE batch SET t_last = t_last + 1 WHERE id = 9", 800'000'000},
         Tampering{"start", "UPDATE meta SET value = 'can1' WHERE key = 'bus'", 0}),
     [](const auto& test) { return std::string(test.param.name); });
+
+/// Blob literal of SQL.
+std::string literal(std::string_view bytes)
+{
+    return "x'" + hexOf(bytes) + "'";
+}
+
+// Whoever forges frames can forge the hash beside them, but not the link of the chain without those that follow.
+TEST_F(Session, framesWithAForgedHashAreNotShown)
+{
+    seal(path, 1000);
+    Sha256 hash;
+    for (std::int64_t n = 300; n < 400; ++n) {
+        const FrameRow row = someFrame(n);
+        const std::string data(reinterpret_cast<const char*>(row.frame.data.data()), 8);
+        RowBytes bytes;
+        for (const std::int64_t value : {n + 1, row.time, std::int64_t{0}}) bytes.add(value);
+        bytes.add(std::int64_t{row.frame.id});
+        bytes.add((row.sent ? kSentFlag : 0) | std::int64_t{8} << kLengthShift);
+        bytes.addBlob(n == 300 ? std::string(8, '\0') : data);
+        hash.add(bytes.bytes());
+    }
+    change(path, "UPDATE can_frame SET data = x'0000000000000000' WHERE seq = 301; "
+                 "UPDATE batch SET frames_hash = "
+                     + literal(hash.take()) + " WHERE id = 4");
+    auto reader = SessionReader::open(path);
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_EQ(reader->frames(3).size(), 0U) << "the hash beside them holds, the chain does not";
+    EXPECT_EQ(reader->frames(2).size(), 100U);
+    EXPECT_EQ(reader->verify().broken->first, 300'000'000);
+}
 
 TEST_F(Session, foreignTablesViewsAndTriggersAreRefused)
 {
