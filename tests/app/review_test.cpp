@@ -376,8 +376,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     EXPECT_FALSE(page.answer()) << "of another estimate";
 }
 
-// Bit for bit on a processor with the same vector instructions as the one that recorded it; else very nearly.
-TEST_F(ReviewOf, theShippedSessionIsRepeated)
+TEST_F(ReviewOf, theShippedSessionIsRepeatedBitForBit)
 {
     path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
     open({TERRATACT_SOURCE_DIR "/resources/models/default.ttm"});
@@ -390,13 +389,8 @@ TEST_F(ReviewOf, theShippedSessionIsRepeated)
         ASSERT_TRUE(window->moment().estimate);
         window->whatIf()->estimate();
         ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().has_value(); }, 60000));
-        const TerrainEstimate& then = window->moment().estimate->estimate;
-        const TerrainEstimate& now = *window->whatIf()->answer();
-        for (std::size_t i = 0; i < kBins; ++i) {
-            EXPECT_NEAR(now.height[i], then.height[i], 1e-6) << i;
-            EXPECT_NEAR(now.sd[i], then.sd[i], 1e-6) << i;
-        }
-        EXPECT_EQ(now.settings, then.settings);
+        EXPECT_TRUE(window->whatIf()->result()->text().contains("bit for bit"))
+            << window->whatIf()->result()->text().toStdString();
     }
 }
 
