@@ -15,7 +15,7 @@ targets=("$@")
 [ $# != 0 ] || targets=($(find "$build/fuzz" -maxdepth 1 -type f -executable -printf '%f\n' | sort))
 
 scratch=$(mktemp -d -p "$([ -w /dev/shm ] && echo /dev/shm || echo "${TMPDIR:-/tmp}")")
-trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; wait; rm -rf "$scratch"' EXIT
 export TMPDIR=$scratch OPENBLAS_NUM_THREADS=1 UBSAN_OPTIONS=print_stacktrace=1
 export ASAN_OPTIONS=quarantine_size_mb=16:malloc_context_size=8:strict_string_checks=1  # quicker, and within 256 MiB
 mkdir -p "$build/findings"
