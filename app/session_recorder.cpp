@@ -369,7 +369,7 @@ void SessionRecorder::measure()
         const std::scoped_lock lock(mutex_);
         state_.trouble =
             options_.folder + ": the disk is full; recording goes on when there is room";
-    } else if (bytes > options_.mostBytes) {
+    } else if (bytes > options_.mostBytes || writer_->batches() + 1 >= options_.mostBatches) {
         seal("the file is large enough");
         nextTry_ = 0.0;
     }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/log/session_rows.h"
+#include "core/log/session_schema.h"
 #include "core/log/session_writer.h"
 #include "drivers/can_bus.h"
 
@@ -45,7 +46,8 @@ public:
         std::size_t mostRows = 10'000;         ///< likewise, of the other rows
         std::chrono::milliseconds batch{200};  ///< between two commits
         std::int64_t mostBytes = std::int64_t{4}
-                              << 30U;  ///< of a file; then it goes on in the next
+                              << 30U;             ///< of a file; then it goes on in the next
+        std::int64_t mostBatches = kMostBatches;  ///< likewise
         std::uint64_t leastFree = std::uint64_t{50}
                                << 20U;  ///< bytes of the disk that are left alone
     };

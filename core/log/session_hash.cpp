@@ -53,15 +53,15 @@ std::string RowsHash::take()
     return all.take();
 }
 
-std::string chained(std::string_view before, const SessionBatch& batch)
+std::string chained(std::string_view before, const SessionBatch& batch, const BatchHashes& hashes)
 {
     RowBytes bytes;
     bytes.addBlob(before);
     for (const std::int64_t value :
          {batch.id, batch.first, batch.last, batch.frameFirst, batch.frameCount})
         bytes.add(value);
-    bytes.addBlob(batch.framesHash);
-    bytes.addBlob(batch.rowsHash);
+    bytes.addBlob(hashes.frames);
+    bytes.addBlob(hashes.rows);
     Sha256 hash;
     hash.add(bytes.bytes());
     return hash.take();

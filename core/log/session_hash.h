@@ -47,7 +47,10 @@ struct SessionBatch {
     std::int64_t id = 0;
     std::int64_t first = 0, last = 0;  ///< [ns] of its rows
     std::int64_t frameFirst = 0, frameCount = 0;
-    std::string framesHash{}, rowsHash{};
+};
+
+struct BatchHashes {
+    std::string frames{}, rows{};
 };
 
 /// Collects rows_hash of one batch.
@@ -61,6 +64,6 @@ private:
 };
 
 /// The chain after a batch.
-std::string chained(std::string_view before, const SessionBatch& batch);
+std::string chained(std::string_view before, const SessionBatch& batch, const BatchHashes& hashes);
 
 }  // namespace terratact

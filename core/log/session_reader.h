@@ -30,13 +30,16 @@ struct SessionVerification {
 
 /// Reads a session file that may come from anyone (docs/sessions.md): read-only, nothing in it is executed,
 /// every value is checked.  A row is handed out only if its batch's hash holds, so that what is shown is a part
-/// of what was recorded; what is not is damage().  Memory does not grow with the frames.
+/// of what was recorded; what is not is damage().  Memory does not grow with the frames but with the batches, of
+/// which there are at most kMostBatches.
 ///
 /// A file that is still written can be read at the same time: refresh().  Not to be shared between threads.
 class SessionReader {
 public:
     /// Errors name the file: no session, of another version, truncated, damaged in its structure.
-    static Result<SessionReader> open(const std::string& path);
+    /// atATime: batches whose rows are judged together; what is held of them meanwhile comes on top of 72 bytes
+    /// for every batch of the file.
+    static Result<SessionReader> open(const std::string& path, std::size_t atATime = 65'536);
 
     SessionReader(SessionReader&&) noexcept;
     SessionReader& operator=(SessionReader&&) noexcept;

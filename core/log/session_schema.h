@@ -27,6 +27,9 @@ inline constexpr std::array<std::string_view, 10> kSessionRowTables{
     "settings", "model",        "scene",    "scene_truth",    "estimate",
     "reading",  "estimate_bin", "proposal", "proposal_offer", "event"};
 
+/// Of one file: readers hold an index of them.  At five per second they are four days and a half.
+inline constexpr std::int64_t kMostBatches = 2'000'000;
+
 /// Bits of can_frame.flags; the length of the data stands above them.
 inline constexpr std::int64_t kExtendedFlag = 1, kRemoteFlag = 2, kErrorFlag = 4, kFdFlag = 8,
                               kSentFlag = 16, kLocalFlag = 32;

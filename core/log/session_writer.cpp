@@ -211,14 +211,14 @@ void SessionWriter::Impl::addProposal(const ProposalRow& r)
 void SessionWriter::Impl::commit()
 {
     if (!open) return;
-    batch.framesHash = frameHash.take();
-    batch.rowsHash = rows.take();
-    std::string next = chained(chain, batch);
+    if (batch.id > kMostBatches) throw SqliteError("it has as many batches as a session can have");
+    const BatchHashes hashes{.frames = frameHash.take(), .rows = rows.take()};
+    std::string next = chained(chain, batch, hashes);
     int column = 0;
     for (const std::int64_t value :
          {batch.id, batch.first, batch.last, batch.frameFirst, batch.frameCount})
         batchInsert.bind(column++, value);
-    for (const std::string* hash : {&batch.framesHash, &batch.rowsHash, &next})
+    for (const std::string* hash : {&hashes.frames, &hashes.rows, &std::as_const(next)})
         batchInsert.bindBlob(column++, *hash);
     batchInsert.run();
     end.run();

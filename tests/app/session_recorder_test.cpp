@@ -146,9 +146,10 @@ TEST_F(Recorder, saysWhyItCannotAndGoesOnOnceItCan)
     EXPECT_TRUE(hasEvent(*reader, EventKind::Decision, "stop"));
 }
 
-TEST_F(Recorder, goesOnInTheNextFileWithWhatIsReferredTo)
+/// Records 12,000 frames into several files.
+void recordOn(const SessionRecorder::Options& options)
 {
-    options.mostBytes = 200'000;
+    const std::string& folder = options.folder;
     {
         SessionRecorder recorder(options);
         recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
@@ -174,6 +175,23 @@ TEST_F(Recorder, goesOnInTheNextFileWithWhatIsReferredTo)
     }
     ASSERT_EQ(numbers.size(), 12'000U);
     for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], i);
+}
+
+TEST_F(Recorder, goesOnInTheNextFileWithWhatIsReferredTo)
+{
+    options.mostBytes = 200'000;
+    recordOn(options);
+}
+
+TEST_F(Recorder, goesOnInTheNextFileWhereOneHasAsManyBatchesAsItMay)
+{
+    options.mostBatches = 4;
+    recordOn(options);
+    for (const std::string& file : filesIn(folder)) {
+        auto reader = SessionReader::open(file);
+        ASSERT_TRUE(reader) << reader.error().text;
+        EXPECT_LE(reader->batches().size(), 4U);
+    }
 }
 
 TEST_F(Recorder, keepsNothingWhileItIsOff)

@@ -115,11 +115,11 @@ void rehash()
     SqliteStatement update =
         db.prepare("UPDATE batch SET frames_hash = ?, rows_hash = ?, chain = ? WHERE id = ?");
     while (select.step()) {
-        SessionBatch batch{.id = select.integer(0),
-                           .first = select.integer(1),
-                           .last = select.integer(2),
-                           .frameFirst = select.integer(3),
-                           .frameCount = select.integer(4)};
+        const SessionBatch batch{.id = select.integer(0),
+                                 .first = select.integer(1),
+                                 .last = select.integer(2),
+                                 .frameFirst = select.integer(3),
+                                 .frameCount = select.integer(4)};
         Sha256 frames;
         SqliteStatement frame =
             db.prepare("SELECT * FROM can_frame WHERE seq >= ? AND seq < ? ORDER BY seq");
@@ -130,11 +130,10 @@ void rehash()
             bytes.addRow(frame, frame.columns());
             frames.add(bytes.bytes());
         }
-        batch.framesHash = frames.take();
-        batch.rowsHash = rows[batch.id].take();
-        chain = chained(chain, batch);
-        update.bindBlob(0, batch.framesHash);
-        update.bindBlob(1, batch.rowsHash);
+        const BatchHashes hashes{.frames = frames.take(), .rows = rows[batch.id].take()};
+        chain = chained(chain, batch, hashes);
+        update.bindBlob(0, hashes.frames);
+        update.bindBlob(1, hashes.rows);
         update.bindBlob(2, chain);
         update.bind(3, batch.id);
         update.run();

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "core/log/session_survey.h"
@@ -172,7 +174,17 @@ TEST_F(Review, aSurveyFindsWhereNothingCameAndWhatTouched)
     EXPECT_EQ(sensitive.contacts().size(), 2U);  // apart where nothing came
 }
 
-/// An hour at 1 kHz by a command: TERRATACT_REVIEW_SECONDS=3600 core.log.review_moment_test.
+/// [MB] the most this process has held; 0: not known.
+double mostMemory()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:")) return std::atof(line.c_str() + 6) / 1024.0;
+    return 0.0;
+}
+
+/// An hour at 1 kHz by a command: TERRATACT_REVIEW_SECONDS=3600 core.log.review_moment_test; 10 GB of a full bus:
+/// TERRATACT_REVIEW_SECONDS=36000 TERRATACT_REVIEW_RATE=8850.
 TEST(ReviewOfALongSession, opensAndSeeksAtOnce)
 {
     using Clock = std::chrono::steady_clock;
@@ -181,10 +193,11 @@ TEST(ReviewOfALongSession, opensAndSeeksAtOnce)
     };
     const char* given = std::getenv("TERRATACT_REVIEW_SECONDS");
     const double seconds = given ? std::atof(given) : 20.0;
+    const char* rate = std::getenv("TERRATACT_REVIEW_RATE");
     TemporaryDirectory directory;
     const std::string path = directory.file("long.tts");
     {
-        auto writer = robotSession(path, seconds, 850.0);
+        auto writer = robotSession(path, seconds, rate ? std::atof(rate) : 850.0);
         ASSERT_TRUE(writer) << writer.error().text;
         ASSERT_TRUE(writer->seal());
     }
@@ -203,9 +216,12 @@ TEST(ReviewOfALongSession, opensAndSeeksAtOnce)
         ASSERT_TRUE(moments.at(sessionTimeOf(anywhere(rng))).measurement);
         worst = std::max(worst, since(seek));
     }
-    std::printf("%lld frames: opens in %.3f s, seeks in %.1f ms, at worst %.1f ms\n",
-                static_cast<long long>(reader->frameCount()), opening, 1e3 * since(began) / kSeeks,
-                1e3 * worst);
+    std::printf(
+        "%lld frames, %.1f MB: opens in %.3f s, seeks in %.1f ms, at worst %.1f ms; %.0f MB "
+        "of memory\n",
+        static_cast<long long>(reader->frameCount()),
+        1e-6 * static_cast<double>(std::filesystem::file_size(path)), opening,
+        1e3 * since(began) / kSeeks, 1e3 * worst, mostMemory());
     EXPECT_LT(opening, 30.0);  // a hang guard, like the next
     EXPECT_LT(worst, 5.0);
 }

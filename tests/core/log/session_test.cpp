@@ -230,6 +230,76 @@ TEST_F(Session, framesWithAForgedHashAreNotShown)
     EXPECT_EQ(reader->verify().broken->first, 300'000'000);
 }
 
+/// All that a reader says of a file but its frames' damage, as a text.
+std::string told(const std::string& path, std::size_t atATime)
+{
+    auto reader = SessionReader::open(path, atATime);
+    if (!reader) return reader.error().text;
+    std::string text;
+    for (const ModelRow& row : reader->models()) text += "model " + std::to_string(row.id);
+    for (const SceneRow& row : reader->scenes())
+        text += "scene " + std::to_string(row.id) + std::to_string(row.measurement.pitch)
+              + (row.truth ? "t" : "");
+    for (const EstimateRow& row : reader->estimates())
+        text += "estimate " + std::to_string(row.id) + std::to_string(row.estimate.mean[3]) + "/"
+              + std::to_string(row.readings.size());
+    for (const ProposalRow& row : reader->proposals())
+        text += "proposal " + std::to_string(row.id) + "/" + std::to_string(row.offers.size());
+    for (const EventRow& row : reader->events())
+        text += "event " + std::to_string(row.id) + row.text;
+    for (const SessionDamage& damage : reader->damage())
+        text += "damage " + std::to_string(damage.first) + damage.why;
+    const SessionVerification found = reader->verify();
+    return text + std::to_string(found.batches) + "/" + std::to_string(found.frames) + found.chain
+         + (found.broken ? found.broken->why : "");
+}
+
+TEST_F(Session, isTheSameInPartsOfAnySize)
+{
+    for (const char* const sql :
+         {"", "UPDATE scene SET pitch_rad = 0.5 WHERE id = 1",
+          "DELETE FROM event WHERE id = (SELECT max(id) FROM event)",
+          "INSERT INTO event SELECT id + 1000, 99999, t, kind, subject, text, number, estimate, "
+          "proposal, shown FROM event WHERE id = 1",
+          "UPDATE batch SET chain = rows_hash WHERE id = 2", "DELETE FROM batch WHERE id = 2"}) {
+        const std::string changed = directory.file("changed.tts");
+        std::filesystem::remove(changed);
+        seal(changed, 1000);
+        change(changed, sql);
+        const std::string whole = told(changed, 65'536);
+        EXPECT_EQ(whole.find("damage") == std::string::npos, std::string_view(sql).empty()) << sql;
+        for (const std::size_t atATime : {0, 1, 2, 3, 7})
+            EXPECT_EQ(told(changed, atATime), whole) << sql << ", " << atATime << " at a time";
+    }
+}
+
+TEST_F(Session, rowThatWasPutIntoAnEarlierBatchIsNotShown)
+{
+    seal(path, 1000);
+    change(path,
+           "INSERT INTO event SELECT 100000, 1, t, kind, subject, 'forged', number, estimate, "
+           "proposal, shown FROM event WHERE id = 1");
+    for (const std::size_t atATime : {1, 2, 65'536}) {
+        const std::string text = told(path, atATime);
+        EXPECT_NE(text.find("damage"), std::string::npos) << atATime;
+        EXPECT_EQ(text.find("forged"), std::string::npos) << atATime;
+    }
+}
+
+TEST_F(Session, withMoreDamageThanCanBeListedIsStillRead)
+{
+    seal(path, 1000);
+    change(path,
+           "WITH RECURSIVE n(i) AS (SELECT 1000 UNION ALL SELECT i + 2 FROM n WHERE i < 40000) "
+           "INSERT INTO batch SELECT i, i, i, 1, 0, frames_hash, rows_hash, chain "
+           "FROM n, batch WHERE batch.id = 1");
+    auto reader = SessionReader::open(path);
+    ASSERT_TRUE(reader) << reader.error().text;
+    ASSERT_EQ(reader->damage().size(), 10'000U);
+    EXPECT_NE(reader->damage().back().why.find("more than 10000 places"), std::string::npos);
+    EXPECT_EQ(allFrames(*reader).size(), 1000U);
+}
+
 TEST_F(Session, foreignTablesViewsAndTriggersAreRefused)
 {
     for (const char* const sql :

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/learn/sha256.h"
+#include "core/log/session_rows.h"
+#include "core/sqlite.h"
+
+namespace terratact {
+
+/// What a row holds is not what a session has.  Thrown by those who read rows; SessionReader catches it.
+struct RefusedRow {
+    std::string cause;
+};
+
+inline void require(bool holds, const char* cause)
+{
+    if (!holds) throw RefusedRow{cause};
+}
+
+/// The present row of a statement, column by column from `from` on, each checked: RefusedRow where its value is
+/// beyond what a session can hold, SqliteError where its type is another.
+class CheckedRow {
+public:
+    explicit CheckedRow(const SqliteStatement& statement, int from = 0)
+        : statement_(statement), at_(from)
+    {
+    }
+    std::int64_t integer(std::int64_t least, std::int64_t most)
+    {
+        const std::int64_t value = statement_.integer(at_++);
+        require(value >= least && value <= most, "a number is out of range");
+        return value;
+    }
+    int small(int least, int most) { return static_cast<int>(integer(least, most)); }
+    std::int64_t id() { return integer(1, kMostCount); }
+    std::int64_t idOrNone() { return integer(0, kMostCount); }
+    SessionTime time() { return integer(-kMostTime, kMostTime); }
+    bool flag() { return integer(0, 1) == 1; }
+    double real(double least = -kMostNumber, double most = kMostNumber)
+    {
+        const double value = statement_.real(at_++);
+        require(value >= least && value <= most, "a number is out of range");
+        return value;
+    }
+    std::optional<double> realOrNone()
+    {
+        if (!statement_.isNull(at_)) return real();
+        ++at_;
+        return std::nullopt;
+    }
+    bool isNone() const { return statement_.isNull(at_); }
+    void skip(int columns) { at_ += columns; }
+    std::string text() { return statement_.text(at_++); }
+    std::string blob() { return statement_.blob(at_++); }
+    std::string hash()
+    {
+        std::string value = blob();
+        require(value.size() == Sha256::kBytes, "a hash has the wrong length");
+        return value;
+    }
+    template <class Value>
+    Value named(std::optional<Value> (*fromName)(std::string_view))
+    {
+        const auto value = fromName(text());
+        require(value.has_value(), "an unknown name");
+        return *value;
+    }
+
+private:
+    static constexpr double kMostNumber = 1e12;
+    static constexpr SessionTime kMostTime = std::int64_t{1} << 60;  // 36 years
+    static constexpr std::int64_t kMostCount = std::int64_t{1} << 48;
+
+    const SqliteStatement& statement_;
+    int at_;
+};
+
+}  // namespace terratact

@@ -1,0 +1,281 @@
+#include "core/log/session_row_reader.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/log/checked_row.h"
+#include "core/log/session_schema.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::int64_t kMostPerBatch = 200'000;  // frames
+
+std::optional<Origin> originFromName(std::string_view text)
+{
+    for (const Origin origin : {Origin::Sampled, Origin::Contact, Origin::Arm})
+        if (name(origin) == text) return origin;
+    return std::nullopt;
+}
+
+std::optional<Ending> endingFromName(std::string_view text)
+{
+    for (const Ending e : {Ending::Converged, Ending::Sweeps, Ending::Time, Ending::NotSampled})
+        if (name(e) == text) return e;
+    return std::nullopt;
+}
+
+std::uint64_t seedFrom(const std::string& text)
+{
+    std::uint64_t seed = 0;
+    for (const char c : text) {
+        require(c >= '0' && c <= '9' && text.size() <= 20, "a seed is no number");
+        seed = seed * 10 + static_cast<std::uint64_t>(c - '0');
+    }
+    return seed;
+}
+
+std::vector<std::string> linesOf(const std::string& text)
+{
+    std::vector<std::string> lines;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        lines.push_back(text.substr(from, end - from));
+        from = end + 1;
+    }
+    return lines;
+}
+
+ArmReading readingFrom(CheckedRow& row)
+{
+    ArmReading reading;
+    reading.bin = row.small(0, kBins - 1);
+    reading.height = row.real();
+    reading.sd = row.real(0.0);
+    return reading;
+}
+
+CanFrame canFrameFrom(CheckedRow& row, std::int64_t& flags)
+{
+    CanFrame frame;
+    frame.id = static_cast<std::uint32_t>(row.integer(0, 0x1FFFFFFF));
+    flags = row.integer(0, (64 << kLengthShift) + 63);
+    frame.extended = (flags & kExtendedFlag) != 0;
+    frame.remote = (flags & kRemoteFlag) != 0;
+    frame.error = (flags & kErrorFlag) != 0;
+    frame.fd = (flags & kFdFlag) != 0;
+    frame.length = static_cast<std::uint8_t>(flags >> kLengthShift);
+    require(frame.fd || frame.length <= frame.data.size(), "a frame is too long");
+    require(frame.extended || frame.error || frame.id <= 0x7FF, "an identifier is too large");
+    const std::string data = row.blob();
+    const std::size_t expected =
+        frame.remote ? 0 : std::min<std::size_t>(frame.length, frame.data.size());
+    require(data.size() == expected, "a frame has the wrong length");
+    std::copy(data.begin(), data.end(), reinterpret_cast<char*>(frame.data.data()));
+    return frame;
+}
+
+Settings settingsFrom(CheckedRow& row)
+{
+    Settings s;
+    s.method = row.named(methodFromName);
+    s.ceiling = row.named(ceilingRuleFromName);
+    s.contacts = row.named(contactRuleFromName);
+    s.forceThreshold = row.real();
+    s.contactSd = row.real(0.0);
+    s.draws = row.small(1, 10'000'000);
+    s.stopEarly = row.flag();
+    s.chains = row.small(1, 100'000);
+    s.burnIn = row.small(0, 10'000'000);
+    s.scan = row.named(scanOrderFromName);
+    s.precision = row.named(precisionFromName);
+    s.inducing = row.small(0, 10'000'000);
+    s.seed = seedFrom(row.text());
+    s.probeAbove = row.real(0.0);
+    s.rollLimit = row.real(0.0);
+    s.asymmetryLimit = row.real(0.0);
+    return s;
+}
+
+ModelRow modelFrom(CheckedRow& row, std::int64_t id)
+{
+    ModelRow model{.id = id, .time = row.time()};
+    model.name = row.text();
+    model.hash = row.text();
+    model.details = row.text();
+    return model;
+}
+
+void addTruth(CheckedRow& row, std::vector<SceneRow>& scenes)
+{
+    SceneRow* const scene = byId(scenes, row.id());
+    require(scene != nullptr, "truth of no scene");
+    const auto bin = static_cast<std::size_t>(row.small(0, kBins - 1));
+    if (!scene->truth) scene->truth = Heights{};
+    scene->truth->at(bin) = row.real();
+}
+
+void addReading(CheckedRow& row, std::vector<EstimateRow>& estimates)
+{
+    EstimateRow* const estimate = byId(estimates, row.id());
+    require(estimate != nullptr, "a reading of no estimate");
+    estimate->readings.push_back(readingFrom(row));
+}
+
+void addOffer(CheckedRow& row, std::vector<ProposalRow>& proposals)
+{
+    ProposalRow* const proposal = byId(proposals, row.id());
+    require(proposal != nullptr, "an offer of no proposal");
+    OfferedBin offer;
+    offer.bin = row.small(0, kBins - 1);
+    offer.varianceShare = row.real();
+    offer.bitsAfter = row.real();
+    proposal->offers.push_back(offer);
+}
+
+SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
+{
+    SceneRow scene{.id = id, .time = row.time()};
+    Measurement& m = scene.measurement;
+    for (double* value :
+         {&m.time, &m.pitch, &m.roll, &m.frontLeft, &m.frontRight, &m.rearLeft, &m.rearRight,
+          &m.frontLeftCurrent, &m.frontRightCurrent, &m.rearLeftCurrent, &m.rearRightCurrent})
+        *value = row.real();
+    for (double& force : m.force) force = row.real();
+    m.activity = static_cast<RobotActivity>(row.small(0, static_cast<int>(RobotActivity::Stopped)));
+    m.refusal = static_cast<Refusal>(row.small(0, static_cast<int>(Refusal::OutOfLimits)));
+    if (!row.isNone())
+        m.arm = readingFrom(row);
+    else
+        row.skip(3);
+    m.travelled = row.realOrNone();
+    m.turned = row.realOrNone();
+    return scene;
+}
+
+EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& rows,
+                         const std::map<std::int64_t, Settings>& settings)
+{
+    EstimateRow r{.id = id, .time = row.time()};
+    r.scene = row.id();
+    require(byId(rows.scenes, r.scene) != nullptr, "an estimate of no scene");
+    const auto found = settings.find(row.id());
+    require(found != settings.end(), "an estimate without settings");
+    r.model = row.id();
+    require(byId(rows.models, r.model) != nullptr, "an estimate without a model");
+    r.role = row.named(estimateRoleFromName);
+    r.seconds = row.real(0.0);
+    r.stepLimit = row.real(0.0);
+    TerrainEstimate& e = r.estimate;
+    e.settings = found->second;
+    e.novelty = row.real();
+    e.ending = row.named(endingFromName);
+    e.converged = row.flag();
+    e.warnings = linesOf(row.text());
+    return r;
+}
+
+void addBin(CheckedRow& row, std::vector<EstimateRow>& estimates)
+{
+    EstimateRow* const found = byId(estimates, row.id());
+    require(found != nullptr, "a bin of no estimate");
+    TerrainEstimate& e = found->estimate;
+    const auto i = static_cast<std::size_t>(row.small(0, kBins - 1));
+    e.origin[i] = row.named(originFromName);
+    e.height[i] = row.real();
+    e.mean[i] = row.real();
+    e.sd[i] = row.real(0.0);
+    e.q10[i] = row.real();
+    e.q90[i] = row.real();
+    e.ceiling[i] = row.realOrNone().value_or(std::numeric_limits<double>::infinity());
+    e.rhat[i] = row.real();
+    e.ess[i] = row.real();
+}
+
+ProposalRow proposalFrom(CheckedRow& row, std::int64_t id, const SessionRows& rows)
+{
+    ProposalRow p{.id = id, .time = row.time()};
+    p.estimate = row.id();
+    require(byId(rows.estimates, p.estimate) != nullptr, "a proposal without an estimate");
+    p.bin = row.small(0, kBins - 1);
+    for (double* value : {&p.height, &p.q10, &p.q90, &p.sd, &p.limit, &p.armSd, &p.seconds,
+                          &p.stepLimit, &p.bitsBefore})
+        *value = row.real();
+    p.grounds = row.text();
+    return p;
+}
+
+EventRow eventFrom(CheckedRow& row, std::int64_t id)
+{
+    EventRow e{.id = id, .time = row.time()};
+    e.kind = row.named(eventKindFromName);
+    e.subject = row.text();
+    e.text = row.text();
+    e.number = row.realOrNone();
+    e.estimate = row.idOrNone();
+    e.proposal = row.idOrNone();
+    e.shown = row.text();
+    return e;
+}
+
+}  // namespace
+
+StoredBatch batchFrom(const SqliteStatement& select)
+{
+    CheckedRow row(select);
+    StoredBatch stored;
+    SessionBatch& batch = stored.batch;
+    batch.id = row.id();
+    batch.first = row.time();
+    batch.last = row.time();
+    require(batch.first <= batch.last, "a batch ends before it begins");
+    batch.frameFirst = row.id();
+    batch.frameCount = row.integer(0, kMostPerBatch);
+    stored.hashes.frames = row.hash();
+    stored.hashes.rows = row.hash();
+    stored.link = row.hash();
+    return stored;
+}
+
+FrameRow frameFrom(const SqliteStatement& select)
+{
+    CheckedRow row(select, 1);
+    FrameRow frame;
+    frame.time = row.time();
+    row.skip(1);
+    std::int64_t flags = 0;
+    frame.frame = canFrameFrom(row, flags);
+    frame.sent = (flags & kSentFlag) != 0;
+    frame.local = (flags & kLocalFlag) != 0;
+    return frame;
+}
+
+void SessionRows::take(std::size_t table, const SqliteStatement& select)
+{
+    CheckedRow row(select);
+    const std::int64_t id = row.id();
+    row.skip(1);
+    const std::string_view name = kSessionRowTables.at(table);
+    if (name == "settings")
+        settings_[id] = settingsFrom(row);
+    else if (name == "model")
+        models.push_back(modelFrom(row, id));
+    else if (name == "scene")
+        scenes.push_back(sceneFrom(row, id));
+    else if (name == "scene_truth")
+        addTruth(row, scenes);
+    else if (name == "estimate")
+        estimates.push_back(estimateFrom(row, id, *this, settings_));
+    else if (name == "reading")
+        addReading(row, estimates);
+    else if (name == "estimate_bin")
+        addBin(row, estimates);
+    else if (name == "proposal")
+        proposals.push_back(proposalFrom(row, id, *this));
+    else if (name == "proposal_offer")
+        addOffer(row, proposals);
+    else
+        events.push_back(eventFrom(row, id));
+}
+
+}  // namespace terratact
