@@ -165,6 +165,11 @@ RecordingState SessionRecorder::state() const
     const std::scoped_lock lock(mutex_);
     RecordingState state = state_;
     state.on = on_;
+    const double busy = busySince_ ? steadyNow() - *busySince_ : 0.0;
+    if (busy > options_.patience && state.trouble.empty())
+        state.trouble =
+            fmt::format("{}: the disk is slow, it has been writing for {:.0f} s; {} frames wait",
+                        options_.folder, busy, waiting_.frames.size());
     return state;
 }
 
@@ -175,11 +180,13 @@ void SessionRecorder::run(const std::stop_token& stop)
         bool on = true;
         {
             std::unique_lock lock(mutex_);
+            busySince_.reset();
             wake_.wait_for(lock, stop, options_.batch, [this] { return urgent_; });
             last = stop.stop_requested();
             urgent_ = false;
             on = on_;
             gather();
+            busySince_ = steadyNow();
         }
         if (!on) {
             if (writer_) seal("recording was switched off");

@@ -48,6 +48,7 @@ public:
         std::int64_t mostBytes = std::int64_t{4}
                               << 30U;             ///< of a file; then it goes on in the next
         std::int64_t mostBatches = kMostBatches;  ///< likewise
+        double patience = 0.6;  ///< [s] that writing may take before it is trouble
         std::uint64_t leastFree = std::uint64_t{50}
                                << 20U;  ///< bytes of the disk that are left alone
     };
@@ -114,6 +115,7 @@ private:
     std::int64_t lastModel_ = 0, lastScene_ = 0, lastEstimate_ = 0, lastProposal_ = 0;
     bool urgent_ = false;
     bool on_ = true;
+    std::optional<double> busySince_;  ///< [s] steady clock; when the thread went to the disk
     RecordingState state_;
 
     std::jthread thread_;  // last: it starts when all else stands

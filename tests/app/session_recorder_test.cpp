@@ -2,8 +2,12 @@
 #include "app/session_recorder.h"
 
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -15,6 +19,20 @@
 #include "core/log/session_reader.h"
 #include "tests/support/sessions.h"
 #include "tests/support/temporary_directory.h"
+
+namespace {
+
+/// While it is set, the disk takes as long as it stays set.
+std::atomic<bool> stalled{false};
+
+}  // namespace
+
+// SQLite's, before the C library's: a disk that stalls.
+extern "C" int fdatasync(int file)
+{
+    while (stalled) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return static_cast<int>(::syscall(SYS_fdatasync, file));
+}
 
 namespace terratact {
 namespace {
@@ -192,6 +210,53 @@ TEST_F(Recorder, goesOnInTheNextFileWhereOneHasAsManyBatchesAsItMay)
         ASSERT_TRUE(reader) << reader.error().text;
         EXPECT_LE(reader->batches().size(), 4U);
     }
+}
+
+/// Three seconds of a stalled disk at the rate of a full bus: whoever records is not held up, the trouble is told
+/// while it lasts, what found room is kept, the rest is counted in the file.
+TEST_F(Recorder, aStalledDiskHoldsNobodyUpAndIsTold)
+{
+    constexpr int kTurns = 150;
+    constexpr std::size_t kPerTurn = 180;
+    double longest = 0.0, told = 0.0;
+    {
+        SessionRecorder recorder(options);
+        ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+        stalled = true;
+        const double began = steadyNow();
+        for (int turn = 0; turn < kTurns; ++turn) {
+            const double before = steadyNow();
+            recorder.take(busFrames(static_cast<std::int64_t>(kPerTurn) * turn, kPerTurn));
+            recorder.record(EventRow{.kind = EventKind::Decision, .subject = "refuse"});
+            const std::string trouble = recorder.state().trouble;
+            longest = std::max(longest, steadyNow() - before);
+            if (told == 0.0 && trouble.find("the disk is slow") != std::string::npos)
+                told = steadyNow() - began;
+            std::this_thread::sleep_for(20ms);
+        }
+        stalled = false;
+        const bool over = eventually([&] { return recorder.state().trouble.empty(); });
+        EXPECT_TRUE(over) << recorder.state().trouble;
+    }
+    EXPECT_GT(told, 0.5);
+    EXPECT_LT(told, 3.0) << "before the stall was over";
+    EXPECT_LT(longest, 1.0);  // a hang guard: the stall takes three times as long
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 1U);
+    auto reader = SessionReader::open(files.front());
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_FALSE(reader->verify().broken);
+    double missing = 0.0;
+    for (const EventRow& event : reader->events())
+        if (event.kind == EventKind::Gap) missing += event.number.value_or(0.0);
+    EXPECT_GT(missing, 0.0);
+    EXPECT_EQ(static_cast<double>(reader->frameCount()) + missing, 1.0 * kTurns * kPerTurn);
+    EXPECT_EQ(std::count_if(reader->events().begin(), reader->events().end(),
+                            [](const EventRow& e) { return e.kind == EventKind::Decision; }),
+              kTurns);
+    std::printf(
+        "a disk that stalls for 3 s: told after %.2f s, nobody waited longer than %.1f ms\n", told,
+        1e3 * longest);
 }
 
 TEST_F(Recorder, keepsNothingWhileItIsOff)
