@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -17,6 +18,7 @@
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/learn/sha256.h"
+#include "core/log/later_poses.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -100,7 +102,10 @@ public:
         for (const Rerun& rerun : reruns_) print(rerun);
         if (reruns_.size() > 1) summarise();
         printScores();
-        printLedger();
+        printLedger("later probes against the bands before them",
+                    [this](SessionReader& session) { return laterProbes(session); });
+        printLedger("contacts and probes at later poses against the bands that odometry took there",
+                    [this](SessionReader& session) { return laterPosesOf(session); });
         if (!options_.out.empty())
             if (Status written = writeFileAtomically(options_.out, csv()); !written) return written;
         const auto failed = std::count_if(reruns_.begin(), reruns_.end(), [](const Rerun& r) {
@@ -241,33 +246,95 @@ private:
         printRow("now", statistics(now));
     }
 
-    /// What the arm measured later, against the bands before.
-    void printLedger() const
-    {
+    /// Bands as they were and as they are now, beside what was measured later.
+    struct Ledgers {
         CalibrationLedger then, now;
+    };
+
+    /// What the arm measured later in the same scene.
+    Ledgers laterProbes(const SessionReader& session) const
+    {
+        Ledgers ledgers;
         for (const Rerun& later : reruns_) {
+            if (later.session != &session || later.row.role == EstimateRole::Second) continue;
             const Rerun* before = nullptr;
             for (const Rerun& r : reruns_)
-                if (r.session == later.session && r.row.scene == later.row.scene
+                if (r.session == &session && r.row.scene == later.row.scene
                     && r.row.id < later.row.id && r.row.readings.size() < later.row.readings.size())
                     before = &r;
-            if (!before || later.row.role == EstimateRole::Second) continue;
+            if (!before) continue;
             for (std::size_t k = before->row.readings.size(); k < later.row.readings.size(); ++k) {
                 const ArmReading& reading = later.row.readings[k];
-                then.record(before->row.estimate, reading.bin, reading.height, reading.sd,
-                            Origin::Arm);
-                now.record(before->again, reading.bin, reading.height, reading.sd, Origin::Arm);
+                ledgers.then.record(before->row.estimate, reading.bin, reading.height, reading.sd,
+                                    Origin::Arm);
+                ledgers.now.record(before->again, reading.bin, reading.height, reading.sd,
+                                   Origin::Arm);
             }
         }
-        if (then.entries().empty()) return;
-        fmt::print(
-            "\nlater probes against the bands before them\n        probes  in 50 %  in 80 %  "
-            "in 95 %  rms z\n");
-        for (const auto& [label, ledger] : {std::pair{"then", &then}, std::pair{"now", &now}}) {
-            const LedgerSummary s = ledger->summary();
-            fmt::print("  {:<5} {:6} {:8.0f} {:8.0f} {:8.0f} {:6.2f}\n", label, s.n,
-                       100.0 * s.in50.share, 100.0 * s.in80.share, 100.0 * s.in95.share, s.rmsZ);
+        return ledgers;
+    }
+
+    /// What contacts and the arm measured where the robot stood later, beside the last estimate of each scene that
+    /// odometry leads from.
+    Ledgers laterPosesOf(SessionReader& session) const
+    {
+        std::map<std::int64_t, const Rerun*> last;  // of each scene
+        for (const Rerun& r : reruns_)
+            if (r.session == &session && r.row.role != EstimateRole::Second) last[r.row.scene] = &r;
+        std::vector<const Rerun*> ofScene;
+        std::vector<EstimateOfScene> estimates;  // then and now, in turn
+        for (std::size_t scene = 0; scene < session.scenes().size(); ++scene) {
+            const auto found = last.find(session.scenes()[scene].id);
+            ofScene.push_back(found == last.end() ? nullptr : found->second);
+            if (!ofScene.back()) continue;
+            estimates.push_back({scene, &ofScene.back()->row.estimate});
+            estimates.push_back({scene, &ofScene.back()->again});
         }
+        Ledgers ledgers;
+        const auto robot = robotOf(session);
+        if (!robot || ofScene.size() < 2) return ledgers;
+        for (const LaterPose& pose : laterPoses(session, *robot, estimates)) {
+            if (!ofScene[pose.scene]) continue;
+            CalibrationLedger& ledger = pose.estimate % 2 == 0 ? ledgers.then : ledgers.now;
+            ledger.record(*estimates[pose.estimate].estimate, pose.ghost,
+                          ofScene[pose.scene]->row.estimate);
+        }
+        return ledgers;
+    }
+
+    /// One line for each session, which are in the order of their names, and so of time, and one for all.
+    void printLedger(std::string_view title,
+                     const std::function<Ledgers(SessionReader&)>& ledgersOf) const
+    {
+        Ledgers all;
+        std::string lines;
+        std::size_t sessions = 0;
+        for (const auto& session : sessions_) {
+            const Ledgers ledgers = ledgersOf(*session);
+            if (ledgers.then.entries().empty() && ledgers.now.entries().empty()) continue;
+            all.then.add(ledgers.then);
+            all.now.add(ledgers.now);
+            ++sessions;
+            lines += ledgerLines(ledgers, ", " + utcText(session->start().wallTime) + ", "
+                                              + session->path());
+        }
+        if (sessions == 0) return;
+        fmt::print("\n{}\n         times  in 50 %  in 80 %  in 95 %  rms z  bands\n{}", title,
+                   sessions > 1 ? lines : std::string());
+        fmt::print("{}", ledgerLines(all, sessions > 1 ? ", all" : ""));
+    }
+
+    static std::string ledgerLines(const Ledgers& ledgers, const std::string& where)
+    {
+        std::string lines;
+        for (const auto& [label, ledger] :
+             {std::pair{"then", &ledgers.then}, std::pair{"now", &ledgers.now}}) {
+            const LedgerSummary s = ledger->summary();
+            lines += fmt::format("  {:<5} {:6} {:8.0f} {:8.0f} {:8.0f} {:6.2f}  {}{}\n", label, s.n,
+                                 100.0 * s.in50.share, 100.0 * s.in80.share, 100.0 * s.in95.share,
+                                 s.rmsZ, name(s.verdict), where);
+        }
+        return lines;
     }
 
     std::string csv() const

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/infer/estimate.h"
+#include "core/infer/ghost.h"
 
 namespace terratact {
 
@@ -55,7 +56,7 @@ struct LedgerSummary {
 /// measurement's noise,
 ///   PIT = 1/n Σ_d Φ((y − h_b^d) / measuredSd),
 /// so a wide instrument cannot make a narrow band look wrong; an estimate without draws counts as the
-/// normal of its mean and sd.  Both estimates must be of the same pose.
+/// normal of its mean and sd.  Both estimates must be of the same pose, unless a ghost leads from one to the other.
 /// Entries of one pose share their error and count as less than that many independent ones; so do a
 /// probe's, which is sent where the band is widest.
 class CalibrationLedger {
@@ -69,6 +70,12 @@ public:
     /// Takes every bin that was sampled in `before` and is a contact or the arm's in `after`, with mean and
     /// sd of `after` as the measurement.
     void record(const TerrainEstimate& before, const TerrainEstimate& after);
+
+    /// Likewise at a later pose, where `moved` is the ghost of `before`: its bins are the shown ones, as normals.
+    /// Left out are bins where the nearest of `before` was measured.
+    void record(const TerrainEstimate& before, const Ghost& moved, const TerrainEstimate& after);
+
+    void add(const CalibrationLedger& other);  ///< its entries behind these
 
     const std::vector<LedgerEntry>& entries() const { return entries_; }
     LedgerSummary summary() const;

@@ -441,6 +441,20 @@ class WhatIf(Session):
         self.assertIn("later probes against the bands before them", text)
         self.assertIn("against the truth", text)
 
+    def test_bands_are_judged_by_what_was_measured_at_later_poses(self):
+        folder = self.path / "folder"
+        folder.mkdir()
+        make("moves", folder / "a.tts")
+        title = "contacts and probes at later poses against the bands that odometry took there"
+        one = run("session", "what-if", folder)
+        self.assertRegex(one, title + r"\n.*bands\n  then +[1-9]\d* .*\n  now +[1-9]\d* .*\n$")
+        shutil.copy(folder / "a.tts", folder / "b.tts")
+        both = run("session", "what-if", folder)
+        lines = [line for line in both[both.index(title):].splitlines() if line.startswith("  then")]
+        self.assertEqual([line.rsplit("/", 1)[-1] for line in lines[:2]], ["a.tts", "b.tts"])
+        counts = [int(line.split()[1]) for line in lines]
+        self.assertEqual(counts[2], counts[0] + counts[1])
+
     def test_other_settings_show_what_moves(self):
         out = self.path / "what_if.csv"
         text = run("session", "what-if", self.drive, "--estimate", 1, "--method", "local", "--out", out)

@@ -1,6 +1,7 @@
 // Makes sessions for the tests of the command line: make_session KIND OUT, KIND being
 //   rows   500 frames that mean nothing, and rows of every kind
 //   drive  a simulated drive with two explorations
+//   moves  likewise, with four explorations a few centimetres from each other
 //   later  the same drive, a minute later
 //   lie    the same drive, every height recorded 1 mm too high
 //   open   like rows, as a program leaves it that died
@@ -20,6 +21,7 @@ namespace {
 void make(const std::string& kind, const std::string& path)
 {
     if (kind == "drive") return recordDrive(path);
+    if (kind == "moves") return recordShortMoves(path);
     if (kind == "later") return recordDrive(path, {.later = 60});
     if (kind == "lie") return recordDrive(path, {.lie = 0.001});
     auto writer = someSession(path, 500);

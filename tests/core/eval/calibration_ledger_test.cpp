@@ -133,6 +133,35 @@ TEST(CalibrationLedger, countsOnlyBinsThatWereNotMeasuredBefore)
     EXPECT_EQ(ledger.entries()[1].by, Origin::Arm);
 }
 
+TEST(CalibrationLedger, judgesAtALaterPoseWhatAGhostHasBroughtThere)
+{
+    TerrainEstimate before;
+    before.sd.fill(kSd);
+    before.origin[5] = Origin::Contact;
+    Ghost moved;
+    moved.motion.forward = 1.04 * kBinWidth;  // bin 4 of now is nearest to bin 5 of then
+    for (int bin = 0; bin + 1 < kBins; ++bin)
+        moved.bin[static_cast<std::size_t>(bin)] = GhostBin{0.01 * bin, 0.06, 0.0, 0.0};
+    TerrainEstimate after;
+    for (const int bin : {4, 6, 10}) {
+        const auto i = static_cast<std::size_t>(bin);
+        after.origin[i] = Origin::Contact;
+        after.mean[i] = 0.1;
+        after.sd[i] = 0.02;
+    }
+    CalibrationLedger ledger;
+    ledger.record(before, moved, after);
+    ASSERT_EQ(ledger.entries().size(), 1U) << "bin 4 had been measured, bin 10 has no ghost";
+    EXPECT_EQ(ledger.entries()[0].bin, 6);
+    EXPECT_EQ(ledger.entries()[0].by, Origin::Contact);
+    EXPECT_DOUBLE_EQ(ledger.entries()[0].z, (0.1 - 0.06) / std::hypot(0.06, 0.02));
+
+    CalibrationLedger both = ledger;
+    both.add(ledger);
+    EXPECT_EQ(both.entries().size(), 2U);
+    EXPECT_EQ(both.entries()[1], ledger.entries()[0]);
+}
+
 TEST(CalibrationLedger, refusesWhatIsNoMeasurement)
 {
     CalibrationLedger ledger;

@@ -1,0 +1,101 @@
+#include "core/log/later_poses.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/infer/ghost_track.h"
+#include "core/wire/telemetry_listener.h"
+
+namespace terratact {
+namespace {
+
+/// Bands of bins that the training set alone speaks for are shown, too, so they are to be judged; a ghost has none.
+TerrainEstimate withPriorOnlyBins(TerrainEstimate estimate)
+{
+    for (double& ceiling : estimate.ceiling)
+        if (std::isinf(ceiling)) ceiling = std::numeric_limits<double>::max();
+    return estimate;
+}
+
+class Follower {
+public:
+    Follower(SessionReader& session, const RobotModel& robot,
+             std::span<const EstimateOfScene> estimates)
+        : session_(session), robot_(robot), estimates_(estimates), listener_(robot)
+    {
+    }
+
+    std::vector<LaterPose> run()
+    {
+        for (next_ = 0; next_ < session_.scenes().size();) {
+            reach();
+            follow();
+        }
+        return std::move(found_);
+    }
+
+private:
+    struct Track {
+        std::size_t estimate;
+        GhostTrack ghost;
+    };
+
+    /// The next scene: where have those before it come to?  From here on its own are followed, too.
+    void reach()
+    {
+        for (const Track& track : tracks_)
+            if (track.ghost.ghost())
+                found_.push_back({track.estimate, next_, *track.ghost.ghost()});
+        const SceneRow& scene = session_.scenes()[next_];
+        for (std::size_t k = 0; k < estimates_.size(); ++k)
+            if (estimates_[k].scene == next_)
+                tracks_.push_back({k, GhostTrack(robot_, withPriorOnlyBins(*estimates_[k].estimate),
+                                                 scene.measurement)});
+        at_ = scene.time;
+        ++next_;
+    }
+
+    /// To the next scene, or until there is nothing left to follow.
+    void follow()
+    {
+        if (next_ == session_.scenes().size()) return;
+        const SessionTime until = session_.scenes()[next_].time;
+        for (std::size_t batch = session_.batchAt(at_); batch < session_.batches().size();
+             ++batch) {
+            std::erase_if(tracks_, [](const Track& track) { return !track.ghost.ghost(); });
+            if (tracks_.empty() || session_.batches()[batch].first > until) return;
+            for (const FrameRow& row : session_.frames(batch))
+                if (row.time > at_ && row.time <= until) take(row);
+        }
+    }
+
+    void take(const FrameRow& row)
+    {
+        const auto measurement = listener_.take(row.frame, secondsOf(row.time));
+        if (!measurement) return;
+        for (Track& track : tracks_) track.ghost.take(*measurement);
+    }
+
+    SessionReader& session_;
+    const RobotModel& robot_;
+    std::span<const EstimateOfScene> estimates_;
+    TelemetryListener listener_;
+    std::vector<Track> tracks_;
+    std::size_t next_ = 0;  ///< scene
+    SessionTime at_ = 0;    ///< of the scene before it
+    std::vector<LaterPose> found_;
+};
+
+}  // namespace
+
+std::vector<LaterPose> laterPoses(SessionReader& session, const RobotModel& robot,
+                                  std::span<const EstimateOfScene> estimates)
+{
+    for (const EstimateOfScene& given : estimates)
+        if (given.scene >= session.scenes().size())
+            throw std::invalid_argument("laterPoses: an estimate of no scene");
+    return Follower(session, robot, estimates).run();
+}
+
+}  // namespace terratact
