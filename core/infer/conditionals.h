@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/learn/scene_conditional.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -20,6 +22,20 @@ public:
     ///   mean, variance: chains; resized, every variance > 0.
     virtual void predict(std::size_t k, const Eigen::MatrixXd& states, Eigen::VectorXd& mean,
                          Eigen::VectorXd& variance) = 0;
+
+    /// What predict asks of a Gaussian process, for a caller who asks for several scenes at once (predictTogether) and
+    /// then lets this one complete() its mean and variance; empty: predict does it all.  The answer refers to
+    /// this object and the arguments, until either changes.
+    virtual std::optional<ScenePrediction> ask(std::size_t k, const Eigen::MatrixXd& states,
+                                               Eigen::VectorXd& mean, Eigen::VectorXd& variance)
+    {
+        (void)k, (void)states, (void)mean, (void)variance;
+        return std::nullopt;
+    }
+    virtual void complete(std::size_t k, Eigen::VectorXd& mean, Eigen::VectorXd& variance) const
+    {
+        (void)k, (void)mean, (void)variance;
+    }
 };
 
 /// Mean and deviation of a chain's first state.

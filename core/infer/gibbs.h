@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/infer/conditionals.h"
@@ -63,6 +65,35 @@ struct GibbsDraws {
 /// Throws std::invalid_argument unless chains ≥ 1, firstChain ≥ 0, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
                         const Watch& watch = {});
+
+/// The sampling of one scene in steps, for a caller who has several scenes.
+class GibbsRun {
+public:
+    /// Throws as sampleStates.  conditionals must live as long as this does.
+    GibbsRun(const Conditionals& conditionals, const GibbsProblem& problem,
+             const Watch& watch = {});
+    ~GibbsRun();
+
+    int chains() const;
+    bool ended() const;
+    /// What sampleStates returns, once ended().
+    GibbsDraws takeDraws();
+
+    /// Sweeps until there is something to decide, groups of chains in threads where watch.sideBySide runs them.
+    void advance();
+
+    /// One sweep of every run, in this thread; none may have ended.  Chains of all scenes go through a bin's factor
+    /// side by side (predictTogether), where scenes have the bin's Gaussian process in common; a scene that knows the
+    /// bin's state takes no part there.  Each run's draws and its end are those of sampleStates, bit for bit, where time
+    /// does not end it.
+    /// Not worth it with ScanOrder::Random, where every scene has its own order and seldom meets another.
+    /// Throws Cancelled; the runs cannot go on then.
+    static void sweepTogether(std::span<GibbsRun* const> runs, PredictionRoom& room);
+
+private:
+    struct Chains;
+    std::unique_ptr<Chains> chains_;
+};
 
 /// The same from the paper's models at problem.s: heights [m], the start from the training set's mean and
 /// deviation.

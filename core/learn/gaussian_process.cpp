@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/learn/aligned_array.h"
 #include "core/learn/covariance_kernels.h"
+#include "core/learn/scene_conditional.h"
 #include "core/learn/sparse_process.h"
 
 namespace terratact {
@@ -127,11 +129,6 @@ Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters&
     return K(Eigen::all, rows);
 }
 
-int groupsOf(Eigen::Index columns)
-{
-    return static_cast<int>((columns + kGroup - 1) / kGroup);
-}
-
 }  // namespace
 
 void requireTrainable(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
@@ -213,103 +210,6 @@ Normal GaussianProcess::predict(const Eigen::VectorXd& x) const
     SceneConditional(*this, x, {}, Precision::Double)
         .predict(Eigen::MatrixXd(0, 1), mean, variance);
     return {mean[0], variance[0]};
-}
-
-SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x,
-                                   std::vector<int> moving, Precision precision, const Poll& poll,
-                                   const CovarianceKernels& kernels)
-    : gp_(gp), kernels_(kernels), moving_(std::move(moving)),
-      scaledX_(static_cast<std::size_t>(gp.rows()) * moving_.size()),
-      logWeight_(static_cast<std::size_t>(gp.rows())), alpha_(static_cast<std::size_t>(gp.rows()))
-{
-    if (x.size() != gp.inputs() || !x.allFinite())
-        throw std::invalid_argument(
-            fmt::format("a prediction needs {} finite inputs", gp.inputs()));
-    if (gp.usable(precision, poll) == Precision::Single)
-        panelsSingle_ = gp.inverse_->panelsSingle(poll);
-    else
-        panels_ = gp.inverse_->panels(poll);
-    const Eigen::VectorXd& scale = gp.hyper_.lengthScale;
-    Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(gp.rows());
-    for (int d = 0; d < gp.inputs(); ++d)
-        if (std::find(moving_.begin(), moving_.end(), d) == moving_.end())
-            distance2.array() += ((gp.X_.col(d).array() - x[d]) / scale[d]).square();
-    const auto m = static_cast<Eigen::Index>(moving_.size());
-    for (Eigen::Index u = 0; u < gp.rows(); ++u) {
-        logWeight_.data()[u] = -0.5 * distance2[u];
-        alpha_.data()[u] = gp.alpha_[u];
-        for (Eigen::Index j = 0; j < m; ++j) {
-            const int d = moving_[static_cast<std::size_t>(j)];
-            scaledX_.data()[u * m + j] = gp.X_(u, d) / scale[d];
-        }
-    }
-}
-
-void SceneConditional::makeRoom(int groups)
-{
-    const auto columns = area(groups, kGroup);
-    if (mean_.size() >= columns) return;
-    const std::size_t covariances = area(paddedRows(static_cast<int>(gp_.rows())), 1) * columns;
-    scaledZ_ = AlignedArray<double>(std::max<std::size_t>(moving_.size(), 1) * columns);
-    if (panelsSingle_)
-        single_ = AlignedArray<float>(covariances);
-    else
-        double_ = AlignedArray<double>(covariances);
-    mean_ = AlignedArray<double>(columns);
-    squares_ = AlignedArray<double>(columns);
-}
-
-void SceneConditional::scaleInputs(const Eigen::MatrixXd& inputs)
-{
-    const auto m = static_cast<Eigen::Index>(moving_.size());
-    for (Eigen::Index j = 0; j < m; ++j) {
-        const double scale = gp_.hyper_.lengthScale[moving_[static_cast<std::size_t>(j)]];
-        for (Eigen::Index c = 0; c < inputs.cols(); ++c)
-            scaledZ_.data()[(c / kGroup * m + j) * kGroup + c % kGroup] = inputs(j, c) / scale;
-    }
-}
-
-void SceneConditional::meansAndSquares(int groups)
-{
-    const int U = static_cast<int>(gp_.rows());
-    const int m = static_cast<int>(moving_.size());
-    const CovarianceInput in{scaledX_.data(),
-                             logWeight_.data(),
-                             alpha_.data(),
-                             U,
-                             m,
-                             gp_.hyper_.signalSd * gp_.hyper_.signalSd};
-    const std::size_t block = area(paddedRows(U), kGroup);
-    for (int g = 0; g < groups; ++g) {
-        const std::size_t offset = static_cast<std::size_t>(g) * block;
-        const double* z = scaledZ_.data() + area(g * m, kGroup);
-        double* mean = mean_.data() + area(g, kGroup);
-        if (panelsSingle_)
-            kernels_.covariancesSingle(in, z, single_.data() + offset, mean);
-        else
-            kernels_.covariances(in, z, double_.data() + offset, mean);
-    }
-    if (panelsSingle_)
-        kernels_.sumsOfSquaresSingle(panelsSingle_, single_.data(), U, groups, squares_.data());
-    else
-        kernels_.sumsOfSquares(panels_, double_.data(), U, groups, squares_.data());
-}
-
-void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean,
-                               Eigen::VectorXd& variance)
-{
-    if (!inputs.allFinite()) throw std::invalid_argument("a prediction needs finite inputs");
-    const Eigen::Index n = inputs.cols();
-    const int groups = groupsOf(n);
-    makeRoom(groups);
-    scaleInputs(inputs);
-    meansAndSquares(groups);
-    mean = Eigen::Map<const Eigen::ArrayXd>(mean_.data(), n) + gp_.outputMean_;
-    const double noise2 = gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;
-    const double prior = gp_.hyper_.signalSd * gp_.hyper_.signalSd + noise2;
-    // Rounding must not go below the noise, nor to 0 where there is none.
-    const double least = std::max(noise2, kLeastVariance * prior);
-    variance = (prior - Eigen::Map<const Eigen::ArrayXd>(squares_.data(), n)).max(least).matrix();
 }
 
 }  // namespace terratact

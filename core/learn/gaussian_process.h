@@ -3,11 +3,8 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include "core/learn/aligned_array.h"
 #include "core/learn/cholesky.h"
-#include "core/learn/covariance_kernels.h"
 #include "core/learn/hyperparameters.h"
 #include "core/learn/inverse_factor.h"
 #include "core/learn/precision.h"
@@ -89,39 +86,6 @@ private:
     double rcond_ = 1.0;
     Eigen::VectorXd alpha_;
     std::optional<InverseFactor> inverse_;  // of L, or F of a sparse one
-};
-
-/// A Gaussian process at one scene: the inputs that stay fixed are folded into one log weight per
-/// training row, so a prediction costs only the inputs that move.
-class SceneConditional {
-public:
-    /// x: d standardised input; moving: indices of inputs that will be given anew for each prediction.
-    /// precision: of the variance, where usable() grants it; the mean is double in both.  poll: likewise.
-    /// Throws std::invalid_argument for another size or a value of x that is not finite.
-    SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving,
-                     Precision precision, const Poll& poll = {},
-                     const CovarianceKernels& kernels = covarianceKernels());
-
-    /// Predicts for several settings of the moving inputs at once.  A column's result does not depend on
-    /// the others.  inputs: moving.size() × n standardised; mean, variance: n.
-    /// Throws std::invalid_argument for an input that is not finite.
-    void predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean, Eigen::VectorXd& variance);
-
-private:
-    void makeRoom(int groups);
-    void scaleInputs(const Eigen::MatrixXd& inputs);
-    void meansAndSquares(int groups);
-
-    const GaussianProcess& gp_;
-    const CovarianceKernels& kernels_;
-    std::vector<int> moving_;
-    AlignedArray<double> scaledX_;            // U × m, row-major, in length scales
-    AlignedArray<double> logWeight_, alpha_;  // U
-    AlignedArray<double> scaledZ_, mean_, squares_;
-    const double* panels_ = nullptr;       // of the precision that is used; the other one is null
-    const float* panelsSingle_ = nullptr;  // likewise
-    AlignedArray<double> double_;          // covariances, see CovarianceKernels
-    AlignedArray<float> single_;           // likewise
 };
 
 /// Throws std::invalid_argument, a sentence, unless X: U × d, y: U and hyper fit each other, U ≥ 1 and every

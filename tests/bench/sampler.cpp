@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/infer/gibbs.h"
-#include "core/infer/moving_inputs.h"
+#include "core/infer/process_scene.h"
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
 #include "core/infer/truncated_normal.h"
@@ -48,7 +48,7 @@ const Scene& someScene()
 }
 
 /// BinConditionals with the kernels of one instruction set.
-class KernelConditionals final : public Conditionals, public SceneConditionals {
+class KernelConditionals final : public Conditionals {
 public:
     KernelConditionals(const CovarianceKernels& kernels, Precision precision)
         : kernels_(kernels), precision_(precision)
@@ -61,30 +61,19 @@ public:
     std::unique_ptr<SceneConditionals> at(const Heights& known,
                                           const std::vector<int>& unknown) const override
     {
-        auto scene = std::make_unique<KernelConditionals>(kernels_, precision_);
+        auto scene = std::make_unique<ProcessScene>();
         const Eigen::VectorXd s = features(FeatureSet::Paf, someScene().s);
-        for (const int i : unknown) {
-            scene->mean_.push_back(shippedBins().heightMean(i));
-            scene->sd_.push_back(shippedBins().heightSd(i));
-            scene->conditionals_.push_back(std::make_unique<SceneConditional>(
-                shippedBins().bin(i), shippedBins().input(i, known, s), movingInputs(unknown, i),
-                precision_, Poll{}, kernels_));
-        }
+        for (const int i : unknown)
+            scene->add(std::make_unique<SceneConditional>(
+                           shippedBins().bin(i), shippedBins().input(i, known, s),
+                           movingInputs(unknown, i), precision_, Poll{}, kernels_),
+                       shippedBins().heightMean(i), shippedBins().heightSd(i));
         return scene;
-    }
-    void predict(std::size_t k, const Eigen::MatrixXd& states, Eigen::VectorXd& mean,
-                 Eigen::VectorXd& variance) override
-    {
-        standardiseOthers(k, states, mean_, sd_, inputs_);
-        conditionals_[k]->predict(inputs_, mean, variance);
     }
 
 private:
     const CovarianceKernels& kernels_;
     Precision precision_;
-    std::vector<double> mean_, sd_;
-    std::vector<std::unique_ptr<SceneConditional>> conditionals_;
-    Eigen::MatrixXd inputs_;
 };
 
 /// Nine unknown bins under the robot's ceilings.

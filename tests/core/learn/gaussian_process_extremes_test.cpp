@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/learn/gaussian_process.h"
+#include "core/learn/scene_conditional.h"
 #include "core/learn/likelihood.h"
 
 namespace terratact {

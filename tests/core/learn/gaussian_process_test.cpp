@@ -1,4 +1,5 @@
 #include "core/learn/gaussian_process.h"
+#include "core/learn/scene_conditional.h"
 
 #include <gtest/gtest.h>
 

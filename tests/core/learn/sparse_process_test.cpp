@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/learn/gaussian_process.h"
+#include "core/learn/scene_conditional.h"
 
 namespace terratact {
 namespace {
