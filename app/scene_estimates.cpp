@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <functional>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "app/parallel.h"
 #include "app/progress.h"
 #include "app/time_budget.h"
 #include "core/atem/arm_choice.h"
+#include "core/infer/estimate_batch.h"
 
 namespace terratact {
 
@@ -18,20 +23,106 @@ std::string joined(const std::vector<std::string>& warnings)
     return fmt::format("{}", fmt::join(warnings, "; "));
 }
 
-SceneEstimate withArm(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
-                      double seconds, TerrainEstimate first)
+SceneEstimate noted(TerrainEstimate estimate)
 {
-    const std::optional<int> bin = proposeProbe(first, toolbox.robot);
-    if (!bin) return {first, joined(first.warnings)};
-    const auto truth = scene.truth[static_cast<std::size_t>(*bin)];
-    if (!truth) {
+    std::string note = joined(estimate.warnings);
+    return {std::move(estimate), std::move(note)};
+}
+
+/// What a thread takes scenes from, and where estimates go.
+struct Work {
+    std::span<const Scene> scenes;
+    const Toolbox& toolbox;
+    const Settings& settings;
+    double seconds;
+    std::size_t atOnce;  ///< scenes that a thread has in work, at most
+    std::function<void()> tick;
+    std::vector<SceneEstimate> estimates{scenes.size()};
+    std::atomic<std::size_t> next{0};
+};
+
+/// One thread's part.
+class Estimating {
+public:
+    explicit Estimating(Work& work) : work_(work), batch_(work.toolbox.robot, work.toolbox.models)
+    {
+    }
+
+    void run()
+    {
+        for (;;) {
+            while (inWork_ < work_.atOnce && batch_.hasRoomFor(work_.settings)) {
+                const std::size_t k = work_.next++;
+                if (k >= work_.scenes.size()) break;
+                start(k);
+            }
+            if (batch_.empty()) return;
+            for (EstimateBatch::Ready& ready : batch_.next()) finish(std::move(ready));
+        }
+    }
+
+private:
+    void start(std::size_t k)
+    {
+        ++inWork_;
+        const FeatureSet set = work_.toolbox.models.featuresOf(work_.settings.method);
+        if (const auto missing = missingFeature(set, work_.scenes[k].s); !missing.empty())
+            return leave(k, {std::nullopt, fmt::format("{} is unknown, and method {} needs it",
+                                                       missing, name(work_.settings.method))});
+        add(k, {});
+    }
+
+    void add(std::size_t k, std::span<const ArmReading> arm)
+    {
+        Settings own = work_.settings;
+        own.seed += k;
+        try {
+            batch_.add(k, work_.scenes[k].s, arm, own, endingAfter(work_.seconds));
+        } catch (const NotLearnt& error) {
+            leave(k, {std::nullopt, error.what()});
+        }
+    }
+
+    void finish(EstimateBatch::Ready ready)
+    {
+        const bool first = usesArm(work_.settings.method) && touched_.insert(ready.number).second;
+        if (first) return touch(ready.number, std::move(ready.estimate));
+        leave(ready.number, noted(std::move(ready.estimate)));
+    }
+
+    /// The simulated arm, where it is worth it.
+    void touch(std::size_t k, TerrainEstimate first)
+    {
+        const std::optional<int> bin = proposeProbe(first, work_.toolbox.robot);
+        if (!bin) return leave(k, noted(std::move(first)));
+        if (const auto truth = work_.scenes[k].truth[static_cast<std::size_t>(*bin)]) {
+            const ArmReading reading{*bin, *truth, work_.toolbox.robot.armSd};
+            return add(k, {&reading, 1});
+        }
         first.warnings.push_back(fmt::format(
             "arm not simulated: the truth of bin {:+.1f} m is unknown", binCentre(*bin)));
-        return {first, joined(first.warnings)};
+        leave(k, noted(std::move(first)));
     }
-    const ArmReading reading{*bin, *truth, toolbox.robot.armSd};
-    const TerrainEstimate second = estimateWith(scene, {&reading, 1}, toolbox, settings, seconds);
-    return {second, joined(second.warnings)};
+
+    void leave(std::size_t k, SceneEstimate estimate)
+    {
+        work_.estimates[k] = std::move(estimate);
+        --inWork_;
+        if (work_.tick) work_.tick();
+    }
+
+    Work& work_;
+    EstimateBatch batch_;
+    std::size_t inWork_ = 0;
+    std::set<std::size_t> touched_;  // scenes whose arm has had its turn
+};
+
+/// The share of one thread's scenes that may be in work: a time limit is for a scene that has the thread alone, and
+/// a few scenes are better spread over the threads.
+std::size_t scenesAtOnce(std::size_t scenes, int threads, double seconds)
+{
+    const auto each = static_cast<std::size_t>(threads);
+    return seconds > 0.0 ? 1 : (scenes + each - 1) / each;
 }
 
 }  // namespace
@@ -56,33 +147,32 @@ TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
                             double seconds)
 {
-    const FeatureSet set = toolbox.models.featuresOf(settings.method);
-    if (const std::string_view missing = missingFeature(set, scene.s); !missing.empty())
-        return {std::nullopt, fmt::format("{} is unknown, and method {} needs it", missing,
-                                          name(settings.method))};
-    try {
-        TerrainEstimate first = estimateWith(scene, {}, toolbox, settings, seconds);
-        if (!usesArm(settings.method)) return {first, joined(first.warnings)};
-        return withArm(scene, toolbox, settings, seconds, std::move(first));
-    } catch (const NotLearnt& error) {
-        return {std::nullopt, error.what()};
-    }
+    Work work{{&scene, 1}, toolbox, settings, seconds, 1, {}};
+    Estimating(work).run();
+    return std::move(work.estimates.front());
 }
 
 std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
                                           const Settings& settings, double seconds)
 {
-    std::vector<SceneEstimate> estimates(scenes.size());
     Progress progress(fmt::format("{}: scene", name(settings.method)),
                       static_cast<int>(scenes.size()));
-    parallelFor(static_cast<int>(scenes.size()), [&](int k) {
-        Settings own = settings;
-        own.seed += static_cast<std::uint64_t>(k);
-        estimates[static_cast<std::size_t>(k)] =
-            estimateScene(scenes[static_cast<std::size_t>(k)], toolbox, own, seconds);
-        progress.tick();
+    const int threads = processors();
+    Work work{scenes,
+              toolbox,
+              settings,
+              seconds,
+              scenesAtOnce(scenes.size(), threads, seconds),
+              [&progress] { progress.tick(); }};
+    parallelFor(threads, [&work](int) {
+        try {
+            Estimating(work).run();
+        } catch (...) {
+            work.next = work.scenes.size();  // nothing new for the others
+            throw;
+        }
     });
-    return estimates;
+    return std::move(work.estimates);
 }
 
 }  // namespace terratact

@@ -46,7 +46,8 @@ struct SceneEstimate {
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
                             double seconds = 0.0);
 
-/// All scenes, on all cores; the seed of scene k is settings.seed + k.
+/// All scenes, on all cores, several at a time on each (EstimateBatch) unless their seconds are limited; the seed of
+/// scene k is settings.seed + k.  The estimates are those of estimateScene, bit for bit.
 std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
                                           const Settings& settings, double seconds = 0.0);
 

@@ -26,6 +26,18 @@ Models::Models(const ModelData& model, const RobotModel& robot)
 {
 }
 
+SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const Models& models, const Settings& settings,
+                            const Watch& watch, const WeakHeights& weak)
+{
+    if (settings.method == Method::Clearance)
+        return clearanceSampling(s, arm, robot, models.conditionals, settings, watch, weak);
+    if (weak != WeakHeights{})
+        throw std::invalid_argument("the paper's methods take no weak heights");
+    return paperSampling(s, arm, robot, usesForces(settings.method) ? models.paf : models.pa,
+                         settings, watch);
+}
+
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
                                 const Settings& settings, const Watch& watch,
@@ -34,12 +46,7 @@ TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmRead
     stopIfCancelled(watch);
     if (isClosedForm(settings.method))
         return reconstructClosedForm(s, arm, robot, models.clearance, settings, weak);
-    if (settings.method == Method::Clearance)
-        return reconstructClearance(s, arm, robot, models.conditionals, settings, watch, weak);
-    if (weak != WeakHeights{})
-        throw std::invalid_argument("the paper's methods take no weak heights");
-    return reconstruct(s, arm, robot, usesForces(settings.method) ? models.paf : models.pa,
-                       settings, watch);
+    return sampleScene(sceneSampling(s, arm, robot, models, settings, watch, weak), watch);
 }
 
 }  // namespace terratact

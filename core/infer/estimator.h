@@ -4,6 +4,7 @@
 
 #include "core/infer/estimate.h"
 #include "core/infer/measured_bins.h"
+#include "core/infer/scene_sampling.h"
 #include "core/infer/watch.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/clearance_conditionals.h"
@@ -36,5 +37,10 @@ TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmRead
                                 const RobotModel& robot, const Models& models,
                                 const Settings& settings, const Watch& watch = {},
                                 const WeakHeights& weak = {});
+
+/// The same up to the sampling, for a method that samples; throws likewise.  Refers to the models.
+SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const Models& models, const Settings& settings,
+                            const Watch& watch = {}, const WeakHeights& weak = {});
 
 }  // namespace terratact

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
-#include "core/infer/draw_summary.h"
-#include "core/infer/gibbs.h"
+#include "core/infer/bin_conditionals.h"
 #include "core/infer/measured_bins.h"
 #include "core/terrain/body_ceiling.h"
 
@@ -31,16 +31,18 @@ void check(const Settings& settings, const BinModels& models)
 
 }  // namespace
 
-TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
+SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch)
 {
     check(settings, models);
-    TerrainEstimate estimate;
+    SceneSampling sampling;
+    TerrainEstimate& estimate = sampling.estimate;
     estimate.settings = settings;
     estimate.ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
 
-    GibbsProblem problem = problemFor(settings);
+    GibbsProblem& problem = sampling.problem;
+    problem = problemFor(settings);
     problem.s = features(models.set(), s);
     problem.ceiling = estimate.ceiling;
     problem.rule = usesCeiling(settings.method) ? settings.ceiling : CeilingRule::None;
@@ -51,15 +53,22 @@ TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading>
         problem.known[i] = measured.bin[i]->height;
         fixBin(estimate, static_cast<int>(i), *measured.bin[i]);
     }
+    sampling.known = problem.known;
+    sampling.centre = Centre::Mean;
+    sampling.conditionals =
+        std::make_unique<BinConditionals>(models, problem.s, problem.precision, problem.inducing,
+                                          [watch] { stopIfCancelled(watch); });
+    sampling.process = [&models, settings](int bin) -> const GaussianProcess& {
+        return models.bin(bin, settings.inducing);
+    };
+    return sampling;
+}
 
-    const GibbsDraws draws = sampleHeights(models, problem, watch);
-    for (std::size_t k = 0; k < draws.bins.size(); ++k) {
-        stopIfCancelled(watch);
-        summariseDraws(estimate, draws.bins[k], draws.draws[k], Origin::Sampled, Centre::Mean);
-        warnIfMended(estimate, draws.bins[k], models.bin(draws.bins[k], settings.inducing));
-    }
-    conclude(estimate, draws, problem.known);
-    return finite(std::move(estimate));
+TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const BinModels& models,
+                            const Settings& settings, const Watch& watch)
+{
+    return sampleScene(paperSampling(s, arm, robot, models, settings, watch), watch);
 }
 
 void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& m)

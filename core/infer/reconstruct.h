@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/infer/estimate.h"
+#include "core/infer/scene_sampling.h"
 #include "core/infer/watch.h"
 #include "core/learn/bin_models.h"
 #include "core/robot/measurement.h"
@@ -16,6 +17,12 @@ namespace terratact {
 /// Throws std::invalid_argument for another method than the paper's four, settings out of range, a model of the other feature set or an s that
 /// lacks a feature, or a model that gives no finite estimate; Cancelled.
 TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const BinModels& models,
+                            const Settings& settings, const Watch& watch = {});
+
+/// The same up to the sampling, for those who sample several scenes at once (EstimateBatch).  Refers to the models;
+/// watch: while they are factorised, which may be when chains start.
+SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "core/infer/clearance_states.h"
-#include "core/infer/draw_summary.h"
-#include "core/infer/gibbs.h"
 #include "core/infer/measured_bins.h"
 #include "core/terrain/body_ceiling.h"
 
@@ -53,38 +52,45 @@ OptionalHeights fixExact(const MeasuredBins& measured, const ClearanceStates::Me
 
 }  // namespace
 
-TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
-                                     const RobotModel& robot, const ClearanceConditionals& models,
-                                     const Settings& settings, const Watch& watch,
-                                     const WeakHeights& weak)
+SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmReading> arm,
+                                const RobotModel& robot, const ClearanceConditionals& models,
+                                const Settings& settings, const Watch& watch,
+                                const WeakHeights& weak)
 {
     check(settings);
-    TerrainEstimate estimate;
+    SceneSampling sampling;
+    TerrainEstimate& estimate = sampling.estimate;
     estimate.settings = settings;
     estimate.ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
     const Eigen::VectorXd x = features(FeatureSet::Paf, s);
     MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings, weak);
     estimate.warnings = std::move(measured.warnings);
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (measured.bin[i]) estimate.origin[i] = measured.bin[i]->origin;
 
-    GibbsProblem problem = problemFor(settings);
+    GibbsProblem& problem = sampling.problem;
+    problem = problemFor(settings);
     problem.ceiling.fill(std::numeric_limits<double>::infinity());
     problem.rule = CeilingRule::None;  // the states keep below the ceiling by themselves
     const ClearanceStates::Measured measuredStates = states(measured, estimate.ceiling);
-    const OptionalHeights known = fixExact(measured, measuredStates, problem, estimate);
-    const ClearanceStates conditionals(models, estimate.ceiling, x, measuredStates,
-                                       settings.precision, settings.inducing,
-                                       [&watch] { stopIfCancelled(watch); });
-    const GibbsDraws draws = sampleStates(conditionals, problem, watch);
-    for (std::size_t k = 0; k < draws.bins.size(); ++k) {
-        stopIfCancelled(watch);
-        const auto i = static_cast<std::size_t>(draws.bins[k]);
-        summariseDraws(estimate, draws.bins[k], draws.draws[k],
-                       measured.bin[i] ? measured.bin[i]->origin : Origin::Sampled, Centre::Median);
-        warnIfMended(estimate, draws.bins[k],
-                     models.gp(draws.bins[k], regimeOf(estimate.ceiling[i]), settings.inducing));
-    }
-    conclude(estimate, draws, known);
-    return finite(std::move(estimate));
+    sampling.known = fixExact(measured, measuredStates, problem, estimate);
+    sampling.centre = Centre::Median;
+    sampling.conditionals = std::make_unique<ClearanceStates>(
+        models, estimate.ceiling, x, measuredStates, settings.precision, settings.inducing,
+        [watch] { stopIfCancelled(watch); });
+    sampling.process = [&models, settings,
+                        ceiling = estimate.ceiling](int bin) -> const GaussianProcess& {
+        return models.gp(bin, regimeOf(ceiling[static_cast<std::size_t>(bin)]), settings.inducing);
+    };
+    return sampling;
+}
+
+TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
+                                     const RobotModel& robot, const ClearanceConditionals& models,
+                                     const Settings& settings, const Watch& watch,
+                                     const WeakHeights& weak)
+{
+    return sampleScene(clearanceSampling(s, arm, robot, models, settings, watch, weak), watch);
 }
 
 }  // namespace terratact

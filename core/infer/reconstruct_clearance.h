@@ -4,6 +4,7 @@
 
 #include "core/infer/estimate.h"
 #include "core/infer/measured_bins.h"
+#include "core/infer/scene_sampling.h"
 #include "core/infer/watch.h"
 #include "core/learn/clearance_conditionals.h"
 #include "core/robot/measurement.h"
@@ -26,5 +27,12 @@ TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const Ar
                                      const RobotModel& robot, const ClearanceConditionals& models,
                                      const Settings& settings, const Watch& watch = {},
                                      const WeakHeights& weak = {});
+
+/// The same up to the sampling, for those who sample several scenes at once (EstimateBatch).  Refers to the models;
+/// watch: while they are factorised, which may be when chains start.
+SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmReading> arm,
+                                const RobotModel& robot, const ClearanceConditionals& models,
+                                const Settings& settings, const Watch& watch = {},
+                                const WeakHeights& weak = {});
 
 }  // namespace terratact

@@ -1,0 +1,27 @@
+#include "core/infer/scene_sampling.h"
+
+#include <utility>
+
+namespace terratact {
+
+TerrainEstimate estimateFrom(SceneSampling sampling, const GibbsDraws& draws, const Watch& watch)
+{
+    TerrainEstimate& estimate = sampling.estimate;
+    for (std::size_t k = 0; k < draws.bins.size(); ++k) {
+        stopIfCancelled(watch);
+        const int bin = draws.bins[k];
+        summariseDraws(estimate, bin, draws.draws[k],
+                       estimate.origin[static_cast<std::size_t>(bin)], sampling.centre);
+        warnIfMended(estimate, bin, sampling.process(bin));
+    }
+    conclude(estimate, draws, sampling.known);
+    return finite(std::move(estimate));
+}
+
+TerrainEstimate sampleScene(SceneSampling sampling, const Watch& watch)
+{
+    const GibbsDraws draws = sampleStates(*sampling.conditionals, sampling.problem, watch);
+    return estimateFrom(std::move(sampling), draws, watch);
+}
+
+}  // namespace terratact
