@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/learn/gaussian_process.h"
-#include "core/learn/scene_conditional.h"
 #include "core/learn/likelihood.h"
+#include "core/learn/scene_conditional.h"
 
 namespace terratact {
 namespace {

@@ -1,5 +1,4 @@
 #include "core/learn/gaussian_process.h"
-#include "core/learn/scene_conditional.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,8 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
+
+#include "core/learn/scene_conditional.h"
 
 namespace terratact {
 namespace {
@@ -120,6 +121,45 @@ TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
             EXPECT_NEAR(variance[c], expected.variance, 1e-13);
         }
     }
+}
+
+TEST(PredictTogether, givesEverySceneWhatItGetsAlone)
+{
+    const Data large = someData(120, 6);
+    const Data small = someData(50, 6, 2);  // in the room that the large one has filled
+    const GaussianProcess a(large.X, large.y, large.hyper, 0.1);
+    const GaussianProcess b(small.X, small.y, small.hyper, 0.2);
+    std::mt19937_64 rng(4);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(6);
+    for (double& v : x) v = normal(rng);
+    const std::vector<std::vector<int>> moving{{4, 1}, {0, 2, 3}, {}, {5}};
+    std::vector<SceneConditional> scenes;
+    std::vector<Eigen::MatrixXd> inputs;
+    for (const int columns : {3, 8, 1, 4, 12, 16, 5, 70})  // groups of eight begin anywhere
+        for (const Precision precision : {Precision::Single, Precision::Double}) {
+            const auto& m = moving[scenes.size() % moving.size()];
+            scenes.emplace_back(scenes.size() % 3 == 2 ? b : a, x, m, precision);
+            inputs.emplace_back(static_cast<Eigen::Index>(m.size()), columns);
+            for (double& v : inputs.back().reshaped()) v = normal(rng);
+        }
+    std::vector<Eigen::VectorXd> mean(scenes.size()), variance(scenes.size());
+    std::vector<ScenePrediction> asked;
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        asked.push_back({&scenes[k], &inputs[k], &mean[k], &variance[k]});
+    PredictionRoom room;
+    for (int again = 0; again < 2; ++again) {
+        predictTogether(asked, room);
+        for (std::size_t k = 0; k < scenes.size(); ++k) {
+            Eigen::VectorXd aloneMean, aloneVariance;
+            scenes[k].predict(inputs[k], aloneMean, aloneVariance);
+            EXPECT_EQ(mean[k], aloneMean) << k;
+            EXPECT_EQ(variance[k], aloneVariance) << k;
+        }
+    }
+    inputs[1](0, 0) = std::nan("");
+    EXPECT_THROW(predictTogether(asked, room), std::invalid_argument);
+    predictTogether({}, room);
 }
 
 /// Predictions at random inputs in both precisions, 40 columns, all inputs moving.
