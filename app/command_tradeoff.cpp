@@ -104,7 +104,7 @@ Tally timed(const TradeSetting& trade, const std::vector<Scene>& scenes,
         if (!reference[k].estimate) continue;
         Settings own = trade.settings;
         own.seed += k;
-        const Stopwatch watch;
+        const ProcessorStopwatch watch;
         const SceneEstimate estimate = estimateScene(scenes[k], toolbox, own);
         const double seconds = watch.seconds();
         if (estimate.estimate)

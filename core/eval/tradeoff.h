@@ -37,7 +37,7 @@ EstimateDistance distance(const TerrainEstimate& a, const TerrainEstimate& b);
 /// What a setting came to, on average over the scenes.
 struct TradePoint {
     TradeSetting setting;
-    double seconds = 0.0;        ///< median per scene, one thread
+    double seconds = 0.0;        ///< of processor time, median per scene
     EstimateDistance reference;  ///< [m] from the long run of the same method
     double error = 0.0;          ///< [m] mean |height − truth|
     double crps = 0.0;           ///< [m] mean

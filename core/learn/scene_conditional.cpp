@@ -114,7 +114,7 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
 
 bool SceneConditional::sharesFactorWith(const SceneConditional& other) const
 {
-    return &gp_ == &other.gp_ && &kernels_ == &other.kernels_ && panels_ == other.panels_
+    return &kernels_ == &other.kernels_ && panels_ == other.panels_
         && panelsSingle_ == other.panelsSingle_;
 }
 

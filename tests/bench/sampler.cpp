@@ -2,15 +2,20 @@
 // tests/bench/run.sh runs it side by side with tests/bench/peer_numpy.py.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "core/infer/estimate_batch.h"
 #include "core/infer/gibbs.h"
 #include "core/infer/process_scene.h"
+#include "core/infer/quality.h"
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
 #include "core/infer/truncated_normal.h"
@@ -162,6 +167,38 @@ void oneClearanceScene(benchmark::State& state)
 }
 BENCHMARK(oneClearanceScene)->Unit(benchmark::kMillisecond);
 
+/// Scenes of an evaluation by one of the paper's methods, as many as fit into a batch twice, each with its own
+/// known bins, through EstimateBatch or one after the other.  Per scene and sweep of a chain, all else included.
+void scenes(benchmark::State& state, Settings settings, bool batched)
+{
+    const RobotModel robot = absolem();
+    static const Models models(shippedModel(), robot);
+    static const std::vector<Scene> all = someScenes(16, 7);
+    settings.method = Method::Pafc;
+    settings.stopEarly = false;
+    settings.burnIn = 0;
+    settings.draws = kSweeps * settings.chains;
+    const int fit = std::max(1, kBatchChains / settings.chains);
+    const std::span<const Scene> some(all.data(), static_cast<std::size_t>(2 * fit));
+    const auto run = [&] {
+        EstimateBatch batch(robot, models);
+        const auto finish = [&] {
+            while (!batch.empty()) benchmark::DoNotOptimize(batch.next());
+        };
+        for (const Scene& scene : some) {
+            if (!batched) finish();
+            while (!batch.hasRoomFor(settings)) benchmark::DoNotOptimize(batch.next());
+            batch.add(0, scene.s, {}, settings);
+        }
+        finish();
+    };
+    run();
+    for (auto _ : state) run();
+    state.counters["s_per_chain_sweep"] = benchmark::Counter(
+        static_cast<double>(some.size()) * settings.chains * kSweeps,
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 /// One draw with the ceiling so many tenths of a deviation above the mean.
 void draw(benchmark::State& state)
 {
@@ -210,6 +247,18 @@ void registerAll()
     int count = 0;
     const auto* kernels = availableCovarianceKernels(count);
     for (int k = 0; k < count; ++k) registerKernels(*kernels[k]);
+    const auto evaluation = [](const std::string& name, const Settings& settings) {
+        for (const bool batched : {false, true})
+            add("scenes/" + name + (batched ? "/batched" : "/alone"),
+                [=](benchmark::State& s) { scenes(s, settings, batched); }, {});
+    };
+    for (const int chains : {1, 4, 8, 16, 32}) {
+        Settings settings;
+        settings.chains = chains;
+        evaluation(std::to_string(chains) + " chains", settings);
+    }
+    for (const Quality quality : kQualities)
+        evaluation(std::string(name(quality)), withQuality({}, quality));
     add("oneScene/f32", [](benchmark::State& s) { oneScene(s, Precision::Single); }, {});
     add("oneScene/f64", [](benchmark::State& s) { oneScene(s, Precision::Double); }, {});
 }

@@ -78,6 +78,10 @@ def main(folder):
             print(f"{kernels + ' ' + precision:<18}" +
                   "".join(f"{sweep(kernels, precision, c) * 1e3:12.3f}" for c in (1, 8, 16, 64)))
     print(f"{'NumPy float64':<18}{numpy['sweep/1'] * 1e3:12.3f}{'':12}{numpy['sweep/16'] * 1e3:12.3f}{numpy['sweep/64'] * 1e3:12.3f}")
+    print("\nms per chain-sweep, scenes of an evaluation      alone   batched   alone / batched")
+    for what in [name.split("/")[1] for name in ours if name.startswith("scenes/") and name.endswith("/alone")]:
+        alone, batched = (ours[f"scenes/{what}/{how}"] * 1e3 for how in ("alone", "batched"))
+        print(f"{what:<43}{alone:12.4f}{batched:10.4f}{alone / batched:18.2f}")
     print(f"\nms per scene of 16 chains, K = 1000: {ours['oneScene/f32'] * 1e3:.0f} (f32), "
           f"{ours['oneScene/f64'] * 1e3:.0f} (f64), clearances {ours['oneClearanceScene'] * 1e3:.0f}")
 

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/support/distributions.h"
@@ -189,6 +192,53 @@ TEST(Gibbs, inSeveralThreadsIsCancelledAndReportsOneByOne)
     EXPECT_EQ(shares.back(), 1.0);
     cancelled = true;
     EXPECT_THROW((void)sampleHeights(models(), problem, watch), Cancelled);
+}
+
+/// Notes who was asked for which bin.
+class Noting final : public Conditionals, public SceneConditionals {
+public:
+    using Notes = std::vector<std::pair<char, int>>;
+    Noting(char name, Notes& notes) : name_(name), notes_(notes) {}
+
+    StartDraw start(int) const override { return {}; }
+    std::unique_ptr<SceneConditionals> at(const Heights&,
+                                          const std::vector<int>& unknown) const override
+    {
+        auto scene = std::make_unique<Noting>(*this);
+        scene->unknown_ = unknown;
+        return scene;
+    }
+    void predict(std::size_t k, const Eigen::MatrixXd& states, Eigen::VectorXd& mean,
+                 Eigen::VectorXd& variance) override
+    {
+        notes_.emplace_back(name_, unknown_[k]);
+        mean.setZero(states.cols());
+        variance.setOnes(states.cols());
+    }
+
+private:
+    char name_;
+    Notes& notes_;
+    std::vector<int> unknown_;
+};
+
+TEST(Gibbs, takesScenesThatKnowOtherBinsToTheSameBinAtTheSameTime)
+{
+    Noting::Notes notes;
+    const Noting a('a', notes), b('b', notes), c('c', notes);
+    const auto sweepOf = [&](ScanOrder scan) {
+        GibbsProblem problems[] = {problemWith({5, 8}), problemWith({2, 5, 9}), problemWith({9})};
+        for (GibbsProblem& problem : problems) problem.scan = scan;
+        GibbsRun first(a, problems[0]), second(b, problems[1]), third(c, problems[2]);
+        notes.clear();
+        PredictionRoom room;
+        GibbsRun::sweepTogether(std::array{&first, &second, &third}, room);
+        return notes;
+    };
+    EXPECT_EQ(sweepOf(ScanOrder::Forward),
+              (Noting::Notes{{'b', 2}, {'a', 5}, {'b', 5}, {'a', 8}, {'b', 9}, {'c', 9}}));
+    EXPECT_EQ(sweepOf(ScanOrder::Reverse),
+              (Noting::Notes{{'b', 9}, {'c', 9}, {'a', 8}, {'a', 5}, {'b', 5}, {'b', 2}}));
 }
 
 TEST(Gibbs, withNothingUnknownDrawsNothing)
