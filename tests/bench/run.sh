@@ -12,8 +12,12 @@ cmake --build "$build" --target terratact-bench-sampler >/dev/null
 results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 for ((round = 1; round <= rounds; ++round)); do
-  "$build"/tests/terratact-bench-sampler --benchmark_format=json --benchmark_min_time=0.3 \
+  "$build"/tests/terratact-bench-sampler --benchmark_filter=-scenes/ --benchmark_format=json --benchmark_min_time=0.3 \
     >"$results/ours-$round.json" 2>/dev/null
   /usr/bin/python3 -B tests/bench/peer_numpy.py >"$results/numpy-$round.json" 2>"$results/ways"
 done
+# What is compared here differs by little: in turns, five times each.
+"$build"/tests/terratact-bench-sampler --benchmark_filter=scenes/ --benchmark_format=json --benchmark_min_time=0.05 \
+  --benchmark_repetitions=5 --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
+  >"$results/scenes.json" 2>/dev/null
 /usr/bin/python3 -B tests/bench/table.py "$results"

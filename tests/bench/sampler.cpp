@@ -129,6 +129,20 @@ void quadraticForm(benchmark::State& state, const CovarianceKernels& kernels)
                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
 
+/// One group of columns at a bin with eight moving inputs.
+void covariances(benchmark::State& state, const CovarianceKernels& kernels)
+{
+    constexpr int U = 1400;
+    constexpr int m = 8;
+    AlignedArray<double> X(U * m), logWeight(U), alpha(U), Z(m * kGroup), mean(kGroup);
+    AlignedArray<float> K(static_cast<std::size_t>(paddedRows(U) * kGroup));
+    const CovarianceInput in{X.data(), logWeight.data(), alpha.data(), U, m, 1.0};
+    for (auto _ : state) {
+        kernels.covariancesSingle(in, Z.data(), K.data(), mean.data());
+        benchmark::ClobberMemory();
+    }
+}
+
 void peak(benchmark::State& state, double (*flops)(int))
 {
     double total = 0.0;
@@ -167,8 +181,8 @@ void oneClearanceScene(benchmark::State& state)
 }
 BENCHMARK(oneClearanceScene)->Unit(benchmark::kMillisecond);
 
-/// Scenes of an evaluation by one of the paper's methods, as many as fit into a batch twice, each with its own
-/// known bins, through EstimateBatch or one after the other.  Per scene and sweep of a chain, all else included.
+/// Scenes of an evaluation by one of the paper's methods, twice as many as fit into a batch, but 64 at most, each with
+/// its own known bins, through EstimateBatch or one after the other.  Per chain-sweep, all else included.
 void scenes(benchmark::State& state, Settings settings, bool batched)
 {
     const RobotModel robot = absolem();
@@ -178,19 +192,19 @@ void scenes(benchmark::State& state, Settings settings, bool batched)
     settings.stopEarly = false;
     settings.burnIn = 0;
     settings.draws = kSweeps * settings.chains;
-    const int fit = std::max(1, kBatchChains / settings.chains);
-    const std::span<const Scene> some(all.data(), static_cast<std::size_t>(2 * fit));
+    const auto count = static_cast<std::size_t>(std::clamp(128 / settings.chains, 2, 64));
+    const auto some = std::span(all).first(count);
+    const std::size_t atOnce =
+        batched ? static_cast<std::size_t>(std::max(1, kBatchChains / settings.chains)) : 1;
     const auto run = [&] {
         EstimateBatch batch(robot, models);
-        const auto finish = [&] {
-            while (!batch.empty()) benchmark::DoNotOptimize(batch.next());
-        };
-        for (const Scene& scene : some) {
-            if (!batched) finish();
-            while (!batch.hasRoomFor(settings)) benchmark::DoNotOptimize(batch.next());
-            batch.add(0, scene.s, {}, settings);
+        std::size_t next = 0;
+        std::size_t inWork = 0;
+        while (next < some.size() || inWork > 0) {
+            for (; next < some.size() && inWork < atOnce; ++next, ++inWork)
+                batch.add(next, some[next].s, {}, settings);
+            inWork -= batch.next().size();
         }
-        finish();
     };
     run();
     for (auto _ : state) run();
@@ -236,6 +250,7 @@ void registerKernels(const CovarianceKernels& kernels)
         [&kernels](benchmark::State& s) { quadraticForm<float>(s, kernels); }, {8, 16, 64});
     add("quadratic" + suffix + "/f64",
         [&kernels](benchmark::State& s) { quadraticForm<double>(s, kernels); }, {8, 16, 64});
+    add("covariances" + suffix, [&kernels](benchmark::State& s) { covariances(s, kernels); }, {});
     add("sweep" + suffix + "/f32",
         [&kernels](benchmark::State& s) { sweep(s, kernels, Precision::Single); }, {1, 8, 16, 64});
     add("sweep" + suffix + "/f64",
@@ -252,10 +267,15 @@ void registerAll()
             add("scenes/" + name + (batched ? "/batched" : "/alone"),
                 [=](benchmark::State& s) { scenes(s, settings, batched); }, {});
     };
-    for (const int chains : {1, 4, 8, 16, 32}) {
+    for (const int chains : {1, 4, 8, 16}) {
         Settings settings;
         settings.chains = chains;
         evaluation(std::to_string(chains) + " chains", settings);
+    }
+    for (const int inducing : {175, 300, 700}) {
+        Settings settings;
+        settings.inducing = inducing;
+        evaluation(std::to_string(inducing) + " rows", settings);
     }
     for (const Quality quality : kQualities)
         evaluation(std::string(name(quality)), withQuality({}, quality));

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Ratios of one run of tests/bench/run.sh: medians over its rounds, CPU time."""
 import json
+import math
 import pathlib
 import statistics
 import sys
@@ -13,13 +14,16 @@ def cpu_name():
     return "unknown processor"
 
 
+ROWS, UNKNOWN = 1400, 9  # of the benchmarks
+FLOPS = ROWS * (ROWS + 1)  # of a quadratic form
+
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
 def measured(path):
     """Name → CPU seconds, flops per second for peaks and products, seconds per chain-sweep for sweeps."""
-    rows = json.loads(path.read_text())["benchmarks"]
-    return {row["name"]: row.get("flops", row.get("s_per_chain_sweep",
+    rows = [row for row in json.loads(path.read_text())["benchmarks"] if row.get("aggregate_name", "median") == "median"]
+    return {row["run_name"]: row.get("flops", row.get("s_per_chain_sweep",
                                                   row["cpu_time"] * UNITS[row["time_unit"]]))
             for row in rows}
 
@@ -31,6 +35,7 @@ def medians(rounds):
 
 def main(folder):
     ours = medians([measured(p) for p in sorted(folder.glob("ours-*.json"))])
+    ours |= measured(folder / "scenes.json")
     files = [json.loads(p.read_text()) for p in sorted(folder.glob("numpy-*.json"))]
     numpy = medians(files)
     sets = [s for s in ("AVX-512", "AVX2", "baseline") if f"peak/{s}/f32" in ours]
@@ -78,10 +83,46 @@ def main(folder):
             print(f"{kernels + ' ' + precision:<18}" +
                   "".join(f"{sweep(kernels, precision, c) * 1e3:12.3f}" for c in (1, 8, 16, 64)))
     print(f"{'NumPy float64':<18}{numpy['sweep/1'] * 1e3:12.3f}{'':12}{numpy['sweep/16'] * 1e3:12.3f}{numpy['sweep/64'] * 1e3:12.3f}")
-    print("\nms per chain-sweep, scenes of an evaluation      alone   batched   alone / batched")
+    print("\nscenes of an evaluation,\nms per chain-sweep       one after the other   batched   ratio")
     for what in [name.split("/")[1] for name in ours if name.startswith("scenes/") and name.endswith("/alone")]:
         alone, batched = (ours[f"scenes/{what}/{how}"] * 1e3 for how in ("alone", "batched"))
-        print(f"{what:<43}{alone:12.4f}{batched:10.4f}{alone / batched:18.2f}")
+        print(f"{what:<24}{alone:20.4f}{batched:10.4f}{alone / batched:8.2f}")
+
+    print("\nwhere a chain-sweep in single precision goes, ms"
+          f"\n{'':<22}{'all':>8}{'quadratic form':>16}{'at the peak':>13}{'covariances':>13}{'draws':>8}{'rest':>8}")
+    draws = UNKNOWN * statistics.mean(seconds for name, seconds in ours.items() if name.startswith("draw/"))
+    for kernels in sets:
+        peak = ours[f"peak/{kernels}/f32"]
+        covariances = UNKNOWN * ours[f"covariances/{kernels}"] / 8
+        for chains in (16, 64):
+            quadratic = UNKNOWN * FLOPS / ours[f"quadratic/{kernels}/f32/{chains}"]
+            parts = [sweep(kernels, "f32", chains), quadratic, UNKNOWN * FLOPS / peak, covariances, draws]
+            parts.append(parts[0] - quadratic - covariances - draws)
+            print(f"{f'{kernels}, {chains} chains':<22}" + "".join(
+                f"{1e3 * seconds:{width}.4f}" for seconds, width in zip(parts, (8, 16, 13, 13, 8, 8))))
+
+    print("\nlimits of what was not reached")
+    peak, small = ours[f"peak/{best}/f32"], UNKNOWN * ours[f"covariances/{best}"] / 8 + draws
+    balanced = ours["scenes/balanced/alone"] * (16 + math.ceil(1000 / 32)) * 32
+    limits = []
+    for chains, target in ((16, 4.0), (64, 3.5)):
+        best_case = UNKNOWN * FLOPS / peak + small
+        limits.append((f"chain-sweep, {chains} chains: NumPy / ours, were the quadratic form at the peak, and no rest",
+                       numpy[f"sweep/{chains}"] / best_case))
+        limits.append((f"  the share of the peak that reaches {target} with this rest",
+                       UNKNOWN * FLOPS / peak
+                       / (numpy[f"sweep/{chains}"] / target - sweep(best, "f32", chains)
+                          + UNKNOWN * FLOPS / ours[f"quadratic/{best}/f32/{chains}"])))
+    limits.append(("NumPy at 64 chains: share of the peak in double, as full products",
+                   UNKNOWN * 2 * ROWS * ROWS / numpy["sweep/64"] / ours[f"peak/{best}/f64"]))
+    limits.append(("one scene: as many sweeps on both sides, NumPy / ours per chain-sweep at 16 chains",
+                   numpy["sweep/16"] / sweep(best, "f32", 16)))
+    limits.append(("one scene at `balanced`, through 300 inducing rows: NumPy with 16 chains / ours",
+                   numpy["oneScene"] / balanced))
+    for what, value in limits:
+        print(f"{what:<84}{value:8.2f}")
+    if "AVX2" in sets and best == "AVX-512":
+        print(f"{'FMA peak in single precision: AVX2 / AVX-512':<84}{ours['peak/AVX2/f32'] / peak:8.2f}")
     print(f"\nms per scene of 16 chains, K = 1000: {ours['oneScene/f32'] * 1e3:.0f} (f32), "
           f"{ours['oneScene/f64'] * 1e3:.0f} (f64), clearances {ours['oneClearanceScene'] * 1e3:.0f}")
 

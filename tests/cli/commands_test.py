@@ -1,6 +1,7 @@
 """The command line as a person meets it: the chain of commands, their files, exit codes and complaints."""
 
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -159,6 +160,24 @@ class Commands(unittest.TestCase):
         self.assertEqual(self.reconstruct("--seed", 5, data=few), self.reconstruct("--seed", 5, data=few))
         sampled = [self.reconstruct("--method", "pafc", "--seed", seed, data=few) for seed in (5, 6)]
         self.assertNotEqual(*sampled)
+
+    def test_scenes_side_by_side_are_the_scenes_alone(self):
+        """Chains of several scenes share their passes, on any number of processors; a scene's seed is seed + number."""
+        header, *scenes = self.data.read_text().splitlines(keepends=True)[:12]
+        few, one = self.first_scenes(len(scenes)), self.path / "one.csv"
+        for method in ("pafac", "clearance"):
+            together = self.reconstruct("--method", method, "--seed", 5, data=few)
+            alone = []
+            for number, scene in enumerate(scenes):
+                one.write_text(header + scene)
+                alone += self.reconstruct("--method", method, "--seed", 5 + number, data=one)
+            self.assertEqual(together, alone)
+            processors = os.sched_getaffinity(0)
+            os.sched_setaffinity(0, {min(processors)})
+            try:
+                self.assertEqual(self.reconstruct("--method", method, "--seed", 5, data=few), together)
+            finally:
+                os.sched_setaffinity(0, processors)
 
     def test_a_scene_with_unknown_forces_is_reported_not_dropped(self):
         few = self.first_scenes(2)

@@ -1,0 +1,49 @@
+#!/bin/sh
+# Writes docs/speed.md.  Usage: docs/speed.sh [build directory] [rounds]       default: build/headless 3
+set -eu
+cd "$(dirname "$0")/.."
+build=${1:-build/headless}
+rounds=${2:-3}
+table=$(mktemp)
+trap 'rm -f "$table"' EXIT
+tests/bench/run.sh "$build" "$rounds" >"$table"
+cat >docs/speed.md <<END
+# What sampling costs
+
+Made by \`docs/speed.sh $build $rounds\`, which runs \`tests/bench/run.sh $build $rounds\`: the sampler and the same work
+in NumPy and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  Take ratios: times are of this
+machine and this hour, and other programs on its cores change what the caches hold.
+
+A *chain-sweep* draws nine unknown bins of one chain once, from processes of 1400 rows.  *Scenes of an evaluation* have
+their own known bins, 20 sweeps per chain, and everything around them: what \`evaluate\` and \`reconstruct\` do.
+*rows*: 16 chains through so many inducing rows; the last three lines are the presets.
+
+\`\`\`
+$(cat "$table")
+\`\`\`
+
+## Many scenes
+
+Every scene asks the same eleven Gaussian processes.  Its own are only the weights of what is known and which inputs
+move; both are in the covariances, computed for eight columns at a time.  The packed factor \`L⁻¹\` is common, so the chains
+of several scenes, 64 columns together, go through it in one pass (\`EstimateBatch\`, \`core/infer/estimate_batch.h\`): it is read
+from memory once for all, and the columns of two scenes fill a group of eight that either would leave half empty.  A scene that
+knows a bin takes no part there; one that has converged leaves, and the next enters.  Every estimate is that of the scene alone,
+bit for bit, on any number of processors (\`tests/core/infer/estimate_batch_test.cpp\`, \`tests/cli/commands_test.py\`).
+
+The gain is large with few chains, where groups are not full, and small where factors fit the caches without it (inducing
+rows, the presets fast and balanced).  The preset accurate fills a batch with one scene: nothing is shared.  Scenes stay
+alone with a random scan, where each has its own order of bins, and with a limit of seconds, which is of a scene that has its
+thread alone.
+
+## What limits the rest
+
+*quadratic form*: measured with one bin's factor, which the nearest caches keep in part; *rest*: what nine bins' factors
+cost more by coming from farther away, standardising, and keeping draws.  Where the share of the peak that a target
+asks for is above what the quadratic form has, the target is not to be had by moving less data; above 1, not on this processor.
+
+A peer that works in double computes twice as many vectors for the same numbers, and whole squares where a triangle would do;
+what it makes of the peak in double says how much of a ratio is that.  One scene makes as many sweeps in NumPy as here, so its
+ratio is that of chain-sweeps, less what summarising costs; more comes only of doing less, as the preset balanced does.
+AVX2 against AVX-512 is bounded by the ratio of their peaks, as long as both are as near to their own.
+END
