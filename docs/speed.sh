@@ -4,6 +4,7 @@ set -eu
 cd "$(dirname "$0")/.."
 build=${1:-build/headless}
 rounds=${2:-3}
+before=$(cut -d' ' -f1 /proc/loadavg)
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
 tests/bench/run.sh "$build" "$rounds" >"$table"
@@ -12,11 +13,12 @@ cat >docs/speed.md <<END
 
 Made by \`docs/speed.sh $build $rounds\`, which runs \`tests/bench/run.sh $build $rounds\`: the sampler and the same work
 in NumPy and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  Take ratios: times are of this
-machine and this hour, and other programs on its cores change what the caches hold.
+machine and this hour, and other programs on its cores change what the caches hold: the more, the larger the ratios to
+NumPy, which needs more of them.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
 
 A *chain-sweep* draws nine unknown bins of one chain once, from processes of 1400 rows.  *Scenes of an evaluation* have
 their own known bins, 20 sweeps per chain, and everything around them: what \`evaluate\` and \`reconstruct\` do.
-*rows*: 16 chains through so many inducing rows; the last three lines are the presets.
+*rows*: 16 chains through so many inducing rows; \`fast\`, \`balanced\` and \`accurate\` are the presets.
 
 \`\`\`
 $(cat "$table")
@@ -31,10 +33,10 @@ from memory once for all, and the columns of two scenes fill a group of eight th
 knows a bin takes no part there; one that has converged leaves, and the next enters.  Every estimate is that of the scene alone,
 bit for bit, on any number of processors (\`tests/core/infer/estimate_batch_test.cpp\`, \`tests/cli/commands_test.py\`).
 
-The gain is large with few chains, where groups are not full, and small where factors fit the caches without it (inducing
-rows, the presets fast and balanced).  The preset accurate fills a batch with one scene: nothing is shared.  Scenes stay
-alone with a random scan, where each has its own order of bins, and with a limit of seconds, which is of a scene that has its
-thread alone.
+The gain is large with few chains, where groups are not full.  It is none, within what the table varies from run to run,
+where groups are full and factors fit the caches without it (inducing rows, the presets fast and balanced): such scenes stay
+alone.  So do those of the preset accurate, of which one fills a batch, those with a random scan, where each scene has its
+own order of bins, and those with a limit of seconds, which is of a scene that has its thread alone.
 
 ## What limits the rest
 

@@ -17,6 +17,8 @@ bool EstimateBatch::hasRoomFor(const Settings& settings) const
     if (!ready_.empty()) return false;
     if (scenes_.empty()) return true;
     if (settings.scan == ScanOrder::Random) return false;  // every scene has its own
+    const bool fewRows = settings.inducing > 0 && settings.inducing <= kFewRows;
+    if (fewRows && settings.chains % kGroup == 0) return false;
     int chains = settings.chains;
     for (const InWork& scene : scenes_) chains += scene.run.chains();
     return chains <= kBatchChains;

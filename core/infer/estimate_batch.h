@@ -13,6 +13,10 @@ namespace terratact {
 /// pass, and fits the caches.
 inline constexpr int kBatchChains = 64;
 
+/// Up to so many inducing rows a scene whose chains fill whole groups of columns gains nothing from others
+/// (docs/speed.md): its factors fit the caches without them.
+inline constexpr int kFewRows = 700;
+
 /// Estimates of many scenes, several at a time: the chains of those that a method samples pass through the model's
 /// factors side by side (GibbsRun::sweepTogether).  A scene that has ended makes room for the next.  Every estimate
 /// is that of estimateTerrain, bit for bit, whatever is beside it, where time does not end it.
@@ -28,7 +32,8 @@ public:
     /// Both must live as long as this does.
     EstimateBatch(const RobotModel& robot, const Models& models) : robot_(robot), models_(models) {}
 
-    /// Whether one more scene gains from those that are there: its chains fit in, and it visits bins in their order.
+    /// Whether one more scene gains from those that are there: its chains fit in, it visits bins in their order, and its
+    /// factors are large or its groups of columns not full (kFewRows).
     /// Always where the batch is empty, never where an estimate is ready.
     bool hasRoomFor(const Settings& settings) const;
     bool empty() const { return scenes_.empty() && ready_.empty(); }

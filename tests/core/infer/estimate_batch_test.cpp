@@ -117,6 +117,22 @@ TEST(EstimateBatch, givesEverySceneTheEstimateItHasAlone)
             }
 }
 
+TEST(EstimateBatch, leavesScenesAloneThatGainNothing)
+{
+    for (const auto& [chains, inducing, most] :
+         {std::array{8, 0, 8}, std::array{8, 40, 1}, std::array{8, kFewRows + 1, 8},
+          std::array{4, 40, 9}, std::array{64, 0, 1}}) {
+        auto scenes = tasks(Method::Pafc, ScanOrder::Forward, chains);
+        for (Task& task : scenes) {
+            task.settings.inducing = inducing;
+            task.settings.draws = 4 * chains;
+        }
+        const Batched batched = together(scenes);
+        EXPECT_EQ(batched.most, static_cast<std::size_t>(most)) << chains << ' ' << inducing;
+        EXPECT_EQ(batched.estimates, alone(scenes));
+    }
+}
+
 TEST(EstimateBatch, letsASceneGoWhenItHasEndedAndTakesTheNext)
 {
     auto scenes = tasks(Method::Pafc, ScanOrder::Forward, 32);  // two at once
