@@ -157,6 +157,17 @@
     </message>
 </context>
 <context>
+    <name>ReviewExport</name>
+    <message>
+        <source>%1: a picture is a .png, .svg or .pdf</source>
+        <translation>%1: ein Bild ist .png, .svg oder .pdf</translation>
+    </message>
+    <message>
+        <source>%1 could not be written</source>
+        <translation>%1 ließ sich nicht schreiben</translation>
+    </message>
+</context>
+<context>
     <name>ReviewTimeline</name>
     <message>
         <source>scene %1</source>
@@ -1006,6 +1017,25 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ConsoleWindow</name>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Anordnung, Farben und Schriftgröße</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>diese Übersicht</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
     <name>terratact::DiagnosticsPage</name>
     <message>
         <source>Versions</source>
@@ -1509,10 +1539,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Layout, colours and size of the letters</source>
-        <translation>Anordnung, Farben und Schriftgröße</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
@@ -1573,10 +1599,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>nicht freigegeben: %1</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
         <translation>Terratact %1. Beruht teilweise auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
     </message>
@@ -1603,10 +1625,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Pages</source>
         <translation>Seiten</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>diese Übersicht</translation>
     </message>
     <message>
         <source>Exploration</source>
@@ -2244,82 +2262,10 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     </message>
 </context>
 <context>
-    <name>terratact::ReviewWindow</name>
+    <name>terratact::ReviewPlayerBar</name>
     <message>
-        <source>REVIEW — %1 — Terratact</source>
-        <translation>RÜCKSCHAU — %1 — Terratact</translation>
-    </message>
-    <message>
-        <source>REVIEW · %1</source>
-        <translation>RÜCKSCHAU · %1</translation>
-    </message>
-    <message>
-        <source>Terrain</source>
-        <translation>Gelände</translation>
-    </message>
-    <message>
-        <source>What the operator saw at this time</source>
-        <translation>Was der Bediener zu dieser Zeit sah</translation>
-    </message>
-    <message>
-        <source>No estimate stood at this time</source>
-        <translation>Zu dieser Zeit galt keine Schätzung</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Zahlen</translation>
-    </message>
-    <message>
-        <source>The scene of this time as a table</source>
-        <translation>Die Szene dieser Zeit als Tabelle</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Ereignisse</translation>
-    </message>
-    <message>
-        <source>Everything the session tells of</source>
-        <translation>Alles, wovon die Sitzung berichtet</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>Forces, attitude and the last events</source>
-        <translation>Kräfte, Lage und die letzten Ereignisse</translation>
-    </message>
-    <message>
-        <source>What if</source>
-        <translation>Was wäre</translation>
-    </message>
-    <message>
-        <source>Estimate the recorded scene with other settings</source>
-        <translation>Die aufgezeichnete Szene mit anderen Einstellungen schätzen</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Open another file in a window of its own (Ctrl+O)</source>
-        <translation>Eine andere Datei in einem eigenen Fenster öffnen (Ctrl+O)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
-        <translation>Das gezeigte Bild oder die Zahlen speichern (Ctrl+E)</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Layout, colours and size of the letters</source>
-        <translation>Anordnung, Farben und Schriftgröße</translation>
+        <source>From A to B</source>
+        <translation>Von A bis B</translation>
     </message>
     <message>
         <source>To the begin</source>
@@ -2438,90 +2384,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <translation>Zu einer Zeit gehen (G): Sekunden, oder Stunden:Minuten:Sekunden</translation>
     </message>
     <message>
-        <source>note (M)</source>
-        <translation>Notiz (M)</translation>
-    </message>
-    <message>
-        <source>Note at this time</source>
-        <translation>Notiz zu dieser Zeit</translation>
-    </message>
-    <message>
-        <source>Kept beside the session, in %1; Enter saves it</source>
-        <translation>Steht neben der Sitzung, in %1; Enter speichert sie</translation>
-    </message>
-    <message>
-        <source>From A to B</source>
-        <translation>Von A bis B</translation>
-    </message>
-    <message>
-        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
-        <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
-    </message>
-    <message>
-        <source>link %1 Hz</source>
-        <translation>Verbindung %1 Hz</translation>
-    </message>
-    <message>
-        <source>LINK LOST · %1</source>
-        <translation>VERBINDUNG WEG · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry</source>
-        <translation>keine Telemetrie</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>Roboter: --</translation>
-    </message>
-    <message>
-        <source>model %1</source>
-        <translation>Modell %1</translation>
-    </message>
-    <message>
-        <source>no model</source>
-        <translation>kein Modell</translation>
-    </message>
-    <message>
-        <source>what if: %1</source>
-        <translation>was wäre: %1</translation>
-    </message>
-    <message>
-        <source>A review commands no robot</source>
-        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
-    </message>
-    <message>
-        <source>REVIEW of %1</source>
-        <translation>RÜCKSCHAU auf %1</translation>
-    </message>
-    <message>
-        <source>recorded %1</source>
-        <translation>aufgezeichnet %1</translation>
-    </message>
-    <message>
-        <source>closed and sealed</source>
-        <translation>geschlossen und versiegelt</translation>
-    </message>
-    <message>
-        <source>BEING RECORDED</source>
-        <translation>WIRD AUFGEZEICHNET</translation>
-    </message>
-    <message>
-        <source>NOT SEALED: its program has not closed it</source>
-        <translation>NICHT VERSIEGELT: ihr Programm hat sie nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>DAMAGED, places: %1</source>
-        <translation>BESCHÄDIGT, Stellen: %1</translation>
-    </message>
-    <message>
-        <source>frames are looked through …</source>
-        <translation>Rahmen werden durchgesehen …</translation>
-    </message>
-    <message>
-        <source>no command can be sent</source>
-        <translation>kein Befehl kann gesendet werden</translation>
-    </message>
-    <message>
         <source>of %1 · %2%3</source>
         <translation>von %1 · %2%3</translation>
     </message>
@@ -2540,30 +2402,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>The session is closed: nothing more will come</source>
         <translation>Die Sitzung ist geschlossen: es kommt nichts mehr</translation>
-    </message>
-    <message>
-        <source>NOTE NOT SAVED: %1</source>
-        <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
-    </message>
-    <message>
-        <source>%1: a picture is a .png, .svg or .pdf</source>
-        <translation>%1: ein Bild ist .png, .svg oder .pdf</translation>
-    </message>
-    <message>
-        <source>%1 could not be written</source>
-        <translation>%1 ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>Export what is shown</source>
-        <translation>Gezeigtes exportieren</translation>
-    </message>
-    <message>
-        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
-        <translation>Bild (*.png *.svg *.pdf);;Zahlen (*.csv)</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
     </message>
     <message>
         <source>play, pause</source>
@@ -2657,6 +2495,173 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <source>to a time</source>
         <translation>zu einer Zeit</translation>
     </message>
+</context>
+<context>
+    <name>terratact::ReviewWindow</name>
+    <message>
+        <source>REVIEW — %1 — Terratact</source>
+        <translation>RÜCKSCHAU — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>REVIEW · %1</source>
+        <translation>RÜCKSCHAU · %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>What the operator saw at this time</source>
+        <translation>Was der Bediener zu dieser Zeit sah</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>Zu dieser Zeit galt keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>The scene of this time as a table</source>
+        <translation>Die Szene dieser Zeit als Tabelle</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Everything the session tells of</source>
+        <translation>Alles, wovon die Sitzung berichtet</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Forces, attitude and the last events</source>
+        <translation>Kräfte, Lage und die letzten Ereignisse</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre</translation>
+    </message>
+    <message>
+        <source>Estimate the recorded scene with other settings</source>
+        <translation>Die aufgezeichnete Szene mit anderen Einstellungen schätzen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open another file in a window of its own (Ctrl+O)</source>
+        <translation>Eine andere Datei in einem eigenen Fenster öffnen (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
+        <translation>Das gezeigte Bild oder die Zahlen speichern (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>note (M)</source>
+        <translation>Notiz (M)</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Notiz zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>Kept beside the session, in %1; Enter saves it</source>
+        <translation>Steht neben der Sitzung, in %1; Enter speichert sie</translation>
+    </message>
+    <message>
+        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
+    </message>
+    <message>
+        <source>link %1 Hz</source>
+        <translation>Verbindung %1 Hz</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>VERBINDUNG WEG · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>Modell %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>was wäre: %1</translation>
+    </message>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
+    </message>
+    <message>
+        <source>REVIEW of %1</source>
+        <translation>RÜCKSCHAU auf %1</translation>
+    </message>
+    <message>
+        <source>recorded %1</source>
+        <translation>aufgezeichnet %1</translation>
+    </message>
+    <message>
+        <source>closed and sealed</source>
+        <translation>geschlossen und versiegelt</translation>
+    </message>
+    <message>
+        <source>BEING RECORDED</source>
+        <translation>WIRD AUFGEZEICHNET</translation>
+    </message>
+    <message>
+        <source>NOT SEALED: its program has not closed it</source>
+        <translation>NICHT VERSIEGELT: ihr Programm hat sie nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>DAMAGED, places: %1</source>
+        <translation>BESCHÄDIGT, Stellen: %1</translation>
+    </message>
+    <message>
+        <source>frames are looked through …</source>
+        <translation>Rahmen werden durchgesehen …</translation>
+    </message>
+    <message>
+        <source>no command can be sent</source>
+        <translation>kein Befehl kann gesendet werden</translation>
+    </message>
+    <message>
+        <source>NOTE NOT SAVED: %1</source>
+        <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
+    </message>
+    <message>
+        <source>Export what is shown</source>
+        <translation>Gezeigtes exportieren</translation>
+    </message>
+    <message>
+        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
+        <translation>Bild (*.png *.svg *.pdf);;Zahlen (*.csv)</translation>
+    </message>
     <message>
         <source>Pages</source>
         <translation>Seiten</translation>
@@ -2676,10 +2681,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>export what is shown</source>
         <translation>Gezeigtes exportieren</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>diese Übersicht</translation>
     </message>
     <message>
         <source>timeline closer</source>
@@ -2794,14 +2795,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>last scene</source>
         <translation>letzte Szene</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>diese Übersicht</translation>
     </message>
     <message>
         <source>no link: a file</source>

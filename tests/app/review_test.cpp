@@ -15,6 +15,7 @@
 #include "app/numbers_page.h"
 #include "app/open_file.h"
 #include "app/review_events_page.h"
+#include "app/review_export.h"
 #include "app/review_window.h"
 #include "app/scenes_window.h"
 #include "app/terrain_page.h"
@@ -320,15 +321,18 @@ TEST_F(ReviewOf, whatIsShownIsExported)
     record();
     open();
     window->goTo(At::kMarker);
+    TerrainProfileView& terrain = *window->terrainPage()->terrain();
     for (const char* suffix : {"png", "svg", "pdf"}) {
         const QString to = QString::fromStdString(directory.file("picture.")) + suffix;
-        EXPECT_TRUE(window->savePicture(to).isEmpty()) << suffix;
+        EXPECT_TRUE(savePicture(terrain, to).isEmpty()) << suffix;
         EXPECT_GT(QFileInfo(to).size(), 2000) << suffix;
     }
-    EXPECT_FALSE(window->savePicture("picture.bmp").isEmpty());
-    EXPECT_FALSE(window->saveNumbers("/nowhere/numbers.csv").isEmpty());
+    EXPECT_FALSE(savePicture(terrain, "picture.bmp").isEmpty());
+    window->numbers()->refresh(0.0);
+    NumbersTable& table = *window->numbers()->table();
+    EXPECT_FALSE(saveNumbers(window->moment(), table, "/nowhere/numbers.csv").isEmpty());
     const std::string to = directory.file("numbers.csv");
-    EXPECT_TRUE(window->saveNumbers(QString::fromStdString(to)).isEmpty());
+    EXPECT_TRUE(saveNumbers(window->moment(), table, QString::fromStdString(to)).isEmpty());
     const std::string text = *readFile(to, 1U << 20U);
     EXPECT_EQ(text.rfind("t_s,measured_s,pitch_rad", 0), 0U);
     EXPECT_NE(text.find("\n2,"), std::string::npos);
