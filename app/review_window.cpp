@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDateTime>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -20,6 +19,7 @@
 #include "app/open_file.h"
 #include "app/review_events_page.h"
 #include "app/review_export.h"
+#include "app/review_export_dialog.h"
 #include "app/review_player_bar.h"
 #include "app/review_timeline.h"
 #include "app/robot_words.h"
@@ -150,7 +150,8 @@ void ReviewWindow::addTools()
 {
     connect(addTool(tr("Open"), tr("Open another file in a window of its own (Ctrl+O)")),
             &QPushButton::clicked, this, &ReviewWindow::open);
-    connect(addTool(tr("Export"), tr("Save the picture or the numbers that are shown (Ctrl+E)")),
+    connect(addTool(tr("Export"),
+                    tr("Write what is shown, or what the session holds, to a file (Ctrl+E)")),
             &QPushButton::clicked, this, &ReviewWindow::exportShown);
     addViewTool(*preferences_);
     addHelpTool();
@@ -400,17 +401,38 @@ void ReviewWindow::takeNote()
     loadTimeline();
 }
 
+ExportSight ReviewWindow::exportSight() const
+{
+    const ReviewPlayer& p = player();
+    ExportSight sight{.now = p.position(),
+                      .first = timeline()->first(),
+                      .last = timeline()->last(),
+                      .isCursors = p.a() && p.b(),
+                      .begin = p.begin(),
+                      .end = p.end(),
+                      .scene = moment_.estimate ? moment_.estimate->scene : 0};
+    if (sight.isCursors) {
+        sight.first = std::min(*p.a(), *p.b());
+        sight.last = std::max(*p.a(), *p.b());
+    }
+    return sight;
+}
+
 void ReviewWindow::exportShown()
 {
-    player_->pause();
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export what is shown"), {}, tr("Picture (*.png *.svg *.pdf);;Numbers (*.csv)"));
-    if (path.isEmpty()) return;
-    const bool numbers = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-    if (numbers) numbers_->refresh(0.0);
-    trouble_ = numbers ? saveNumbers(moment_, *numbers_->table(), path)
-                       : savePicture(*terrain_->terrain(), path);
-    showState();
+    if (!export_)
+        export_ = new ReviewExportDialog(
+            {.session = QString::fromStdString(session_.path()),
+             .look = [this] { return exportSight(); },
+             .savePicture =
+                 [this](const QString& path) { return savePicture(*terrain_->terrain(), path); },
+             .saveNumbers =
+                 [this](const QString& path) {
+                     numbers_->refresh(0.0);
+                     return saveNumbers(moment_, *numbers_->table(), path);
+                 }},
+            this);
+    export_->ask();
 }
 
 void ReviewWindow::open()
@@ -444,7 +466,7 @@ void ReviewWindow::defineKeys()
               }});
     keys.add({{Qt::Key_M}, tr("a note at this time"), [this] { addNote(); }});
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)}, tr("open another file"), [this] { open(); }});
-    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("export what is shown"), [this] {
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("export to a file"), [this] {
                   exportShown();
               }});
     addHelpKey();

@@ -20,8 +20,10 @@ namespace terratact {
 
 class NumbersPage;
 class ReviewEventsPage;
+class ReviewExportDialog;
 class TerrainPage;
 class WhatIfPage;
+struct ExportSight;
 
 /// A recorded session as the console showed it: the console's page of the terrain at any time of the file, with a
 /// timeline to move in it.  There is no source behind it, so nothing in it can command a robot.  The file is only
@@ -57,6 +59,7 @@ public:
     QLabel* differenceLabel() const { return player_->differenceLabel(); }
     QLineEdit* positionEdit() const { return player_->positionEdit(); }
     QLineEdit* noteEdit() const { return note_; }
+    ReviewExportDialog* exportDialog() const { return export_; }  ///< null before it was asked for
     bool surveyed() const { return surveyedAll_; }
 
 protected:
@@ -83,6 +86,7 @@ private:
     void addNote();
     void takeNote();
     void open();
+    ExportSight exportSight() const;
     void exportShown();
 
     SessionReader session_;
@@ -114,6 +118,7 @@ private:
     WhatIfPage* whatIf_ = nullptr;
     ReviewPlayerBar* player_ = nullptr;
     QLineEdit* note_ = nullptr;
+    ReviewExportDialog* export_ = nullptr;
 };
 
 }  // namespace terratact

@@ -166,6 +166,38 @@
         <source>%1 could not be written</source>
         <translation>%1 nelze zapsat</translation>
     </message>
+    <message>
+        <source>Picture of the terrain</source>
+        <translation>Obrázek terénu</translation>
+    </message>
+    <message>
+        <source>Numbers of this time</source>
+        <translation>Čísla tohoto času</translation>
+    </message>
+    <message>
+        <source>Report of the scene, one page</source>
+        <translation>Zpráva o scéně, jedna strana</translation>
+    </message>
+    <message>
+        <source>CAN frames</source>
+        <translation>Rámce CAN</translation>
+    </message>
+    <message>
+        <source>Signals, a column for each</source>
+        <translation>Signály, každý ve svém sloupci</translation>
+    </message>
+    <message>
+        <source>Estimates, a row for each bin</source>
+        <translation>Odhady, řádek na každý bod</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Události</translation>
+    </message>
+    <message>
+        <source>Frames, signals, estimates and events</source>
+        <translation>Rámce, signály, odhady a události</translation>
+    </message>
 </context>
 <context>
     <name>ReviewTimeline</name>
@@ -2262,6 +2294,149 @@ Kliknutí označí tento okamžik (K)</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewExportDialog</name>
+    <message>
+        <source>.log, candump</source>
+        <translation>.log, candump</translation>
+    </message>
+    <message>
+        <source>.asc, Vector</source>
+        <translation>.asc, Vector</translation>
+    </message>
+    <message>
+        <source>.mcap, Foxglove</source>
+        <translation>.mcap, Foxglove</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 až %2</translation>
+    </message>
+    <message>
+        <source>Export — %1</source>
+        <translation>Export — %1</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Průběh exportu</translation>
+    </message>
+    <message>
+        <source>Result of the export</source>
+        <translation>Výsledek exportu</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Co</translation>
+    </message>
+    <message>
+        <source>What of the session is to be a file</source>
+        <translation>Co z relace má být v souboru</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formát</translation>
+    </message>
+    <message>
+        <source>Which programs can read it</source>
+        <translation>Které programy to přečtou</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Rozsah</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Soubor</translation>
+    </message>
+    <message>
+        <source>From A to B, else what the timeline shows: zoom with Z and X</source>
+        <translation>Od A do B, jinak co ukazuje časová osa: přiblížení Z a X</translation>
+    </message>
+    <message>
+        <source>Where it is written</source>
+        <translation>Kam se zapíše</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Vybrat …</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Vybrat soubor</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Ends the export and leaves no file (Esc)</source>
+        <translation>Ukončí export a nezanechá soubor (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>from A to B, %1</source>
+        <translation>od A do B, %1</translation>
+    </message>
+    <message>
+        <source>what is visible: all, %1</source>
+        <translation>co je vidět: vše, %1</translation>
+    </message>
+    <message>
+        <source>what is visible, %1</source>
+        <translation>co je vidět, %1</translation>
+    </message>
+    <message>
+        <source>everything, %1</source>
+        <translation>vše, %1</translation>
+    </message>
+    <message>
+        <source>this time, %1</source>
+        <translation>tento čas, %1</translation>
+    </message>
+    <message>
+        <source>scene %1</source>
+        <translation>scéna %1</translation>
+    </message>
+    <message>
+        <source>no estimate stands at this time</source>
+        <translation>v tomto čase neplatí žádný odhad</translation>
+    </message>
+    <message>
+        <source>Replace the file</source>
+        <translation>Nahradit soubor</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exportovat do</translation>
+    </message>
+    <message>
+        <source>Cancelled: no file was written</source>
+        <translation>Zrušeno: žádný soubor nebyl zapsán</translation>
+    </message>
+    <message>
+        <source>NOT WRITTEN: %1</source>
+        <translation>NEZAPSÁNO: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapsáno: %1</translation>
+    </message>
+    <message>
+        <source>frames left out, which the format cannot hold: %1</source>
+        <translation>vynechané rámce, které formát neumí: %1</translation>
+    </message>
+    <message>
+        <source>damaged and left out, places: %1</source>
+        <translation>poškozeno a vynecháno, míst: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewPlayerBar</name>
     <message>
         <source>From A to B</source>
@@ -2563,10 +2738,6 @@ Kliknutí označí tento okamžik (K)</translation>
         <translation>Export</translation>
     </message>
     <message>
-        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
-        <translation>Uložit zobrazený obrázek nebo čísla (Ctrl+E)</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Vzhled</translation>
     </message>
@@ -2655,14 +2826,6 @@ Kliknutí označí tento okamžik (K)</translation>
         <translation>POZNÁMKA NEULOŽENA: %1</translation>
     </message>
     <message>
-        <source>Export what is shown</source>
-        <translation>Exportovat, co je zobrazeno</translation>
-    </message>
-    <message>
-        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
-        <translation>Obrázek (*.png *.svg *.pdf);;Čísla (*.csv)</translation>
-    </message>
-    <message>
         <source>Pages</source>
         <translation>Stránky</translation>
     </message>
@@ -2677,10 +2840,6 @@ Kliknutí označí tento okamžik (K)</translation>
     <message>
         <source>open another file</source>
         <translation>otevřít jiný soubor</translation>
-    </message>
-    <message>
-        <source>export what is shown</source>
-        <translation>exportovat, co je zobrazeno</translation>
     </message>
     <message>
         <source>timeline closer</source>
@@ -2705,6 +2864,14 @@ Kliknutí označí tento okamžik (K)</translation>
     <message>
         <source>to the next control, to the one before</source>
         <translation>na další prvek, na předchozí</translation>
+    </message>
+    <message>
+        <source>Write what is shown, or what the session holds, to a file (Ctrl+E)</source>
+        <translation>Zapsat zobrazené nebo obsah relace do souboru (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>export to a file</source>
+        <translation>exportovat do souboru</translation>
     </message>
 </context>
 <context>

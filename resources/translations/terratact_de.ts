@@ -166,6 +166,38 @@
         <source>%1 could not be written</source>
         <translation>%1 ließ sich nicht schreiben</translation>
     </message>
+    <message>
+        <source>Picture of the terrain</source>
+        <translation>Bild des Geländes</translation>
+    </message>
+    <message>
+        <source>Numbers of this time</source>
+        <translation>Zahlen dieser Zeit</translation>
+    </message>
+    <message>
+        <source>Report of the scene, one page</source>
+        <translation>Bericht der Szene, eine Seite</translation>
+    </message>
+    <message>
+        <source>CAN frames</source>
+        <translation>CAN-Frames</translation>
+    </message>
+    <message>
+        <source>Signals, a column for each</source>
+        <translation>Signale, eine Spalte für jedes</translation>
+    </message>
+    <message>
+        <source>Estimates, a row for each bin</source>
+        <translation>Schätzungen, eine Zeile je Feld</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Frames, signals, estimates and events</source>
+        <translation>Frames, Signale, Schätzungen und Ereignisse</translation>
+    </message>
 </context>
 <context>
     <name>ReviewTimeline</name>
@@ -2262,6 +2294,149 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewExportDialog</name>
+    <message>
+        <source>.log, candump</source>
+        <translation>.log, candump</translation>
+    </message>
+    <message>
+        <source>.asc, Vector</source>
+        <translation>.asc, Vector</translation>
+    </message>
+    <message>
+        <source>.mcap, Foxglove</source>
+        <translation>.mcap, Foxglove</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Export — %1</source>
+        <translation>Export — %1</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Result of the export</source>
+        <translation>Ergebnis des Exports</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>What of the session is to be a file</source>
+        <translation>Was von der Sitzung eine Datei werden soll</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Which programs can read it</source>
+        <translation>Welche Programme sie lesen</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>From A to B, else what the timeline shows: zoom with Z and X</source>
+        <translation>Von A bis B, sonst was die Zeitleiste zeigt: Z und X zoomen</translation>
+    </message>
+    <message>
+        <source>Where it is written</source>
+        <translation>Wohin geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Die Datei wählen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
+    </message>
+    <message>
+        <source>Ends the export and leaves no file (Esc)</source>
+        <translation>Beendet den Export und hinterlässt keine Datei (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>from A to B, %1</source>
+        <translation>von A bis B, %1</translation>
+    </message>
+    <message>
+        <source>what is visible: all, %1</source>
+        <translation>das Sichtbare: alles, %1</translation>
+    </message>
+    <message>
+        <source>what is visible, %1</source>
+        <translation>das Sichtbare, %1</translation>
+    </message>
+    <message>
+        <source>everything, %1</source>
+        <translation>alles, %1</translation>
+    </message>
+    <message>
+        <source>this time, %1</source>
+        <translation>diese Zeit, %1</translation>
+    </message>
+    <message>
+        <source>scene %1</source>
+        <translation>Szene %1</translation>
+    </message>
+    <message>
+        <source>no estimate stands at this time</source>
+        <translation>zu dieser Zeit gilt keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Replace the file</source>
+        <translation>Datei ersetzen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exportieren nach</translation>
+    </message>
+    <message>
+        <source>Cancelled: no file was written</source>
+        <translation>Abgebrochen: keine Datei geschrieben</translation>
+    </message>
+    <message>
+        <source>NOT WRITTEN: %1</source>
+        <translation>NICHT GESCHRIEBEN: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>frames left out, which the format cannot hold: %1</source>
+        <translation>ausgelassene Frames, die das Format nicht fasst: %1</translation>
+    </message>
+    <message>
+        <source>damaged and left out, places: %1</source>
+        <translation>beschädigt und ausgelassen, Stellen: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewPlayerBar</name>
     <message>
         <source>From A to B</source>
@@ -2563,10 +2738,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <translation>Export</translation>
     </message>
     <message>
-        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
-        <translation>Das gezeigte Bild oder die Zahlen speichern (Ctrl+E)</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
     </message>
@@ -2655,14 +2826,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
     </message>
     <message>
-        <source>Export what is shown</source>
-        <translation>Gezeigtes exportieren</translation>
-    </message>
-    <message>
-        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
-        <translation>Bild (*.png *.svg *.pdf);;Zahlen (*.csv)</translation>
-    </message>
-    <message>
         <source>Pages</source>
         <translation>Seiten</translation>
     </message>
@@ -2677,10 +2840,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>open another file</source>
         <translation>eine andere Datei öffnen</translation>
-    </message>
-    <message>
-        <source>export what is shown</source>
-        <translation>Gezeigtes exportieren</translation>
     </message>
     <message>
         <source>timeline closer</source>
@@ -2705,6 +2864,14 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>to the next control, to the one before</source>
         <translation>zum nächsten Element, zum vorigen</translation>
+    </message>
+    <message>
+        <source>Write what is shown, or what the session holds, to a file (Ctrl+E)</source>
+        <translation>Gezeigtes oder den Inhalt der Sitzung in eine Datei schreiben (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>export to a file</source>
+        <translation>in eine Datei exportieren</translation>
     </message>
 </context>
 <context>
