@@ -48,6 +48,7 @@ ReviewPlayerBar::ReviewPlayerBar(const SessionReader& session, ReviewMoments& mo
     column->addLayout(row_);
     player_.setRange(secondsOf(session_.begin()), secondsOf(session_.end()));
     player_.seek(player_.begin());
+    resizeToFont();
     showPlayer();
 }
 
@@ -59,10 +60,28 @@ QPushButton* ReviewPlayerBar::button(QHBoxLayout& row, const QString& text, cons
     made->setFocusPolicy(Qt::TabFocus);
     made->setAccessibleName(name);
     made->setToolTip(tip);
-    made->setMinimumSize(scaled(38), scaled(kTarget));
     connect(made, &QPushButton::clicked, this, std::move(clicked));
     row.addWidget(made);
     return made;
+}
+
+void ReviewPlayerBar::resizeToFont()
+{
+    constexpr int kNarrow = 38;  // [px] of a button with a sign; large letters leave no more
+    for (QPushButton* const made : findChildren<QPushButton*>()) {
+        made->setMinimumHeight(scaled(kTarget));
+        if (made != loop_ && made != follow_) made->setMinimumWidth(std::max(kNarrow, scaled(30)));
+    }
+    speed_->setMinimumWidth(scaled(48));
+    position_->setFixedWidth(scaled(118));
+    position_->setMinimumHeight(scaled(kTarget));
+    showClock();
+}
+
+void ReviewPlayerBar::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && of_) resizeToFont();
 }
 
 void ReviewPlayerBar::addMoves(QHBoxLayout& row)
@@ -92,7 +111,6 @@ void ReviewPlayerBar::addSpeed(QHBoxLayout& row)
     speed_ = new QLabel(this);
     speed_->setAccessibleName(tr("Speed"));
     speed_->setAlignment(Qt::AlignCenter);
-    speed_->setMinimumWidth(scaled(56));
     row.addWidget(speed_);
     button(row, QStringLiteral("+"), tr("Faster"), tr("Twice as fast (F)"),
            [this] { speedUp(2.0); });
@@ -123,9 +141,6 @@ void ReviewPlayerBar::addPosition(QHBoxLayout& row)
 {
     position_ = new QLineEdit(this);
     position_->setAccessibleName(tr("Time in the session"));
-    position_->setToolTip(tr("Go to a time (G): seconds, or hours:minutes:seconds"));
-    position_->setFixedWidth(scaled(118));
-    position_->setMinimumHeight(scaled(kTarget));
     connect(position_, &QLineEdit::returnPressed, this, &ReviewPlayerBar::takePosition);
     row.addWidget(position_);
     of_ = new QLabel(this);
@@ -136,6 +151,20 @@ void ReviewPlayerBar::addPosition(QHBoxLayout& row)
 void ReviewPlayerBar::addTool(QWidget* tool)
 {
     row_->addWidget(tool, 1);
+}
+
+/// The end and the clock are told where there is room for them.
+void ReviewPlayerBar::showClock()
+{
+    const int margins = layout()->contentsMargins().left() + layout()->contentsMargins().right();
+    const int own = of_->isHidden() ? of_->sizeHint().width() + row_->spacing() : 0;
+    of_->setVisible(row_->minimumSize().width() + own + margins <= width());
+}
+
+void ReviewPlayerBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    showClock();
 }
 
 void ReviewPlayerBar::setTimeline(const Timeline& timeline)
@@ -174,7 +203,12 @@ void ReviewPlayerBar::showPlayer()
                                 atEnd     ? QStringLiteral(" · ") + tr("END")
                                 : atBegin ? QStringLiteral(" · ") + tr("BEGIN")
                                           : QString());
-    if (of_->text() != of) of_->setText(of);
+    if (of_->text() != of) {
+        of_->setText(of);
+        position_->setToolTip(tr("Go to a time (G): seconds, or hours:minutes:seconds")
+                              + QLatin1Char('\n') + timeWords(now) + QLatin1Char(' ') + of);
+        showClock();
+    }
     speed_->setText(QString::number(player_.speed(), 'g', 3) + QStringLiteral("×"));
     const bool plays = player_.playing() && !player_.backwards();
     play_->setText(plays ? QStringLiteral("❚❚") : QStringLiteral("▶"));

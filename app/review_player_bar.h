@@ -45,6 +45,10 @@ signals:
     void started();  ///< to play
     void fieldLeft();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
     QPushButton* button(QHBoxLayout& row, const QString& text, const QString& name,
                         const QString& tip, std::function<void()> clicked);
@@ -55,6 +59,8 @@ private:
     void addPlayKeys(KeyTable& keys);
     void addStepKeys(KeyTable& keys);
     void showPlayer();
+    void showClock();
+    void resizeToFont();
     void play(bool backwards);
     void pauseAt(std::optional<SessionTime> time);
     void stepFrame(bool back);

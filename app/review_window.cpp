@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -117,14 +118,15 @@ void ReviewWindow::buildHeader()
     state_ = addStrip(QStringLiteral("reviewStrip"));
     damage_ = addStrip(QStringLiteral("banner"));
     damage_->setVisible(false);
+    for (QLabel* const strip : {state_, damage_}) strip->setWordWrap(true);
 }
 
 void ReviewWindow::addPages(QStringList models)
 {
     terrain_ = new TerrainPage(robot_, this);
-    terrain_->terrain()->setMinimumHeight(scaled(170));
     terrain_->arrange(Layout::Review, preferences_->current().fontScale);
     terrain_->viewButton()->hide();
+    terrain_->atemPanel()->forbidCommands();
     addPage(terrain_, tr("Terrain"), Qt::Key_F2, tr("What the operator saw at this time"));
     numbers_ = new NumbersPage(
         [this] {
@@ -137,9 +139,14 @@ void ReviewWindow::addPages(QStringList models)
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
     events_ = new ReviewEventsPage(session_, this);
     addPage(events_, tr("Events"), Qt::Key_F4, tr("Everything the session tells of"));
-    robotPage_ = new QWidget(this);
-    auto* robot = new QVBoxLayout(robotPage_);
+    robotPage_ = new QScrollArea(this);  // large letters may not all find room
+    robotPage_->setFrameShape(QFrame::NoFrame);
+    robotPage_->setWidgetResizable(true);
+    robotPage_->setFocusPolicy(Qt::NoFocus);
+    robotPage_->setWidget(new QWidget(robotPage_));
+    auto* robot = new QVBoxLayout(robotPage_->widget());
     robot->setContentsMargins(12, 10, 12, 10);
+    robot->setSpacing(10);
     addPage(robotPage_, tr("Robot"), Qt::Key_F5, tr("Forces, attitude and the last events"));
     whatIf_ = new WhatIfPage(robot_, std::move(models), this);
     addPage(whatIf_, tr("What if"), Qt::Key_F6,
@@ -166,9 +173,6 @@ void ReviewWindow::addPlayer()
     note_->setToolTip(
         tr("Kept beside the session, in %1; Enter saves it")
             .arg(QFileInfo(QString::fromStdString(notesPath(session_.path()))).fileName()));
-    note_->setMinimumWidth(scaled(90));
-    note_->setMaximumWidth(scaled(220));
-    note_->setMinimumHeight(scaled(kTarget));
     player_->addTool(note_);
     addBelowPages(player_);
 }
@@ -176,7 +180,7 @@ void ReviewWindow::addPlayer()
 void ReviewWindow::connectAll()
 {
     connect(rail(), &NavigationRail::pageChosen, this, [this] {
-        placeLower();
+        place();
         showMoment();
     });
     connect(terrain_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
@@ -347,11 +351,8 @@ void ReviewWindow::showTerrain()
 /// Nothing listens to these; the card says why they are not there.
 void ReviewWindow::forbidCommands()
 {
-    AtemPanel* const atem = terrain_->atemPanel();
     ProbeCard* const probe = terrain_->probeCard();
-    QList<QPushButton*> buttons{atem->requestButton(),  atem->abortButton(),
-                                atem->releaseButton(),  atem->overrideButton(),
-                                probe->approveButton(), probe->refuseButton()};
+    QList<QPushButton*> buttons{probe->approveButton(), probe->refuseButton()};
     for (std::size_t i = 0; i < ProbeCard::kOthers; ++i) buttons << probe->otherButton(i);
     for (QPushButton* const button : std::as_const(buttons)) {
         button->setEnabled(false);
@@ -362,7 +363,7 @@ void ReviewWindow::forbidCommands()
 void ReviewWindow::showState()
 {
     QStringList parts{
-        tr("REVIEW of %1").arg(fileName(session_)),
+        fileName(session_),
         tr("recorded %1")
             .arg(wallClock(session_, 0).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss 'UTC'")))};
     parts << (session_.sealed() ? tr("closed and sealed")
@@ -450,7 +451,7 @@ void ReviewWindow::applyPreferences(const Preferences& before)
     if (now.theme != before.theme || now.fontScale != before.fontScale)
         applyLook(*qApp, now.theme, now.fontScale);
     terrain_->arrange(Layout::Review, now.fontScale);
-    placeLower();
+    place();
     showMoment();
 }
 
@@ -514,22 +515,31 @@ void ReviewWindow::showEvents()
     }
 }
 
-void ReviewWindow::placeLower()
+void ReviewWindow::place()
 {
-    constexpr int kHigh = 800;  // [px] at 100 %
-    QWidget* const lower = terrain_->lower();
-    const bool alone = pages()->currentWidget() == robotPage_;
-    if (alone || height() < scaled(kHigh))
-        robotPage_->layout()->addWidget(lower);
+    note_->setMinimumSize(scaled(90), scaled(kTarget));
+    note_->setMaximumWidth(scaled(220));
+    constexpr int kHigh = 800, kWide = 1180;  // [px] at 100 %
+    const bool isLow = height() < scaled(kHigh), isNarrow = width() < scaled(kWide);
+    auto* robot = qobject_cast<QBoxLayout*>(robotPage_->widget()->layout());
+    timeline()->setDense(isLow);
+    terrain_->setVerdictBeside(isNarrow ? 290 : 404);
+    if (isNarrow)
+        robot->insertWidget(0, terrain_->decisions(), 0, Qt::AlignLeft);
+    else
+        terrain_->placeDecisions();
+    terrain_->decisions()->show();
+    if (isLow || pages()->currentWidget() == robotPage_)
+        robot->addWidget(terrain_->lower(), 1);
     else
         terrain_->placeLower();
-    lower->show();
+    terrain_->lower()->show();
 }
 
 void ReviewWindow::resizeEvent(QResizeEvent* event)
 {
     ConsoleWindow::resizeEvent(event);
-    placeLower();
+    place();
 }
 
 bool ReviewWindow::eventFilter(QObject* object, QEvent* event)

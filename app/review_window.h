@@ -15,6 +15,7 @@
 
 class QLabel;
 class QLineEdit;
+class QScrollArea;
 
 namespace terratact {
 
@@ -78,7 +79,7 @@ private:
     void showTerrain();
     void showState();
     void showEvents();
-    void placeLower();  ///< in a window that is not high they have a page of their own
+    void place();  ///< what finds no room beside the terrain on the robot's page
     void forbidCommands();
     void applyPreferences(const Preferences& before);
     void loadTimeline();
@@ -112,7 +113,7 @@ private:
     QLabel* state_ = nullptr;
     QLabel* damage_ = nullptr;
     TerrainPage* terrain_ = nullptr;
-    QWidget* robotPage_ = nullptr;
+    QScrollArea* robotPage_ = nullptr;
     NumbersPage* numbers_ = nullptr;
     ReviewEventsPage* events_ = nullptr;
     WhatIfPage* whatIf_ = nullptr;

@@ -63,8 +63,10 @@ ScenesWindow::ScenesWindow(Options options)
     state_ = addStrip(QStringLiteral("reviewStrip"));
     page_ = new TerrainPage(options_.robot, this);
     page_->arrange(Layout::Review, 100);
+    page_->setVerdictBeside(404);
     page_->viewButton()->hide();
     page_->events()->parentWidget()->hide();
+    page_->atemPanel()->forbidCommands();
     page_->atemPanel()->hide();
     page_->setThreshold(options_.settings.forceThreshold);
     header()->setLink(tr("no link: a file"), Tone::Plain);
@@ -158,11 +160,6 @@ void ScenesWindow::showSight()
     sight.preconditions << Precondition{Precondition::Level::Missing, why};
     sight.whyNotDriving = why;
     page_->setSight(sight);
-    AtemPanel* const atem = page_->atemPanel();
-    for (QPushButton* const button : {atem->requestButton(), atem->abortButton()}) {
-        button->setEnabled(false);
-        button->hide();
-    }
     const Scene& scene = options_.scenes[scene_];
     state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "
                        ". and , go on and back")

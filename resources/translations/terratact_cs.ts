@@ -2790,10 +2790,6 @@ Kliknutí označí tento okamžik (K)</translation>
         <translation>Přehrávání neřídí žádného robota</translation>
     </message>
     <message>
-        <source>REVIEW of %1</source>
-        <translation>PŘEHRÁVÁNÍ souboru %1</translation>
-    </message>
-    <message>
         <source>recorded %1</source>
         <translation>zaznamenáno %1</translation>
     </message>

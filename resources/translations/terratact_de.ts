@@ -2790,10 +2790,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <translation>Eine Rückschau befiehlt keinem Roboter</translation>
     </message>
     <message>
-        <source>REVIEW of %1</source>
-        <translation>RÜCKSCHAU auf %1</translation>
-    </message>
-    <message>
         <source>recorded %1</source>
         <translation>aufgezeichnet %1</translation>
     </message>
