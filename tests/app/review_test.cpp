@@ -318,7 +318,7 @@ TEST_F(ReviewOf, aNoteIsKeptBesideTheSessionAndNotInIt)
     const auto notes = readNotes(path.toStdString());
     ASSERT_TRUE(notes) << notes.error().text;
     ASSERT_EQ(notes->size(), 1U);
-    EXPECT_EQ((*notes)[0], (ReviewNote{1.25, "a; 'step'"}));
+    EXPECT_EQ((*notes)[0], (ReviewNote{1.25, "a, \"step\""}));
     EXPECT_EQ(content(), before);
     window->goTo(0.0);
     press(Qt::Key_8);
@@ -347,6 +347,36 @@ TEST_F(ReviewOf, whatIsShownIsExported)
     const std::string text = *readFile(to, 1U << 20U);
     EXPECT_EQ(text.rfind("t_s,measured_s,pitch_rad", 0), 0U);
     EXPECT_NE(text.find("\n2,"), std::string::npos);
+}
+
+TEST(ReviewNotes, comeBackAsTheyWereWritten)
+{
+    TemporaryDirectory directory;
+    const std::string session = directory.file("a.tts");
+    const std::vector<ReviewNote> notes{{0.0, "plain"},      {1.25, "a, \"step\", or so"},
+                                        {2.5, "\"quoted\""}, {3.0, "two\nlines\r\nand a third"},
+                                        {4.0, ","},          {5.0, "\""},
+                                        {6.0, ""},           {7.0, "schod, který „uhýbá“"}};
+    ASSERT_TRUE(writeNotes(session, notes));
+    const auto read = readNotes(session);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(*read, notes);
+
+    const auto errorOf = [&](const std::string& text) {
+        EXPECT_TRUE(writeFileAtomically(notesPath(session), text));
+        const auto bad = readNotes(session);
+        return bad ? std::string() : bad.error().text;
+    };
+    EXPECT_NE(errorOf("t_s,note\n1,\"two\nlines\"\n2,\"open\n").find("line 4: a quote"),
+              std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\n1,\"a\"b\n").find("line 2"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\nsoon,x\n").find("line 2: t_s"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\nnan,x\n").find("line 2: t_s"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\n1,a,b\n").find("line 2"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\n1,torn").find("line 2: is torn"), std::string::npos);
+    EXPECT_NE(errorOf("t,what\n").find("line 1: is no file of notes"), std::string::npos);
+    EXPECT_NE(errorOf("").find("line 1"), std::string::npos);
+    EXPECT_EQ(errorOf("t_s,note\r\n1,of another program\r\n"), "");
 }
 
 struct ExportOf : ReviewOf {
