@@ -85,7 +85,7 @@ ReviewWindow::ReviewWindow(Options options)
     : session_(std::move(options.session)), robot_(std::move(options.robot)),
       preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      moments_(session_, robot_),
+      moments_(session_, robot_), forces_(session_, robot_),
       surveyor_(session_.path(), robot_, preferences_->current().forceThreshold)
 {
     setWindowTitle(tr("REVIEW — %1 — Terratact").arg(fileName(session_)));
@@ -300,11 +300,14 @@ void ReviewWindow::showTerrain()
     TerrainSight sight{.now = now};
     sight.count = ++shows_;  // every moment is drawn anew
     std::vector<ForceArray> forces;
+    std::vector<TimedForces> before;
     if (moment_.measurement) {
         sight.measurement = &*moment_.measurement;
         sight.age = secondsOf(moment_.time - moment_.measured);
         forces = ForceArrays(robot_).of(*moment_.measurement, moment_.line, threshold);
         sight.forces = &forces;
+        before = forces_.before(moment_.time, threshold);
+        sight.forcesBefore = &before;
     }
     if (moment_.scene) {
         sight.scene = &moment_.scene->measurement;

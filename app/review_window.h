@@ -7,6 +7,7 @@
 
 #include "app/console_window.h"
 #include "app/preference_store.h"
+#include "app/review_forces.h"
 #include "app/review_notes.h"
 #include "app/review_player_bar.h"
 #include "app/session_surveyor.h"
@@ -94,6 +95,7 @@ private:
     RobotModel robot_;
     std::unique_ptr<PreferenceStore> preferences_;
     ReviewMoments moments_;
+    ReviewForces forces_;
     ReviewMoment moment_;
     SessionSurveyor surveyor_;
     std::uint64_t surveyVersion_ = 0;

@@ -251,6 +251,7 @@ void TerrainPage::showRobot(const TerrainSight& sight)
 {
     if (!sight.measurement) {
         readout_->clearMeasurement();
+        forces_->clearForces();
         robotAge_->clear();
         return;
     }
@@ -261,7 +262,10 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
     if (!fresh) return forces_->clearForces();
     if (sight.count == shownCount_ || !sight.forces) return;
-    forces_->setForces(*sight.forces, sight.now);
+    if (sight.forcesBefore)
+        forces_->setForces(*sight.forces, sight.now, *sight.forcesBefore);
+    else
+        forces_->setForces(*sight.forces, sight.now);
     forceLegend_->setText(forces_->legend());
 }
 

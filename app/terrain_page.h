@@ -39,7 +39,9 @@ struct TerrainSight {
     double age = 0.0;                                 ///< [s] of it
     std::uint64_t count = 0;                          ///< another for another measurement
     const std::vector<ForceArray>* forces = nullptr;  ///< of it
-    const std::optional<Heights>* truth = nullptr;    ///< that its source knows
+    /// Set: the peaks are of these, whatever was shown before.
+    const std::vector<TimedForces>* forcesBefore = nullptr;
+    const std::optional<Heights>* truth = nullptr;  ///< that its source knows
 
     const Measurement* scene = nullptr;  ///< that was captured
     const std::optional<Heights>* sceneTruth = nullptr;

@@ -32,6 +32,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
 #include "widgets/estimate_strip.h"
+#include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -280,6 +281,41 @@ TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
     EXPECT_TRUE(window->stateLabel()->text().contains("BEING RECORDED"));
     EXPECT_EQ(window->events()->table()->model()->rowCount(),
               static_cast<int>(window->session().events().size()));
+}
+
+TEST_F(ReviewOf, theForcesPeaksAtATimeAreTheSameHoweverOneCameThere)
+{
+    path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+    open();
+    const auto peaks = [&] {
+        const ForceBars& bars = *window->terrainPage()->forces();
+        std::vector<std::optional<double>> all;
+        for (int array = 0; array < bars.arrays(); ++array)
+            for (int e = 0; e < kForceElements; ++e) all.push_back(bars.peak(e, array));
+        return all;
+    };
+    const auto shown = [&](double time) {
+        window->goTo(time);
+        return peaks();
+    };
+    constexpr double kLetGo = 20.0;  // [s] from where on it is looked for
+    double at = 0.0;                 // where an element feels less than it did
+    std::vector<std::optional<double>> jumped;
+    for (double t = kLetGo; at == 0.0 && t < window->player().end(); t += 0.5) {
+        jumped = shown(t);
+        const auto& measured = window->moment().measurement;
+        for (std::size_t e = 0; measured && e < measured->force.size(); ++e)
+            if (jumped[e] && *jumped[e] > measured->force[e] + 1.0) at = t;
+    }
+    ASSERT_GT(at, 0.0) << "the session has a peak that stands above its bar";
+    for (double t = at - 1.0; t < at; t += 0.04) window->goTo(t);
+    EXPECT_EQ(shown(at), jumped) << "played there";
+    for (double t = at + 5.0; t > at; t -= 0.3) window->goTo(t);
+    EXPECT_EQ(shown(at), jumped) << "played there backwards";
+    window->goTo(1.0);
+    EXPECT_EQ(shown(at), jumped) << "from far away";
+    open();
+    EXPECT_EQ(shown(at), jumped) << "in a window that was nowhere else";
 }
 
 TEST_F(ReviewOf, aDamagedSessionShowsItsGaps)
