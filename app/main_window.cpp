@@ -4,16 +4,12 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-
 #include <QStackedWidget>
 #include <QStyle>
 #include <QTime>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -104,7 +100,6 @@ MainWindow::MainWindow(Options options)
     setFocus();
     look_.start();
     worker_->start();
-    qApp->installEventFilter(this);
     look();
 }
 
@@ -112,28 +107,33 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::build(const Options& options)
 {
-    setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
-    resize(1440, 900);
-
-    header_ = new StatusHeader(this);
-    header_->setSource(QString::fromStdString(source_->name()));
-    header_->setModel(tr("model loading …"), Tone::Doubt);
-    header_->arming()->setVisible(link_ != nullptr);
-    banner_ = new QLabel(this);
-    banner_->setObjectName(QStringLiteral("banner"));
+    header()->setSource(QString::fromStdString(source_->name()));
+    header()->setModel(tr("model loading …"), Tone::Doubt);
+    header()->arming()->setVisible(link_ != nullptr);
+    banner_ = addStrip(QStringLiteral("banner"));
     banner_->setVisible(false);
-    notRecorded_ = new QLabel(this);
-    notRecorded_->setObjectName(QStringLiteral("banner"));
+    notRecorded_ = addStrip(QStringLiteral("banner"));
     notRecorded_->setVisible(false);
+    addPages(options);
+    recording_ = addTool({}, {});
+    recording_->setProperty("role", "quiet");
+    recording_->setVisible(recorder_ != nullptr);
+    connect(recording_, &QPushButton::clicked, this, &MainWindow::mark);
+    connect(addTool(tr("Open"), tr("Review a session, a log or scenes in a window of its own; "
+                                   "this one goes on (Ctrl+O)")),
+            &QPushButton::clicked, this, &MainWindow::open);
+    addViewTool(*preferences_);
+    addHelpTool();
+    arrange();
+}
 
-    rail_ = new NavigationRail(this);
-    pages_ = new QStackedWidget(this);
+void MainWindow::addPages(const Options& options)
+{
     terrainPage_ = new TerrainPage(robot_, this);
     verdict()->setLimit(exploration_->options().stepLimit);
-    terrainPage_->addTerrainTool(header_->qualityButton());  // the header has no room
-    pages_->addWidget(terrainPage_);
-    rail_->addPage(tr("Terrain"), Qt::Key_F2,
-                   tr("The terrain under the robot, exploring it, and the arm"));
+    terrainPage_->addTerrainTool(header()->qualityButton());  // the header has no room
+    addPage(terrainPage_, tr("Terrain"), Qt::Key_F2,
+            tr("The terrain under the robot, exploring it, and the arm"));
     numbers_ = new NumbersPage(
         [this] {
             const auto& estimate = exploration_->estimate();
@@ -142,48 +142,6 @@ void MainWindow::build(const Options& options)
         },
         this);
     addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
-    connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
-    addPages(options);
-    recording_ = new QPushButton(rail_);
-    recording_->setProperty("role", "quiet");
-    recording_->setVisible(recorder_ != nullptr);
-    connect(recording_, &QPushButton::clicked, this, &MainWindow::mark);
-    rail_->addTool(recording_);
-    auto* openButton = new QPushButton(tr("Open"), rail_);
-    openButton->setAccessibleName(openButton->text());
-    openButton->setToolTip(
-        tr("Review a session, a log or scenes in a window of its own; this one goes on (Ctrl+O)"));
-    connect(openButton, &QPushButton::clicked, this, &MainWindow::open);
-    rail_->addTool(openButton);
-    auto* view = new QPushButton(tr("View"), rail_);
-    view->setAccessibleName(view->text());
-    view->setToolTip(tr("Layout, colours and size of the letters"));
-    view->setMenu(new ViewMenu(*preferences_, view));
-    rail_->addTool(view);
-    rail_->addTool(header_->helpButton());
-
-    auto* below = new QHBoxLayout;
-    below->setSpacing(0);
-    below->addWidget(rail_);
-    below->addWidget(pages_, 1);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
-    all->addWidget(header_);
-    all->addWidget(banner_);
-    all->addWidget(notRecorded_);
-    all->addLayout(below, 1);
-    arrange();
-}
-
-void MainWindow::addPage(Page* page, const QString& name, Qt::Key key, const QString& tip)
-{
-    pages_->addWidget(page);
-    rail_->addPage(name, key, tip);
-}
-
-void MainWindow::addPages(const Options& options)
-{
     alarms_->setSoundOn(preferences_->current().sound);
     alarmsPage_ = new AlarmsPage(*alarms_, this);
     connect(alarmsPage_->table(), &AlarmTable::soundWanted, this,
@@ -266,7 +224,6 @@ void MainWindow::offerViews()
 void MainWindow::arrange()
 {
     const Preferences& preferences = preferences_->current();
-    setMinimumSize(1200, 680);
     terrainPage_->setThreshold(exploration_->options().settings.forceThreshold);
     terrainPage_->arrange(preferences.layout, preferences.fontScale);
 }
@@ -327,16 +284,15 @@ void MainWindow::offerQualities()
                             .arg(names.back(), words::number(cost->milliseconds, 1),
                                  words::number(cost->offMm, 1), words::number(cost->errorMm, 0)));
     }
-    header_->setQualities(names, lines, static_cast<int>(preferences_->current().quality));
+    header()->setQualities(names, lines, static_cast<int>(preferences_->current().quality));
 }
 
 void MainWindow::connectAll()
 {
     Exploration* exploration = exploration_.get();
-    connect(header_, &StatusHeader::helpRequested, this, &MainWindow::showHelp);
-    connect(header_, &StatusHeader::alarmsRequested, rail_,
-            [this] { rail_->choose(rail_->pageOf(Qt::Key_F4)); });
-    connect(header_, &StatusHeader::qualityChosen, this, [this](int index) {
+    connect(header(), &StatusHeader::alarmsRequested, this,
+            [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
+    connect(header(), &StatusHeader::qualityChosen, this, [this](int index) {
         preferences_->change([index](Preferences& p) {
             p.quality = kQualities.at(static_cast<std::size_t>(index));
         });
@@ -345,13 +301,13 @@ void MainWindow::connectAll()
     connect(preferences_.get(), &PreferenceStore::notSaved, this, [this](const QString& why) {
         events()->add(why, Weight::Doubt, QTime::currentTime());
     });
-    connect(header_, &StatusHeader::stopPressed, exploration, &Exploration::stop);
+    connect(header(), &StatusHeader::stopPressed, exploration, &Exploration::stop);
     if (link_) {
-        connect(header_->arming(), &ArmingControl::armingWanted, this,
+        connect(header()->arming(), &ArmingControl::armingWanted, this,
                 [this] { link_->wantArming(); });
-        connect(header_->arming(), &ArmingControl::armingConfirmed, this,
+        connect(header()->arming(), &ArmingControl::armingConfirmed, this,
                 [this] { link_->confirmArming(); });
-        connect(header_->arming(), &ArmingControl::disarmed, this, [this] { link_->disarm(); });
+        connect(header()->arming(), &ArmingControl::disarmed, this, [this] { link_->disarm(); });
     }
     connect(atemPanel(), &AtemPanel::requested, exploration, &Exploration::request);
     connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
@@ -372,17 +328,17 @@ void MainWindow::connectAll()
     connect(exploration, &Exploration::happened, events(), note);
     if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
-    connect(worker_.get(), &EstimatorWorker::modelLoaded, header_,
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
                 modelName_ = name;
                 modelDetails_ = details;
                 modelTrouble_.clear();
-                header_->setModel(tr("model %1").arg(name), Tone::Plain, details);
+                header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
                 if (link_) link_->begin();  // a replay, so that no press comes too early
             });
-    connect(worker_.get(), &EstimatorWorker::modelFailed, header_, [this](const QString& why) {
+    connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         modelTrouble_ = why;
-        header_->setModel(tr("no model"), Tone::Bad, why);
+        header()->setModel(tr("no model"), Tone::Bad, why);
         if (link_) link_->begin();
     });
 }
@@ -407,10 +363,10 @@ void MainWindow::redraw(double now)
     showRecording();
     showArming(now);
     showTerrain(now);
-    header_->setLatched(exploration_->state().phase == AtemPhase::Stopped);
-    header_->setOverridden(exploration_->overridden());
+    header()->setLatched(exploration_->state().phase == AtemPhase::Stopped);
+    header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
-    if (auto* page = qobject_cast<Page*>(pages_->currentWidget())) page->refresh(now);
+    if (auto* page = qobject_cast<Page*>(pages()->currentWidget())) page->refresh(now);
 
     prepared_ = steadyNow() - now;
     if (latest_ && latest_->count != paintedCount_) {
@@ -421,9 +377,9 @@ void MainWindow::redraw(double now)
 
 bool MainWindow::event(QEvent* event)
 {
-    if (event->type() != QEvent::UpdateRequest) return QWidget::event(event);
+    if (event->type() != QEvent::UpdateRequest) return ConsoleWindow::event(event);
     const double began = steadyNow();
-    const bool done = QWidget::event(event);  // paints all that has changed
+    const bool done = ConsoleWindow::event(event);  // paints all that has changed
     const double ended = steadyNow();
     meter_.frame(prepared_ + ended - began, newestIn_ < 0.0 ? -1.0 : ended - newestIn_);
     prepared_ = 0.0;
@@ -464,8 +420,8 @@ void MainWindow::showAlarms(double now)
     alarms_->look(now, alarmSight(now));
     const AlarmList& list = alarms_->list();
     const auto all = list.alarms().size();
-    header_->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
-                       static_cast<int>(all));
+    header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
+                        static_cast<int>(all));
 }
 
 void MainWindow::showRecording()
@@ -572,11 +528,11 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
     worstAge_ = std::max(worstAge_, age);
     const QString details = link_ && !alive ? linkDetails(link_->view()) : QString();
     if (ended) {
-        header_->setLink(tr("END OF THE LOG"), Tone::Doubt, details);
+        header()->setLink(tr("END OF THE LOG"), Tone::Doubt, details);
     } else if (!alive) {
-        header_->setLink(latest ? tr("LINK LOST · %1").arg(words::age(age))
-                                : tr("no telemetry yet"),
-                         Tone::Bad, details);
+        header()->setLink(latest ? tr("LINK LOST · %1").arg(words::age(age))
+                                 : tr("no telemetry yet"),
+                          Tone::Bad, details);
         linkShownAt_ = 0.0;
     } else if (now - linkShownAt_ >= 0.5) {
         const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
@@ -586,8 +542,8 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
         if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
         const bool isGood =
             worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && dropped == 0;
-        header_->setLink(text, isGood ? Tone::Good : Tone::Doubt,
-                         view ? linkDetails(*view) : QString());
+        header()->setLink(text, isGood ? Tone::Good : Tone::Doubt,
+                          view ? linkDetails(*view) : QString());
         linkShownAt_ = now;
         worstAge_ = 0.0;
     }
@@ -606,12 +562,12 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
                       alive || ended ? Weight::Note : Weight::Bad, QTime::currentTime());
     linkWasAlive_ = alive;
 
-    if (!latest) return header_->setRobot(tr("robot: --"), Tone::Plain);
+    if (!latest) return header()->setRobot(tr("robot: --"), Tone::Plain);
     const Measurement& m = latest->sample.measurement;
     if (age <= kStaleAfter)
-        header_->setRobot(glance(m.activity), toneOf(m.activity));
+        header()->setRobot(glance(m.activity), toneOf(m.activity));
     else
-        header_->setRobot(tr("robot: --"), Tone::Doubt);
+        header()->setRobot(tr("robot: --"), Tone::Doubt);
 }
 
 const std::vector<ForceArray>& MainWindow::forceArrays()
@@ -629,9 +585,9 @@ void MainWindow::showArming(double now)
     if (!link_) return;
     const CanView view = link_->view();
     const QString whyNot = words::sentence(whyNotArming(view));
-    if (!view.transmits) return header_->arming()->setListening(whyNot);
+    if (!view.transmits) return header()->arming()->setListening(whyNot);
     const ArmingState& state = view.link.arming;
-    header_->arming()->setState(state, whyNot.isEmpty() ? panelForbids(now) : whyNot);
+    header()->arming()->setState(state, whyNot.isEmpty() ? panelForbids(now) : whyNot);
     if (state.phase == armingWas_) return;
     if (state.phase == ArmingPhase::Armed)
         events()->add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
@@ -687,99 +643,78 @@ void MainWindow::open()
         events()->add(why, Weight::Bad, QTime::currentTime());
 }
 
-void MainWindow::showHelp()
-{
-    if (!help_) {
-        help_ = new QLabel(this, Qt::Tool);
-        help_->setWindowTitle(tr("Keys"));
-        help_->setTextFormat(Qt::RichText);
-        help_->setMargin(18);
-    }
-    help_->setText(keys_.html() + QStringLiteral("<p>")
-                   + tr("Terratact %1. Based in part on the work of the Qwt project "
-                        "(http://qwt.sf.net).")
-                         .arg(QApplication::applicationVersion())
-                   + QStringLiteral("</p>"));
-    help_->resize(help_->sizeHint());  // adjustSize() ends at two thirds of the screen and cuts
-    help_->show();
-    help_->raise();
-}
-
 void MainWindow::defineKeys()
 {
-    const auto held = [this](QList<QKeyCombination> keys, const QString& meaning,
-                             HeldButton* button) {
-        keys_.add({std::move(keys), meaning, [button] { button->hold(); },
-                   [button] { button->letGoSoon(); }});
+    KeyTable& keys = keyTable();
+    const auto held = [&keys](QList<QKeyCombination> of, const QString& meaning,
+                              HeldButton* button) {
+        keys.add({std::move(of), meaning, [button] { button->hold(); },
+                  [button] { button->letGoSoon(); }});
     };
     const auto prefer = [this](const std::function<void(Preferences&)>& edit) {
         return [this, edit] { preferences_->change(edit); };
     };
-    keys_.addGroup(tr("Robot"));
-    keys_.add({.keys = {Qt::Key_F12},
-               .meaning = tr("STOP, in every window"),
-               .pressed = [this] { exploration_->stop(); },
-               .everywhere = true});
+    keys.addGroup(tr("Robot"));
+    keys.add({.keys = {Qt::Key_F12},
+              .meaning = tr("STOP, in every window"),
+              .pressed = [this] { exploration_->stop(); },
+              .everywhere = true});
     held({Qt::Key_R}, tr("release STOP"), atemPanel()->releaseButton());
     held({Qt::Key_W, Qt::Key_Up}, tr("drive forward"), drivePad()->forwardButton());
     held({Qt::Key_S, Qt::Key_Down}, tr("drive back"), drivePad()->backButton());
     if (link_)
-        keys_.add({{Qt::Key_M},
-                   tr("arm the robot: press, then hold; again disarms it"),
-                   [this] { header_->arming()->pressKey(); },
-                   [this] { header_->arming()->releaseKey(); }});
+        keys.add({{Qt::Key_M},
+                  tr("arm the robot: press, then hold; again disarms it"),
+                  [this] { header()->arming()->pressKey(); },
+                  [this] { header()->arming()->releaseKey(); }});
 
-    keys_.addGroup(tr("Pages"));
-    for (int page = 0; page < rail_->pages(); ++page)
-        keys_.add({{static_cast<Qt::Key>(rail_->keyOf(page))},
-                   rail_->button(page)->accessibleName(),
-                   [this, page] { rail_->choose(page); }});
-    keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { showHelp(); }});
-    keys_.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
-               tr("open a session, a log or scenes in another window"),
-               [this] { open(); }});
+    keys.addGroup(tr("Pages"));
+    addPageKeys();
+    addHelpKey(QStringLiteral("<p>")
+               + tr("Terratact %1. Based in part on the work of the Qwt project "
+                    "(http://qwt.sf.net).")
+                     .arg(QApplication::applicationVersion())
+               + QStringLiteral("</p>"));
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
+              tr("open a session, a log or scenes in another window"),
+              [this] { open(); }});
 
     if (recorder_)
-        keys_.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
+        keys.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
 
-    keys_.addGroup(tr("Exploration"));
-    keys_.add({{Qt::Key_A}, tr("explore the terrain"), [this] {
-                   if (atemPanel()->requestButton()->isEnabled()) exploration_->request();
-               }});
-    keys_.add({{Qt::Key_O}, tr("override what is doubtful about exploring"), [this] {
-                   if (atemPanel()->overrideButton()->isVisible()) exploration_->overrideDoubts();
-               }});
+    keys.addGroup(tr("Exploration"));
+    keys.add({{Qt::Key_A}, tr("explore the terrain"), [this] {
+                  if (atemPanel()->requestButton()->isEnabled()) exploration_->request();
+              }});
+    keys.add({{Qt::Key_O}, tr("override what is doubtful about exploring"), [this] {
+                  if (atemPanel()->overrideButton()->isVisible()) exploration_->overrideDoubts();
+              }});
     held({Qt::Key_Space}, tr("approve the proposed probe, or press the button that has the focus"),
          probeCard()->approveButton());
-    keys_.add({{Qt::Key_N}, tr("refuse it"), [this] {
-                   if (probeCard()->asks()) probeCard()->refuseButton()->click();
-               }});
+    keys.add({{Qt::Key_N}, tr("refuse it"), [this] {
+                  if (probeCard()->asks()) probeCard()->refuseButton()->click();
+              }});
     for (const std::size_t other : {0U, 1U, 2U})
-        keys_.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
-                   tr("ask for another bin instead: the %1. offered").arg(other + 1),
-                   [this, other] {
-                       if (probeCard()->asks()) probeCard()->otherButton(other)->click();
-                   }});
-    keys_.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), [this] {
-                   verdict()->raiseButton()->click();
-               }});
-    keys_.add({{Qt::Key_PageDown}, tr("lower it"), [this] { verdict()->lowerButton()->click(); }});
-    keys_.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
-                   drawsAction_->toggle();
-               }});
-    keys_.add({{Qt::Key_Escape}, tr("abort the exploration, or clear its result"), [this] {
-                   if (atemPanel()->abortButton()->isEnabled()) exploration_->abort();
-               }});
+        keys.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
+                  tr("ask for another bin instead: the %1. offered").arg(other + 1),
+                  [this, other] {
+                      if (probeCard()->asks()) probeCard()->otherButton(other)->click();
+                  }});
+    keys.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), [this] {
+                  verdict()->raiseButton()->click();
+              }});
+    keys.add({{Qt::Key_PageDown}, tr("lower it"), [this] { verdict()->lowerButton()->click(); }});
+    keys.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
+                  drawsAction_->toggle();
+              }});
+    keys.add({{Qt::Key_Escape}, tr("abort the exploration, or clear its result"), [this] {
+                  if (atemPanel()->abortButton()->isEnabled()) exploration_->abort();
+              }});
 
-    keys_.addGroup(tr("View"));
+    keys.addGroup(tr("View"));
     for (const ViewChoice& choice : viewChoices())
-        if (!choice.keys.isEmpty()) keys_.add({choice.keys, choice.name, prefer(choice.edit)});
-    keys_.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
-}
-
-bool MainWindow::eventFilter(QObject* object, QEvent* event)
-{
-    return keys_.filter(*this, *object, *event);
+        if (!choice.keys.isEmpty()) keys.add({choice.keys, choice.name, prefer(choice.edit)});
+    keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

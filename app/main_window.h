@@ -2,16 +2,15 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
-#include <QWidget>
 #include <memory>
 
 #include "app/acquisition.h"
 #include "app/console_alarms.h"
+#include "app/console_window.h"
 #include "app/diagnostics_page.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
 #include "app/force_arrays.h"
-#include "app/key_table.h"
 #include "app/loop_meter.h"
 #include "app/model_trainer.h"
 #include "app/panel_control.h"
@@ -23,24 +22,20 @@
 class QAction;
 class QLabel;
 class QPushButton;
-class QStackedWidget;
 
 namespace terratact {
 
 class AlarmsPage;
 class SessionScribe;
 class ArmingControl;
-class NavigationRail;
-class Page;
 class SettingsPage;
 class SignalsPage;
-class StatusHeader;
 class NumbersPage;
 class TrainingPage;
 
 /// The operator's console: lays the widgets out, shows them the newest state every 40 ms at most and passes on
 /// what the operator does.  It owns the source and everything that runs.
-class MainWindow final : public QWidget {
+class MainWindow final : public ConsoleWindow {
     Q_OBJECT
 public:
     struct Options {
@@ -69,7 +64,6 @@ public:
     QString modelTrouble() const { return modelTrouble_; }
 
     PreferenceStore& preferences() { return *preferences_; }
-    const KeyTable& keys() const { return keys_; }
     CanSource* link() const { return link_; }
     AtemPanel* atemPanel() const { return terrainPage_->atemPanel(); }
     DrivePad* drivePad() const { return terrainPage_->drivePad(); }
@@ -78,10 +72,8 @@ public:
     QPushButton* forceUnitButton() const { return terrainPage_->forceUnitButton(); }
     ProbeCard* probeCard() const { return terrainPage_->probeCard(); }
     RobotReadout* readout() const { return terrainPage_->readout(); }
-    StatusHeader* header() const { return header_; }
     TerrainProfileView* terrain() const { return terrainPage_->terrain(); }
     EstimateStrip* strip() const { return terrainPage_->strip(); }
-    NavigationRail* rail() const { return rail_; }
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
     TrainingPage* training() const { return training_; }
@@ -99,7 +91,6 @@ signals:
     void reopenWanted();  ///< another robot was chosen: the window has to be built anew
 
 protected:
-    bool eventFilter(QObject* object, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     bool event(QEvent* event) override;
 
@@ -112,7 +103,6 @@ private:
     void mark();
     QString linkDetails(const CanView& view) const;
     QList<DiagnosticsSection> diagnostics() const;
-    void addPage(Page* page, const QString& name, Qt::Key key, const QString& tip);
     void connectAll();
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
@@ -128,7 +118,6 @@ private:
     void loadModel(const QString& path);
     void preferModelInUse();
     void offerViews();
-    void showHelp();
     void open();
     void defineKeys();
     void applyPreferences(const Preferences& before);
@@ -140,7 +129,6 @@ private:
     std::vector<PresetCost> presets_;  ///< of the model at the start
     QString modelAtStart_;
     QString modelInUse_, modelWanted_;  ///< files; wanted: being loaded, empty: none
-    KeyTable keys_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
     CanSource* link_;  ///< null where the source is no bus
@@ -160,12 +148,8 @@ private:
     double redrawn_ = 0.0;  ///< [s] steady clock
 
     // Qt's parents own the widgets.
-    StatusHeader* header_ = nullptr;
-    NavigationRail* rail_ = nullptr;
-    QStackedWidget* pages_ = nullptr;
     QLabel* banner_ = nullptr;
     QLabel* notRecorded_ = nullptr;
-    QLabel* help_ = nullptr;
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;

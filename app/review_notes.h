@@ -15,7 +15,7 @@ struct ReviewNote {
 };
 
 /// Notes stand in a file beside the session, SESSION.notes.csv with the columns t_s,note: the session itself is
-/// never changed.  A note holds no comma, quotation mark or line end; they become ; ' and a blank.
+/// never changed.  RFC 4180: a note with a comma, a quotation mark or a line end stands in quotes.
 std::string notesPath(const std::string& session);
 /// None where there is no such file.  Errors name file, line and cause.
 Result<std::vector<ReviewNote>> readNotes(const std::string& session);

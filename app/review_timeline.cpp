@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/session_text.h"
 #include "core/log/review_moment.h"
 #include "widgets/words.h"
 
@@ -239,6 +240,11 @@ Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
         laneOf(timeline, ReviewLane::Markers).marks
             << TimelineMark{note.time, Weight::Good, QString::fromStdString(note.text)};
     return timeline;
+}
+
+QDateTime wallClock(const SessionReader& session, SessionTime time)
+{
+    return QDateTime::fromMSecsSinceEpoch(wallTimeOf(session.start(), time) / 1'000'000, Qt::UTC);
 }
 
 QList<double> timesOf(const TimelineLane& lane)

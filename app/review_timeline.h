@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QList>
 #include <QString>
 #include <vector>
@@ -32,6 +33,9 @@ Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
 /// An event in the operator's language, without its time.
 QString sentenceOf(const EventRow& event);
 QString nameOf(EventKind kind);
+
+/// A time of a session as the clock showed it; UTC.
+QDateTime wallClock(const SessionReader& session, SessionTime time);
 
 /// The times at which something of a lane begins or happens, in their order.
 QList<double> timesOf(const TimelineLane& lane);

@@ -1,11 +1,8 @@
 #include "app/scenes_window.h"
 
-#include <QApplication>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -15,7 +12,6 @@
 #include "widgets/atem_panel.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
-#include "widgets/navigation_rail.h"
 #include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/verdict_strip.h"
@@ -56,63 +52,45 @@ std::optional<Heights> truthOf(const Scene& scene)
 ScenesWindow::ScenesWindow(Options options)
     : options_(std::move(options)), worker_(std::make_unique<EstimatorWorker>(options_.model))
 {
-    setFocusPolicy(Qt::StrongFocus);
-    resize(1440, 900);
-    setMinimumSize(1200, 680);
     const QString name = QFileInfo(options_.path).fileName();
     setWindowTitle(tr("SCENES — %1 — Terratact").arg(name));
-    header_ = new StatusHeader(this);
-    header_->setSource(tr("SCENES OF A FILE"));
-    header_->setModel(tr("model loading …"), Tone::Doubt);
+    header()->setSource(tr("SCENES OF A FILE"));
+    header()->setModel(tr("model loading …"), Tone::Doubt);
     for (QWidget* const unused :
-         std::initializer_list<QWidget*>{header_->stopButton(), header_->arming(),
-                                         header_->qualityButton(), header_->alarmsButton()})
+         std::initializer_list<QWidget*>{header()->stopButton(), header()->arming(),
+                                         header()->qualityButton(), header()->alarmsButton()})
         unused->hide();
-    state_ = new QLabel(this);
-    state_->setObjectName(QStringLiteral("reviewStrip"));
+    state_ = addStrip(QStringLiteral("reviewStrip"));
     page_ = new TerrainPage(options_.robot, this);
     page_->arrange(Layout::Review, 100);
+    page_->setVerdictBeside(404);
     page_->viewButton()->hide();
     page_->events()->parentWidget()->hide();
+    page_->atemPanel()->forbidCommands();
     page_->atemPanel()->hide();
     page_->setThreshold(options_.settings.forceThreshold);
-    header_->setLink(tr("no link: a file"), Tone::Plain);
-    header_->setRobot(tr("robot: --"), Tone::Plain);
-    auto* rail = new NavigationRail(this);
-    rail->addPage(tr("Terrain"), Qt::Key_F2, tr("The scene and its estimate"));
-    const auto tool = [&](const QString& text, const QString& tip, int by) {
-        auto* button = new QPushButton(text, rail);
-        button->setToolTip(tip);
+    header()->setLink(tr("no link: a file"), Tone::Plain);
+    header()->setRobot(tr("robot: --"), Tone::Plain);
+    addPage(page_, tr("Terrain"), Qt::Key_F2, tr("The scene and its estimate"));
+    const auto tool = [this](const QString& text, const QString& tip, int by) {
+        QPushButton* button = addTool(text, tip);
         button->setAccessibleName(tip);
-        button->setFocusPolicy(Qt::TabFocus);
         connect(button, &QPushButton::clicked, this, [this, by] { go(by); });
-        rail->addTool(button);
     };
     tool(tr("next\n."), tr("Next scene (.)"), +1);
     tool(tr("before\n,"), tr("Scene before (,)"), -1);
-    rail->addTool(header_->helpButton());
-    auto* below = new QHBoxLayout;
-    below->setSpacing(0);
-    below->addWidget(rail);
-    below->addWidget(page_, 1);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(header_);
-    column->addWidget(state_);
-    column->addLayout(below, 1);
+    addHelpTool();
 
-    connect(header_, &StatusHeader::helpRequested, this, [this] { help_->show(); });
     connect(page_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
         options_.stepLimit = metres;
         showSight();
     });
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this, [this](const QString& model) {
-        header_->setModel(tr("model %1").arg(model), Tone::Plain);
+        header()->setModel(tr("model %1").arg(model), Tone::Plain);
         ask();
     });
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
-        header_->setModel(tr("no model"), Tone::Bad, why);
+        header()->setModel(tr("no model"), Tone::Bad, why);
         trouble_ = why;
         showSight();
     });
@@ -129,7 +107,6 @@ ScenesWindow::ScenesWindow(Options options)
         showSight();
     });
     defineKeys();
-    qApp->installEventFilter(this);
     worker_->start();
     showScene(0);
     setFocus();
@@ -183,11 +160,6 @@ void ScenesWindow::showSight()
     sight.preconditions << Precondition{Precondition::Level::Missing, why};
     sight.whyNotDriving = why;
     page_->setSight(sight);
-    AtemPanel* const atem = page_->atemPanel();
-    for (QPushButton* const button : {atem->requestButton(), atem->abortButton()}) {
-        button->setEnabled(false);
-        button->hide();
-    }
     const Scene& scene = options_.scenes[scene_];
     state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "
                        ". and , go on and back")
@@ -199,28 +171,20 @@ void ScenesWindow::showSight()
 
 void ScenesWindow::defineKeys()
 {
-    const auto step = [this](QList<QKeyCombination> keys, const QString& meaning,
-                             std::function<void()> act) {
-        keys_.add({.keys = std::move(keys),
-                   .meaning = meaning,
-                   .pressed = std::move(act),
-                   .repeats = true});
+    KeyTable& keys = keyTable();
+    const auto step = [&keys](QList<QKeyCombination> of, const QString& meaning,
+                              std::function<void()> act) {
+        keys.add({.keys = std::move(of),
+                  .meaning = meaning,
+                  .pressed = std::move(act),
+                  .repeats = true});
     };
-    keys_.addGroup(tr("Scenes"));
+    keys.addGroup(tr("Scenes"));
     step({Qt::Key_Period, Qt::Key_PageDown}, tr("next scene"), [this] { go(+1); });
     step({Qt::Key_Comma, Qt::Key_PageUp}, tr("scene before"), [this] { go(-1); });
     step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
     step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
-    help_ = new QLabel(this, Qt::Tool);
-    help_->setWindowTitle(tr("Keys"));
-    help_->setMargin(18);
-    keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { help_->show(); }});
-    help_->setText(keys_.html());
-}
-
-bool ScenesWindow::eventFilter(QObject* object, QEvent* event)
-{
-    return keys_.filter(*this, *object, *event);
+    addHelpKey();
 }
 
 }  // namespace terratact

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "app/console_window.h"
 #include "app/estimator_worker.h"
-#include "app/key_table.h"
 #include "core/learn/scene.h"
 #include "core/robot/robot_model.h"
 
@@ -14,12 +13,11 @@ class QLabel;
 
 namespace terratact {
 
-class StatusHeader;
 class TerrainPage;
 
 /// A file of scenes, one after the other: each as the model in use estimates it, beside the terrain where the file
 /// knows it.  There is no source behind it, so nothing in it can command a robot.
-class ScenesWindow final : public QWidget {
+class ScenesWindow final : public ConsoleWindow {
     Q_OBJECT
 public:
     struct Options {
@@ -37,11 +35,7 @@ public:
     std::size_t scene() const { return scene_; }
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     TerrainPage* terrainPage() const { return page_; }
-    StatusHeader* header() const { return header_; }
     QLabel* stateLabel() const { return state_; }
-
-protected:
-    bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
     void defineKeys();
@@ -53,7 +47,6 @@ private:
     Measurement measurement_;
     std::optional<Heights> truth_;
     std::unique_ptr<EstimatorWorker> worker_;
-    KeyTable keys_;
     std::size_t scene_ = 0;
     std::uint64_t shows_ = 0;
     int job_ = 0;
@@ -61,9 +54,7 @@ private:
     QString trouble_;
     std::optional<TerrainEstimate> estimate_;
 
-    StatusHeader* header_ = nullptr;
     QLabel* state_ = nullptr;
-    QLabel* help_ = nullptr;
     TerrainPage* page_ = nullptr;
 };
 

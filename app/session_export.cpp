@@ -7,7 +7,6 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -417,13 +416,19 @@ std::vector<Other> othersOf(const SessionReader& session, const ExportSelection&
     return others;
 }
 
-ExportCounts run(SessionReader& session, Exporter& exporter, const ExportSelection& selection)
+/// Empty: progress() ended it.
+std::optional<ExportCounts> run(SessionReader& session, Exporter& exporter,
+                                const ExportSelection& selection,
+                                const std::function<bool(double)>& progress)
 {
     ExportCounts counts;
     const std::vector<Other> others = othersOf(session, selection);
     auto other = others.begin();
     exporter.begin();
-    for (std::size_t i = 0; exporter.wantsFrames() && i < session.batches().size(); ++i) {
+    const std::size_t batches = session.batches().size();
+    for (std::size_t i = 0; exporter.wantsFrames() && i < batches; ++i) {
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(batches)))
+            return std::nullopt;
         const SessionBatch& batch = session.batches()[i];
         if (secondsOf(batch.last) < selection.from || secondsOf(batch.first) > selection.to)
             continue;
@@ -482,7 +487,8 @@ std::optional<ExportKind> exportKindFromName(std::string_view text)
 }
 
 Result<ExportCounts> writeExport(SessionReader& session, const std::string& path,
-                                 ExportFormat format, const ExportSelection& selection)
+                                 ExportFormat format, const ExportSelection& selection,
+                                 const std::function<bool(double)>& progress)
 {
     const bool framesOnly = format == ExportFormat::Candump || format == ExportFormat::Asc;
     if (framesOnly && selection.what.value_or(ExportKind::Frames) != ExportKind::Frames)
@@ -490,12 +496,13 @@ Result<ExportCounts> writeExport(SessionReader& session, const std::string& path
     Result<NewFile> file = NewFile::begin(path);
     if (!file) return file.error();
     std::ofstream out(file->temporaryPath(), std::ios::binary);
-    const ExportCounts counts =
-        run(session, *exporterFor(out, session, format, selection), selection);
+    const auto counts =
+        run(session, *exporterFor(out, session, format, selection), selection, progress);
+    if (!counts) return fileError(path, "not written: ended before it was whole");
     out.close();
     if (!out) return fileError(path, "cannot be written: is the disk full?");
     if (Status done = file->commit(); !done) return done.error();
-    return counts;
+    return *counts;
 }
 
 }  // namespace terratact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -40,8 +41,10 @@ struct ExportCounts {
 };
 
 /// Writes under a temporary name, then renames.  Errors name a file; a selection that the format cannot hold.
-/// What is damaged is left out: session.damage() afterwards.
+/// What is damaged is left out: session.damage() afterwards.  progress(share of the batches) may end it by
+/// returning false, which is an Error and leaves no file.
 Result<ExportCounts> writeExport(SessionReader& session, const std::string& path,
-                                 ExportFormat format, const ExportSelection& selection);
+                                 ExportFormat format, const ExportSelection& selection,
+                                 const std::function<bool(double)>& progress = {});
 
 }  // namespace terratact

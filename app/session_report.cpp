@@ -259,7 +259,8 @@ std::string readingsText(const EstimateRow& row)
 
 }  // namespace
 
-Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted)
+Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
+                               const std::function<bool(double)>& progress)
 {
     const SceneRow* scene = sceneOf(session, wanted);
     if (!scene)
@@ -278,7 +279,10 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted)
     const SessionStart& start = session.start();
     const ModelRow* model = session.model(row.model);
     const Proprioception s = proprioception(scene->measurement);
-    const SessionVerification found = session.verify();
+    bool goesOn = true;
+    const SessionVerification found =
+        session.verify([&](double share) { return goesOn = !progress || progress(share); });
+    if (!goesOn) return fileError(session.path(), "no report: ended before all was read");
     SessionReport report;
     report.title = fmt::format("Scene {} of {}", scene->id,
                                std::filesystem::path(session.path()).filename().string());

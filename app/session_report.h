@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,8 +21,10 @@ struct SessionReport {
 };
 
 /// scene: 0 for the last that was estimated.  Reads the whole session to say whether it holds.  Errors name the
-/// file: no such scene, or it has no estimate.
-Result<SessionReport> reportOf(SessionReader& session, std::int64_t scene);
+/// file: no such scene, or it has no estimate.  progress(share of the batches) may end it by returning false, which
+/// is an Error.
+Result<SessionReport> reportOf(SessionReader& session, std::int64_t scene,
+                               const std::function<bool(double)>& progress = {});
 
 /// One page of A4: PDF, SVG, PNG or HTML by the ending.  What finds no room on the page is counted on it; HTML has
 /// room for all.  Written under a temporary name, then renamed.

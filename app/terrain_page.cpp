@@ -72,10 +72,15 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     events_ = new EventList(eventCard);
     eventCard->body()->addWidget(events_, 1);
 
-    auto* decide = new QVBoxLayout;
+    decisions_ = new QWidget(this);
+    auto* decide = new QVBoxLayout(decisions_);
+    decide->setContentsMargins(0, 0, 0, 0);
     decide->setSpacing(10);
     decide->addWidget(atem_);
     decide->addWidget(probe_, 1);
+    column_ = new QVBoxLayout;
+    column_->setSpacing(10);
+    column_->addWidget(decisions_, 1);
     upper_ = new QHBoxLayout;
     upper_->setSpacing(10);
     ground_ = new QVBoxLayout;
@@ -83,7 +88,7 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     ground_->addWidget(verdict_);
     ground_->addWidget(terrainCard_, 1);
     upper_->addLayout(ground_, 1);
-    upper_->addLayout(decide);
+    upper_->addLayout(column_);
     lowerPanel_ = new QWidget(this);
     lower_ = new QHBoxLayout(lowerPanel_);
     lower_->setContentsMargins(0, 0, 0, 0);
@@ -155,6 +160,19 @@ void TerrainPage::placeLower()
     arrange(layout_, fontScale_);
 }
 
+void TerrainPage::placeDecisions()
+{
+    if (column_->indexOf(decisions_) < 0) column_->insertWidget(1, decisions_, 1);
+}
+
+void TerrainPage::setVerdictBeside(int columnWidth)
+{
+    columnWidth_ = columnWidth;
+    if (!verdictBeside_) column_->addStretch();  // where only the verdict is beside
+    verdictBeside_ = true;
+    arrange(layout_, fontScale_);
+}
+
 void TerrainPage::addTerrainTool(QWidget* tool)
 {
     terrainCard_->titleRow()->addWidget(tool);
@@ -166,20 +184,24 @@ void TerrainPage::arrange(Layout layout, int fontScale)
     fontScale_ = fontScale;
     for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
         card->setFixedWidth(scaled(404));
-    // Large letters leave no room for the result beside the card's title.
+    // Large letters leave no room for the result beside the card's title; a review's page has its name already.
     QBoxLayout *beside = terrainCard_->titleRow(), *below = terrainCard_->body();
-    const bool large = fontScale > 100;
+    const bool large = fontScale > 100, apart = large && !verdictBeside_;
     for (QBoxLayout* row : {beside, below}) row->removeWidget(strip_);
-    (large ? below : beside)->insertWidget(large ? 1 : 2, strip_, large ? 0 : 1);
-    beside->setStretch(0, large ? 1 : 0);
+    (apart ? below : beside)->insertWidget(apart ? 1 : 2, strip_, apart ? 0 : 1);
+    beside->setStretch(0, apart ? 1 : 0);
+    beside->itemAt(0)->widget()->setVisible(!large || apart);
     // Nor for the verdict above the terrain alone: it then stands above the whole page.
-    for (QBoxLayout* column : {ground_, rows_}) column->removeWidget(verdict_);
-    (large ? rows_ : ground_)->insertWidget(0, verdict_);
+    for (QBoxLayout* column : {ground_, rows_, column_}) column->removeWidget(verdict_);
+    (verdictBeside_ ? column_ : large ? rows_ : ground_)->insertWidget(0, verdict_);
+    verdict_->setStacked(verdictBeside_);
+    if (verdictBeside_) verdict_->setFixedWidth(scaled(columnWidth_));
 
     struct Shares {
         int upper, lower, forces, robot, events;
     };
-    const Shares shares = layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
+    const Shares shares = verdictBeside_           ? Shares{17, 6, 9, 8, 16}
+                        : layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
                         : layout == Layout::Review ? Shares{13, 9, 9, 8, 16}
                                                    : Shares{17, 6, 10, 9, 10};
     rows_->setStretchFactor(upper_, shares.upper + (large ? 4 : 0));
@@ -229,6 +251,7 @@ void TerrainPage::showRobot(const TerrainSight& sight)
 {
     if (!sight.measurement) {
         readout_->clearMeasurement();
+        forces_->clearForces();
         robotAge_->clear();
         return;
     }
@@ -239,7 +262,10 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
     if (!fresh) return forces_->clearForces();
     if (sight.count == shownCount_ || !sight.forces) return;
-    forces_->setForces(*sight.forces, sight.now);
+    if (sight.forcesBefore)
+        forces_->setForces(*sight.forces, sight.now, *sight.forcesBefore);
+    else
+        forces_->setForces(*sight.forces, sight.now);
     forceLegend_->setText(forces_->legend());
 }
 

@@ -39,7 +39,9 @@ struct TerrainSight {
     double age = 0.0;                                 ///< [s] of it
     std::uint64_t count = 0;                          ///< another for another measurement
     const std::vector<ForceArray>* forces = nullptr;  ///< of it
-    const std::optional<Heights>* truth = nullptr;    ///< that its source knows
+    /// Set: the peaks are of these, whatever was shown before.
+    const std::vector<TimedForces>* forcesBefore = nullptr;
+    const std::optional<Heights>* truth = nullptr;  ///< that its source knows
 
     const Measurement* scene = nullptr;  ///< that was captured
     const std::optional<Heights>* sceneTruth = nullptr;
@@ -78,6 +80,11 @@ public:
     /// Forces, robot and events, below the terrain; whoever takes them into a layout of its own gives them back so.
     QWidget* lower() const { return lowerPanel_; }
     void placeLower();
+    /// Likewise exploring and the arm, beside the terrain.
+    QWidget* decisions() const { return decisions_; }
+    void placeDecisions();
+    /// Verdict and decisions in a column beside the terrain, which gets all the height; columnWidth: at 100 %.
+    void setVerdictBeside(int columnWidth);
     void addTerrainTool(QWidget* tool);  ///< to the terrain's title
 
     /// True once what was last shown includes the standing estimate.
@@ -109,6 +116,8 @@ private:
     RobotModel robot_;
     Layout layout_ = Layout::Probe;
     int fontScale_ = 100;
+    bool verdictBeside_ = false;
+    int columnWidth_ = 404;  ///< [px] at 100 %
     double threshold_ = 0.0;
 
     // Qt's parents own the widgets.
@@ -130,6 +139,8 @@ private:
     QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
     QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
     QBoxLayout* upper_ = nullptr;   ///< the terrain and the decisions
+    QBoxLayout* column_ = nullptr;  ///< of the decisions
+    QWidget* decisions_ = nullptr;
     QWidget* lowerPanel_ = nullptr;
     QBoxLayout* lower_ = nullptr;  ///< forces, robot, events
 

@@ -42,7 +42,8 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("then [m]"), tr("now [m]"), tr("by"),
                                        tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
     table_->verticalHeader()->hide();
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setStretchLastSection(true);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
     table_->setFrameShape(QFrame::NoFrame);

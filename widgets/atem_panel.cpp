@@ -145,8 +145,22 @@ void AtemPanel::showList()
     shown_ = preconditions;
 }
 
+void AtemPanel::forbidCommands()
+{
+    onlyShows_ = true;
+    showButtons();
+}
+
 void AtemPanel::showButtons()
 {
+    if (onlyShows_) {
+        for (QPushButton* const button :
+             std::initializer_list<QPushButton*>{request_, override_, abort_, release_}) {
+            button->setEnabled(false);
+            button->hide();
+        }
+        return;
+    }
     QStringList missing, doubtful;
     for (const Precondition& condition : preconditions_) {
         if (condition.level == Precondition::Level::Missing) missing << condition.text;

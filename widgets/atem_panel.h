@@ -36,6 +36,9 @@ public:
     /// shown: their room is the probe's.
     void setPreconditions(const QList<Precondition>& preconditions);
 
+    /// From now on it only shows: no button is seen.
+    void forbidCommands();
+
     QPushButton* requestButton() const { return request_; }
     QPushButton* abortButton() const { return abort_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
@@ -52,6 +55,7 @@ private:
     void showButtons();
 
     AtemState state_;
+    bool onlyShows_ = false;
     QList<Precondition> preconditions_, shown_;
     QLabel* stateText_ = nullptr;
     QLabel* timeText_ = nullptr;

@@ -276,19 +276,38 @@ void ForceBars::setForces(std::vector<ForceArray> arrays, double time)
     arrays.resize(std::clamp<std::size_t>(arrays.size(), 1, kArrays));
     arrays_ = std::move(arrays);
     peaks_.resize(arrays_.size());
-    for (std::size_t a = 0; a < arrays_.size(); ++a)
-        for (std::size_t e = 0; e < kForceElements; ++e) {
-            ForceElement& element = arrays_[a].elements[e];
+    for (ForceArray& array : arrays_)
+        for (ForceElement& element : array.elements)
             for (auto* value : {&element.newtons, &element.volts, &element.drift})
                 keepWithin(*value, 1000.0);
+    takePeaks(arrays_, time);
+    show();
+}
+
+void ForceBars::setForces(std::vector<ForceArray> arrays, double time,
+                          const std::vector<TimedForces>& before)
+{
+    peaks_.assign(std::clamp<std::size_t>(arrays.size(), 1, kArrays), {});
+    for (const TimedForces& felt : before) takePeaks(felt.arrays, felt.time);
+    setForces(std::move(arrays), time);
+}
+
+void ForceBars::takePeaks(const std::vector<ForceArray>& arrays, double time)
+{
+    if (!std::isfinite(time)) return;
+    for (std::size_t a = 0; a < std::min(arrays.size(), peaks_.size()); ++a)
+        for (std::size_t e = 0; e < kForceElements; ++e) {
+            const ForceElement& element = arrays[a].elements[e];
             Peaks& peaks = peaks_[a][e];
-            if (!std::isfinite(time)) continue;
             peaks.newtons.forget(time);
             peaks.volts.forget(time);
-            if (element.newtons) peaks.newtons.take(time, *element.newtons);
-            if (element.volts) peaks.volts.take(time, *element.volts);
+            const auto take = [time](PeakHold& peak, std::optional<double> value) {
+                keepWithin(value, 1000.0);
+                if (value) peak.take(time, *value);
+            };
+            take(peaks.newtons, element.newtons);
+            take(peaks.volts, element.volts);
         }
-    show();
 }
 
 void ForceBars::clearForces()

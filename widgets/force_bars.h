@@ -35,6 +35,12 @@ struct ForceArray {
     std::array<ForceElement, kForceElements> elements{};
 };
 
+/// What the arrays felt at a time [s].
+struct TimedForces {
+    double time = 0.0;
+    std::vector<ForceArray> arrays{};
+};
+
 /// The largest value of the last kHold seconds.
 class PeakHold {
 public:
@@ -64,6 +70,9 @@ public:
 
     /// At most kArrays of them count.  `time` [s], on any one clock, is for the peaks alone.
     void setForces(std::vector<ForceArray> arrays, double time);
+    /// Likewise, with the peaks of `before` and of these, whatever was set earlier.
+    void setForces(std::vector<ForceArray> arrays, double time,
+                   const std::vector<TimedForces>& before);
     void clearForces();  ///< nothing measured: every element reads "--", and no peak stands
     void setThreshold(double newtons);
     void setUnit(Unit unit);
@@ -95,6 +104,7 @@ private:
         PeakHold newtons, volts;
     };
 
+    void takePeaks(const std::vector<ForceArray>& arrays, double time);
     void restyle();  ///< in theme and font as they are now
     void show();
     void showBars();

@@ -101,7 +101,8 @@ SessionTimeline::SessionTimeline(QWidget* parent) : QWidget(parent)
 
 QSize SessionTimeline::sizeHint() const
 {
-    return {700, scaled(22) + static_cast<int>(timeline_.lanes.size()) * scaled(17) + 4};
+    return {700,
+            scaled(22) + static_cast<int>(timeline_.lanes.size()) * scaled(dense_ ? 14 : 17) + 4};
 }
 
 QSize SessionTimeline::minimumSizeHint() const
@@ -123,6 +124,13 @@ void SessionTimeline::setTimeline(const Timeline& timeline)
     if (!sameLanes) updateGeometry();
     tell();
     update();
+}
+
+void SessionTimeline::setDense(bool dense)
+{
+    if (dense == dense_) return;
+    dense_ = dense;
+    updateGeometry();
 }
 
 void SessionTimeline::setPlayhead(double seconds)

@@ -51,6 +51,7 @@ public:
 
     void setTimeline(
         const Timeline& timeline);     ///< what is shown of it stays, unless that was all of it
+    void setDense(bool dense);         ///< lower lanes, where there is little room
     void setPlayhead(double seconds);  ///< kept in view where it was so before
     void setCursors(std::optional<double> a, std::optional<double> b);
     void showSpan(double first, double last);  ///< at least kShortest of it, no more than there is
@@ -94,6 +95,7 @@ private:
     void tell();  ///< to who cannot see it
 
     Timeline timeline_;
+    bool dense_ = false;
     double first_ = 0.0, last_ = 1.0;
     double names_ = 0.0;  ///< [px] width of the lanes' names
     double playhead_ = 0.0, drawnPlayhead_ = 0.0;

@@ -128,6 +128,20 @@ public:
     }
 };
 
+/// The legend, which makes room for the terrain in a view that is low.
+class Key final : public QwtLegend {
+public:
+    explicit Key(const QWidget& view) : view_(view) {}
+    bool isEmpty() const override
+    {
+        constexpr int kLow = 160;  // [px] at 100 %
+        return view_.height() < scaled(kLow) || QwtLegend::isEmpty();
+    }
+
+private:
+    const QWidget& view_;
+};
+
 /// Says in the legend what the bars are; draws nothing itself.
 class BandKey final : public QwtPlotItem {
 public:
@@ -257,7 +271,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     setAxisScaleDraw(QwtPlot::yLeft, new MetreScale(true));
     for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)})
         axisWidget(axis)->setMargin(0);
-    auto* key = new QwtLegend;
+    auto* key = new Key(*this);
     key->setFrameStyle(QFrame::NoFrame);
     insertLegend(key, QwtPlot::BottomLegend);
 

@@ -75,13 +75,15 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     words->setSpacing(1);
     words->addWidget(question_);
     words->addWidget(reason_);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 6, 10, 6);
-    row->setSpacing(10);
-    row->addWidget(badge_);
-    row->addLayout(words, 1);
-    row->addWidget(lower_);
-    row->addWidget(raise_);
+    head_ = new QHBoxLayout;
+    row_ = new QHBoxLayout(this);
+    row_->setContentsMargins(8, 6, 10, 6);
+    row_->setSpacing(10);
+    row_->addLayout(head_);
+    row_->addWidget(badge_);
+    row_->addLayout(words, 1);
+    row_->addWidget(lower_);
+    row_->addWidget(raise_);
     setLimit(kStepLimit);
     setNothing(QString());
     resizeToFont();
@@ -89,8 +91,24 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
 
 void VerdictStrip::resizeToFont()
 {
-    // Always two lines: a jumping layout misleads.
-    reason_->setFixedHeight(2 * reason_->fontMetrics().lineSpacing() + 2);
+    // Always two lines: a jumping layout misleads.  More where nothing but empty room would jump.
+    const int twoLines = 2 * reason_->fontMetrics().lineSpacing() + 2;
+    reason_->setMinimumHeight(twoLines);
+    reason_->setMaximumHeight(stacked_ ? QWIDGETSIZE_MAX : twoLines);
+}
+
+void VerdictStrip::setStacked(bool stacked)
+{
+    if (stacked == stacked_) return;
+    stacked_ = stacked;
+    for (QWidget* const part : std::initializer_list<QWidget*>{badge_, lower_, raise_})
+        (stacked ? row_ : head_)->removeWidget(part);
+    row_->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    QBoxLayout* const to = stacked ? head_ : row_;
+    to->insertWidget(stacked ? 0 : 1, badge_, stacked ? 1 : 0);
+    to->addWidget(lower_);
+    to->addWidget(raise_);
+    resizeToFont();
 }
 
 void VerdictStrip::changeEvent(QEvent* event)

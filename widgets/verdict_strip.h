@@ -4,6 +4,7 @@
 
 #include "core/infer/verdict.h"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -20,6 +21,7 @@ public:
     void setVerdict(const Verdict& verdict, const QString& probe = {});
     void setNothing(const QString& why);  ///< no estimate, so no verdict
     void setLimit(double metres);         ///< clamped to kLeastLimit … kGreatestLimit
+    void setStacked(bool stacked);        ///< the words below the badge, for a narrow column
 
     double limit() const { return limit_; }
     QString badge() const;
@@ -42,6 +44,9 @@ private:
     void setBadge(const QString& text, const QString& outlook);
 
     double limit_ = kStepLimit;
+    bool stacked_ = false;
+    QBoxLayout* row_ = nullptr;
+    QBoxLayout* head_ = nullptr;  ///< the badge and the buttons, where they are stacked
     QLabel* badge_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* reason_ = nullptr;

@@ -157,6 +157,49 @@
     </message>
 </context>
 <context>
+    <name>ReviewExport</name>
+    <message>
+        <source>%1: a picture is a .png, .svg or .pdf</source>
+        <translation>%1: obrázek je .png, .svg nebo .pdf</translation>
+    </message>
+    <message>
+        <source>%1 could not be written</source>
+        <translation>%1 nelze zapsat</translation>
+    </message>
+    <message>
+        <source>Picture of the terrain</source>
+        <translation>Obrázek terénu</translation>
+    </message>
+    <message>
+        <source>Numbers of this time</source>
+        <translation>Čísla tohoto času</translation>
+    </message>
+    <message>
+        <source>Report of the scene, one page</source>
+        <translation>Zpráva o scéně, jedna strana</translation>
+    </message>
+    <message>
+        <source>CAN frames</source>
+        <translation>Rámce CAN</translation>
+    </message>
+    <message>
+        <source>Signals, a column for each</source>
+        <translation>Signály, každý ve svém sloupci</translation>
+    </message>
+    <message>
+        <source>Estimates, a row for each bin</source>
+        <translation>Odhady, řádek na každý bod</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Události</translation>
+    </message>
+    <message>
+        <source>Frames, signals, estimates and events</source>
+        <translation>Rámce, signály, odhady a události</translation>
+    </message>
+</context>
+<context>
     <name>ReviewTimeline</name>
     <message>
         <source>scene %1</source>
@@ -1006,6 +1049,25 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ConsoleWindow</name>
+    <message>
+        <source>View</source>
+        <translation>Vzhled</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Rozvržení, barvy a velikost písma</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>tento přehled</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+</context>
+<context>
     <name>terratact::DiagnosticsPage</name>
     <message>
         <source>Versions</source>
@@ -1509,10 +1571,6 @@ Poslední deaktivace: %1</translation>
         <translation>Vzhled</translation>
     </message>
     <message>
-        <source>Layout, colours and size of the letters</source>
-        <translation>Rozvržení, barvy a velikost písma</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Robot</translation>
     </message>
@@ -1573,10 +1631,6 @@ Poslední deaktivace: %1</translation>
         <translation>není aktivní: %1</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>Klávesy</translation>
-    </message>
-    <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
         <translation>Terratact %1. Zčásti založen na práci projektu Qwt (http://qwt.sf.net).</translation>
     </message>
@@ -1603,10 +1657,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Pages</source>
         <translation>Stránky</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>tento přehled</translation>
     </message>
     <message>
         <source>Exploration</source>
@@ -2244,82 +2294,153 @@ Kliknutí označí tento okamžik (K)</translation>
     </message>
 </context>
 <context>
-    <name>terratact::ReviewWindow</name>
+    <name>terratact::ReviewExportDialog</name>
     <message>
-        <source>REVIEW — %1 — Terratact</source>
-        <translation>PŘEHRÁVÁNÍ — %1 — Terratact</translation>
+        <source>.log, candump</source>
+        <translation>.log, candump</translation>
     </message>
     <message>
-        <source>REVIEW · %1</source>
-        <translation>PŘEHRÁVÁNÍ · %1</translation>
+        <source>.asc, Vector</source>
+        <translation>.asc, Vector</translation>
     </message>
     <message>
-        <source>Terrain</source>
-        <translation>Terén</translation>
+        <source>.mcap, Foxglove</source>
+        <translation>.mcap, Foxglove</translation>
     </message>
     <message>
-        <source>What the operator saw at this time</source>
-        <translation>Co obsluha v tomto čase viděla</translation>
+        <source>%1 to %2</source>
+        <translation>%1 až %2</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
-        <translation>V tomto čase neplatil žádný odhad</translation>
+        <source>Export — %1</source>
+        <translation>Export — %1</translation>
     </message>
     <message>
-        <source>Numbers</source>
-        <translation>Čísla</translation>
+        <source>Progress of the export</source>
+        <translation>Průběh exportu</translation>
     </message>
     <message>
-        <source>The scene of this time as a table</source>
-        <translation>Scéna tohoto času jako tabulka</translation>
+        <source>Result of the export</source>
+        <translation>Výsledek exportu</translation>
     </message>
     <message>
-        <source>Events</source>
-        <translation>Události</translation>
+        <source>What</source>
+        <translation>Co</translation>
     </message>
     <message>
-        <source>Everything the session tells of</source>
-        <translation>Vše, co relace obsahuje</translation>
+        <source>What of the session is to be a file</source>
+        <translation>Co z relace má být v souboru</translation>
     </message>
     <message>
-        <source>Robot</source>
-        <translation>Robot</translation>
+        <source>Format</source>
+        <translation>Formát</translation>
     </message>
     <message>
-        <source>Forces, attitude and the last events</source>
-        <translation>Síly, náklon a poslední události</translation>
+        <source>Which programs can read it</source>
+        <translation>Které programy to přečtou</translation>
     </message>
     <message>
-        <source>What if</source>
-        <translation>Co kdyby</translation>
+        <source>Of</source>
+        <translation>Rozsah</translation>
     </message>
     <message>
-        <source>Estimate the recorded scene with other settings</source>
-        <translation>Odhadnout zaznamenanou scénu s jiným nastavením</translation>
+        <source>File</source>
+        <translation>Soubor</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Otevřít</translation>
+        <source>From A to B, else what the timeline shows: zoom with Z and X</source>
+        <translation>Od A do B, jinak co ukazuje časová osa: přiblížení Z a X</translation>
     </message>
     <message>
-        <source>Open another file in a window of its own (Ctrl+O)</source>
-        <translation>Otevřít jiný soubor ve vlastním okně (Ctrl+O)</translation>
+        <source>Where it is written</source>
+        <translation>Kam se zapíše</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Vybrat …</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Vybrat soubor</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Ends the export and leaves no file (Esc)</source>
+        <translation>Ukončí export a nezanechá soubor (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>from A to B, %1</source>
+        <translation>od A do B, %1</translation>
+    </message>
+    <message>
+        <source>what is visible: all, %1</source>
+        <translation>co je vidět: vše, %1</translation>
+    </message>
+    <message>
+        <source>what is visible, %1</source>
+        <translation>co je vidět, %1</translation>
+    </message>
+    <message>
+        <source>everything, %1</source>
+        <translation>vše, %1</translation>
+    </message>
+    <message>
+        <source>this time, %1</source>
+        <translation>tento čas, %1</translation>
+    </message>
+    <message>
+        <source>scene %1</source>
+        <translation>scéna %1</translation>
+    </message>
+    <message>
+        <source>no estimate stands at this time</source>
+        <translation>v tomto čase neplatí žádný odhad</translation>
+    </message>
+    <message>
+        <source>Replace the file</source>
+        <translation>Nahradit soubor</translation>
     </message>
     <message>
         <source>Export</source>
         <translation>Export</translation>
     </message>
     <message>
-        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
-        <translation>Uložit zobrazený obrázek nebo čísla (Ctrl+E)</translation>
+        <source>Export to</source>
+        <translation>Exportovat do</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>Vzhled</translation>
+        <source>Cancelled: no file was written</source>
+        <translation>Zrušeno: žádný soubor nebyl zapsán</translation>
     </message>
     <message>
-        <source>Layout, colours and size of the letters</source>
-        <translation>Rozvržení, barvy a velikost písma</translation>
+        <source>NOT WRITTEN: %1</source>
+        <translation>NEZAPSÁNO: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapsáno: %1</translation>
+    </message>
+    <message>
+        <source>frames left out, which the format cannot hold: %1</source>
+        <translation>vynechané rámce, které formát neumí: %1</translation>
+    </message>
+    <message>
+        <source>damaged and left out, places: %1</source>
+        <translation>poškozeno a vynecháno, míst: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ReviewPlayerBar</name>
+    <message>
+        <source>From A to B</source>
+        <translation>Od A do B</translation>
     </message>
     <message>
         <source>To the begin</source>
@@ -2438,90 +2559,6 @@ Kliknutí označí tento okamžik (K)</translation>
         <translation>Přejít na čas (G): sekundy, nebo hodiny:minuty:sekundy</translation>
     </message>
     <message>
-        <source>note (M)</source>
-        <translation>poznámka (M)</translation>
-    </message>
-    <message>
-        <source>Note at this time</source>
-        <translation>Poznámka k tomuto času</translation>
-    </message>
-    <message>
-        <source>Kept beside the session, in %1; Enter saves it</source>
-        <translation>Ukládá se vedle relace, do %1; Enter ji uloží</translation>
-    </message>
-    <message>
-        <source>From A to B</source>
-        <translation>Od A do B</translation>
-    </message>
-    <message>
-        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
-        <translation>POŠKOZENO od %1 do %2, nic z toho se nezobrazuje: %3</translation>
-    </message>
-    <message>
-        <source>link %1 Hz</source>
-        <translation>spojení %1 Hz</translation>
-    </message>
-    <message>
-        <source>LINK LOST · %1</source>
-        <translation>SPOJENÍ ZTRACENO · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry</source>
-        <translation>žádná telemetrie</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>robot: --</translation>
-    </message>
-    <message>
-        <source>model %1</source>
-        <translation>model %1</translation>
-    </message>
-    <message>
-        <source>no model</source>
-        <translation>bez modelu</translation>
-    </message>
-    <message>
-        <source>what if: %1</source>
-        <translation>co kdyby: %1</translation>
-    </message>
-    <message>
-        <source>A review commands no robot</source>
-        <translation>Přehrávání neřídí žádného robota</translation>
-    </message>
-    <message>
-        <source>REVIEW of %1</source>
-        <translation>PŘEHRÁVÁNÍ souboru %1</translation>
-    </message>
-    <message>
-        <source>recorded %1</source>
-        <translation>zaznamenáno %1</translation>
-    </message>
-    <message>
-        <source>closed and sealed</source>
-        <translation>uzavřena a zapečetěna</translation>
-    </message>
-    <message>
-        <source>BEING RECORDED</source>
-        <translation>PRÁVĚ SE ZAZNAMENÁVÁ</translation>
-    </message>
-    <message>
-        <source>NOT SEALED: its program has not closed it</source>
-        <translation>NEZAPEČETĚNO: program ji neuzavřel</translation>
-    </message>
-    <message>
-        <source>DAMAGED, places: %1</source>
-        <translation>POŠKOZENO, míst: %1</translation>
-    </message>
-    <message>
-        <source>frames are looked through …</source>
-        <translation>rámce se procházejí …</translation>
-    </message>
-    <message>
-        <source>no command can be sent</source>
-        <translation>nelze odeslat žádný povel</translation>
-    </message>
-    <message>
         <source>of %1 · %2%3</source>
         <translation>z %1 · %2%3</translation>
     </message>
@@ -2540,30 +2577,6 @@ Kliknutí označí tento okamžik (K)</translation>
     <message>
         <source>The session is closed: nothing more will come</source>
         <translation>Relace je uzavřena: nic dalšího nepřijde</translation>
-    </message>
-    <message>
-        <source>NOTE NOT SAVED: %1</source>
-        <translation>POZNÁMKA NEULOŽENA: %1</translation>
-    </message>
-    <message>
-        <source>%1: a picture is a .png, .svg or .pdf</source>
-        <translation>%1: obrázek je .png, .svg nebo .pdf</translation>
-    </message>
-    <message>
-        <source>%1 could not be written</source>
-        <translation>%1 nelze zapsat</translation>
-    </message>
-    <message>
-        <source>Export what is shown</source>
-        <translation>Exportovat, co je zobrazeno</translation>
-    </message>
-    <message>
-        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
-        <translation>Obrázek (*.png *.svg *.pdf);;Čísla (*.csv)</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Klávesy</translation>
     </message>
     <message>
         <source>play, pause</source>
@@ -2657,6 +2670,157 @@ Kliknutí označí tento okamžik (K)</translation>
         <source>to a time</source>
         <translation>na čas</translation>
     </message>
+</context>
+<context>
+    <name>terratact::ReviewWindow</name>
+    <message>
+        <source>REVIEW — %1 — Terratact</source>
+        <translation>PŘEHRÁVÁNÍ — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>REVIEW · %1</source>
+        <translation>PŘEHRÁVÁNÍ · %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>What the operator saw at this time</source>
+        <translation>Co obsluha v tomto čase viděla</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>V tomto čase neplatil žádný odhad</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Čísla</translation>
+    </message>
+    <message>
+        <source>The scene of this time as a table</source>
+        <translation>Scéna tohoto času jako tabulka</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Události</translation>
+    </message>
+    <message>
+        <source>Everything the session tells of</source>
+        <translation>Vše, co relace obsahuje</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Forces, attitude and the last events</source>
+        <translation>Síly, náklon a poslední události</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Co kdyby</translation>
+    </message>
+    <message>
+        <source>Estimate the recorded scene with other settings</source>
+        <translation>Odhadnout zaznamenanou scénu s jiným nastavením</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otevřít</translation>
+    </message>
+    <message>
+        <source>Open another file in a window of its own (Ctrl+O)</source>
+        <translation>Otevřít jiný soubor ve vlastním okně (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vzhled</translation>
+    </message>
+    <message>
+        <source>note (M)</source>
+        <translation>poznámka (M)</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Poznámka k tomuto času</translation>
+    </message>
+    <message>
+        <source>Kept beside the session, in %1; Enter saves it</source>
+        <translation>Ukládá se vedle relace, do %1; Enter ji uloží</translation>
+    </message>
+    <message>
+        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <translation>POŠKOZENO od %1 do %2, nic z toho se nezobrazuje: %3</translation>
+    </message>
+    <message>
+        <source>link %1 Hz</source>
+        <translation>spojení %1 Hz</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>SPOJENÍ ZTRACENO · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>žádná telemetrie</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>model %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>bez modelu</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>co kdyby: %1</translation>
+    </message>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Přehrávání neřídí žádného robota</translation>
+    </message>
+    <message>
+        <source>recorded %1</source>
+        <translation>zaznamenáno %1</translation>
+    </message>
+    <message>
+        <source>closed and sealed</source>
+        <translation>uzavřena a zapečetěna</translation>
+    </message>
+    <message>
+        <source>BEING RECORDED</source>
+        <translation>PRÁVĚ SE ZAZNAMENÁVÁ</translation>
+    </message>
+    <message>
+        <source>NOT SEALED: its program has not closed it</source>
+        <translation>NEZAPEČETĚNO: program ji neuzavřel</translation>
+    </message>
+    <message>
+        <source>DAMAGED, places: %1</source>
+        <translation>POŠKOZENO, míst: %1</translation>
+    </message>
+    <message>
+        <source>frames are looked through …</source>
+        <translation>rámce se procházejí …</translation>
+    </message>
+    <message>
+        <source>no command can be sent</source>
+        <translation>nelze odeslat žádný povel</translation>
+    </message>
+    <message>
+        <source>NOTE NOT SAVED: %1</source>
+        <translation>POZNÁMKA NEULOŽENA: %1</translation>
+    </message>
     <message>
         <source>Pages</source>
         <translation>Stránky</translation>
@@ -2672,14 +2836,6 @@ Kliknutí označí tento okamžik (K)</translation>
     <message>
         <source>open another file</source>
         <translation>otevřít jiný soubor</translation>
-    </message>
-    <message>
-        <source>export what is shown</source>
-        <translation>exportovat, co je zobrazeno</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>tento přehled</translation>
     </message>
     <message>
         <source>timeline closer</source>
@@ -2704,6 +2860,14 @@ Kliknutí označí tento okamžik (K)</translation>
     <message>
         <source>to the next control, to the one before</source>
         <translation>na další prvek, na předchozí</translation>
+    </message>
+    <message>
+        <source>Write what is shown, or what the session holds, to a file (Ctrl+E)</source>
+        <translation>Zapsat zobrazené nebo obsah relace do souboru (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>export to a file</source>
+        <translation>exportovat do souboru</translation>
     </message>
 </context>
 <context>
@@ -2794,14 +2958,6 @@ Kliknutí označí tento okamžik (K)</translation>
     <message>
         <source>last scene</source>
         <translation>poslední scéna</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Klávesy</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>tento přehled</translation>
     </message>
     <message>
         <source>no link: a file</source>

@@ -157,6 +157,49 @@
     </message>
 </context>
 <context>
+    <name>ReviewExport</name>
+    <message>
+        <source>%1: a picture is a .png, .svg or .pdf</source>
+        <translation>%1: ein Bild ist .png, .svg oder .pdf</translation>
+    </message>
+    <message>
+        <source>%1 could not be written</source>
+        <translation>%1 ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Picture of the terrain</source>
+        <translation>Bild des Geländes</translation>
+    </message>
+    <message>
+        <source>Numbers of this time</source>
+        <translation>Zahlen dieser Zeit</translation>
+    </message>
+    <message>
+        <source>Report of the scene, one page</source>
+        <translation>Bericht der Szene, eine Seite</translation>
+    </message>
+    <message>
+        <source>CAN frames</source>
+        <translation>CAN-Frames</translation>
+    </message>
+    <message>
+        <source>Signals, a column for each</source>
+        <translation>Signale, eine Spalte für jedes</translation>
+    </message>
+    <message>
+        <source>Estimates, a row for each bin</source>
+        <translation>Schätzungen, eine Zeile je Feld</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Frames, signals, estimates and events</source>
+        <translation>Frames, Signale, Schätzungen und Ereignisse</translation>
+    </message>
+</context>
+<context>
     <name>ReviewTimeline</name>
     <message>
         <source>scene %1</source>
@@ -1006,6 +1049,25 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ConsoleWindow</name>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Layout, colours and size of the letters</source>
+        <translation>Anordnung, Farben und Schriftgröße</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>diese Übersicht</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
     <name>terratact::DiagnosticsPage</name>
     <message>
         <source>Versions</source>
@@ -1509,10 +1571,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Layout, colours and size of the letters</source>
-        <translation>Anordnung, Farben und Schriftgröße</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
@@ -1573,10 +1631,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>nicht freigegeben: %1</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
         <translation>Terratact %1. Beruht teilweise auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
     </message>
@@ -1603,10 +1657,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Pages</source>
         <translation>Seiten</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>diese Übersicht</translation>
     </message>
     <message>
         <source>Exploration</source>
@@ -2244,82 +2294,153 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     </message>
 </context>
 <context>
-    <name>terratact::ReviewWindow</name>
+    <name>terratact::ReviewExportDialog</name>
     <message>
-        <source>REVIEW — %1 — Terratact</source>
-        <translation>RÜCKSCHAU — %1 — Terratact</translation>
+        <source>.log, candump</source>
+        <translation>.log, candump</translation>
     </message>
     <message>
-        <source>REVIEW · %1</source>
-        <translation>RÜCKSCHAU · %1</translation>
+        <source>.asc, Vector</source>
+        <translation>.asc, Vector</translation>
     </message>
     <message>
-        <source>Terrain</source>
-        <translation>Gelände</translation>
+        <source>.mcap, Foxglove</source>
+        <translation>.mcap, Foxglove</translation>
     </message>
     <message>
-        <source>What the operator saw at this time</source>
-        <translation>Was der Bediener zu dieser Zeit sah</translation>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
-        <translation>Zu dieser Zeit galt keine Schätzung</translation>
+        <source>Export — %1</source>
+        <translation>Export — %1</translation>
     </message>
     <message>
-        <source>Numbers</source>
-        <translation>Zahlen</translation>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
     </message>
     <message>
-        <source>The scene of this time as a table</source>
-        <translation>Die Szene dieser Zeit als Tabelle</translation>
+        <source>Result of the export</source>
+        <translation>Ergebnis des Exports</translation>
     </message>
     <message>
-        <source>Events</source>
-        <translation>Ereignisse</translation>
+        <source>What</source>
+        <translation>Was</translation>
     </message>
     <message>
-        <source>Everything the session tells of</source>
-        <translation>Alles, wovon die Sitzung berichtet</translation>
+        <source>What of the session is to be a file</source>
+        <translation>Was von der Sitzung eine Datei werden soll</translation>
     </message>
     <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
-        <source>Forces, attitude and the last events</source>
-        <translation>Kräfte, Lage und die letzten Ereignisse</translation>
+        <source>Which programs can read it</source>
+        <translation>Welche Programme sie lesen</translation>
     </message>
     <message>
-        <source>What if</source>
-        <translation>Was wäre</translation>
+        <source>Of</source>
+        <translation>Umfang</translation>
     </message>
     <message>
-        <source>Estimate the recorded scene with other settings</source>
-        <translation>Die aufgezeichnete Szene mit anderen Einstellungen schätzen</translation>
+        <source>File</source>
+        <translation>Datei</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
+        <source>From A to B, else what the timeline shows: zoom with Z and X</source>
+        <translation>Von A bis B, sonst was die Zeitleiste zeigt: Z und X zoomen</translation>
     </message>
     <message>
-        <source>Open another file in a window of its own (Ctrl+O)</source>
-        <translation>Eine andere Datei in einem eigenen Fenster öffnen (Ctrl+O)</translation>
+        <source>Where it is written</source>
+        <translation>Wohin geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Die Datei wählen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
+    </message>
+    <message>
+        <source>Ends the export and leaves no file (Esc)</source>
+        <translation>Beendet den Export und hinterlässt keine Datei (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>from A to B, %1</source>
+        <translation>von A bis B, %1</translation>
+    </message>
+    <message>
+        <source>what is visible: all, %1</source>
+        <translation>das Sichtbare: alles, %1</translation>
+    </message>
+    <message>
+        <source>what is visible, %1</source>
+        <translation>das Sichtbare, %1</translation>
+    </message>
+    <message>
+        <source>everything, %1</source>
+        <translation>alles, %1</translation>
+    </message>
+    <message>
+        <source>this time, %1</source>
+        <translation>diese Zeit, %1</translation>
+    </message>
+    <message>
+        <source>scene %1</source>
+        <translation>Szene %1</translation>
+    </message>
+    <message>
+        <source>no estimate stands at this time</source>
+        <translation>zu dieser Zeit gilt keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Replace the file</source>
+        <translation>Datei ersetzen</translation>
     </message>
     <message>
         <source>Export</source>
         <translation>Export</translation>
     </message>
     <message>
-        <source>Save the picture or the numbers that are shown (Ctrl+E)</source>
-        <translation>Das gezeigte Bild oder die Zahlen speichern (Ctrl+E)</translation>
+        <source>Export to</source>
+        <translation>Exportieren nach</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
+        <source>Cancelled: no file was written</source>
+        <translation>Abgebrochen: keine Datei geschrieben</translation>
     </message>
     <message>
-        <source>Layout, colours and size of the letters</source>
-        <translation>Anordnung, Farben und Schriftgröße</translation>
+        <source>NOT WRITTEN: %1</source>
+        <translation>NICHT GESCHRIEBEN: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>frames left out, which the format cannot hold: %1</source>
+        <translation>ausgelassene Frames, die das Format nicht fasst: %1</translation>
+    </message>
+    <message>
+        <source>damaged and left out, places: %1</source>
+        <translation>beschädigt und ausgelassen, Stellen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ReviewPlayerBar</name>
+    <message>
+        <source>From A to B</source>
+        <translation>Von A bis B</translation>
     </message>
     <message>
         <source>To the begin</source>
@@ -2438,90 +2559,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <translation>Zu einer Zeit gehen (G): Sekunden, oder Stunden:Minuten:Sekunden</translation>
     </message>
     <message>
-        <source>note (M)</source>
-        <translation>Notiz (M)</translation>
-    </message>
-    <message>
-        <source>Note at this time</source>
-        <translation>Notiz zu dieser Zeit</translation>
-    </message>
-    <message>
-        <source>Kept beside the session, in %1; Enter saves it</source>
-        <translation>Steht neben der Sitzung, in %1; Enter speichert sie</translation>
-    </message>
-    <message>
-        <source>From A to B</source>
-        <translation>Von A bis B</translation>
-    </message>
-    <message>
-        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
-        <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
-    </message>
-    <message>
-        <source>link %1 Hz</source>
-        <translation>Verbindung %1 Hz</translation>
-    </message>
-    <message>
-        <source>LINK LOST · %1</source>
-        <translation>VERBINDUNG WEG · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry</source>
-        <translation>keine Telemetrie</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>Roboter: --</translation>
-    </message>
-    <message>
-        <source>model %1</source>
-        <translation>Modell %1</translation>
-    </message>
-    <message>
-        <source>no model</source>
-        <translation>kein Modell</translation>
-    </message>
-    <message>
-        <source>what if: %1</source>
-        <translation>was wäre: %1</translation>
-    </message>
-    <message>
-        <source>A review commands no robot</source>
-        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
-    </message>
-    <message>
-        <source>REVIEW of %1</source>
-        <translation>RÜCKSCHAU auf %1</translation>
-    </message>
-    <message>
-        <source>recorded %1</source>
-        <translation>aufgezeichnet %1</translation>
-    </message>
-    <message>
-        <source>closed and sealed</source>
-        <translation>geschlossen und versiegelt</translation>
-    </message>
-    <message>
-        <source>BEING RECORDED</source>
-        <translation>WIRD AUFGEZEICHNET</translation>
-    </message>
-    <message>
-        <source>NOT SEALED: its program has not closed it</source>
-        <translation>NICHT VERSIEGELT: ihr Programm hat sie nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>DAMAGED, places: %1</source>
-        <translation>BESCHÄDIGT, Stellen: %1</translation>
-    </message>
-    <message>
-        <source>frames are looked through …</source>
-        <translation>Rahmen werden durchgesehen …</translation>
-    </message>
-    <message>
-        <source>no command can be sent</source>
-        <translation>kein Befehl kann gesendet werden</translation>
-    </message>
-    <message>
         <source>of %1 · %2%3</source>
         <translation>von %1 · %2%3</translation>
     </message>
@@ -2540,30 +2577,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>The session is closed: nothing more will come</source>
         <translation>Die Sitzung ist geschlossen: es kommt nichts mehr</translation>
-    </message>
-    <message>
-        <source>NOTE NOT SAVED: %1</source>
-        <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
-    </message>
-    <message>
-        <source>%1: a picture is a .png, .svg or .pdf</source>
-        <translation>%1: ein Bild ist .png, .svg oder .pdf</translation>
-    </message>
-    <message>
-        <source>%1 could not be written</source>
-        <translation>%1 ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>Export what is shown</source>
-        <translation>Gezeigtes exportieren</translation>
-    </message>
-    <message>
-        <source>Picture (*.png *.svg *.pdf);;Numbers (*.csv)</source>
-        <translation>Bild (*.png *.svg *.pdf);;Zahlen (*.csv)</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
     </message>
     <message>
         <source>play, pause</source>
@@ -2657,6 +2670,157 @@ Ein Klick markiert diesen Augenblick (K)</translation>
         <source>to a time</source>
         <translation>zu einer Zeit</translation>
     </message>
+</context>
+<context>
+    <name>terratact::ReviewWindow</name>
+    <message>
+        <source>REVIEW — %1 — Terratact</source>
+        <translation>RÜCKSCHAU — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>REVIEW · %1</source>
+        <translation>RÜCKSCHAU · %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>What the operator saw at this time</source>
+        <translation>Was der Bediener zu dieser Zeit sah</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>Zu dieser Zeit galt keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>The scene of this time as a table</source>
+        <translation>Die Szene dieser Zeit als Tabelle</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Everything the session tells of</source>
+        <translation>Alles, wovon die Sitzung berichtet</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Forces, attitude and the last events</source>
+        <translation>Kräfte, Lage und die letzten Ereignisse</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre</translation>
+    </message>
+    <message>
+        <source>Estimate the recorded scene with other settings</source>
+        <translation>Die aufgezeichnete Szene mit anderen Einstellungen schätzen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open another file in a window of its own (Ctrl+O)</source>
+        <translation>Eine andere Datei in einem eigenen Fenster öffnen (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>note (M)</source>
+        <translation>Notiz (M)</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Notiz zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>Kept beside the session, in %1; Enter saves it</source>
+        <translation>Steht neben der Sitzung, in %1; Enter speichert sie</translation>
+    </message>
+    <message>
+        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
+    </message>
+    <message>
+        <source>link %1 Hz</source>
+        <translation>Verbindung %1 Hz</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>VERBINDUNG WEG · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>Modell %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>was wäre: %1</translation>
+    </message>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
+    </message>
+    <message>
+        <source>recorded %1</source>
+        <translation>aufgezeichnet %1</translation>
+    </message>
+    <message>
+        <source>closed and sealed</source>
+        <translation>geschlossen und versiegelt</translation>
+    </message>
+    <message>
+        <source>BEING RECORDED</source>
+        <translation>WIRD AUFGEZEICHNET</translation>
+    </message>
+    <message>
+        <source>NOT SEALED: its program has not closed it</source>
+        <translation>NICHT VERSIEGELT: ihr Programm hat sie nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>DAMAGED, places: %1</source>
+        <translation>BESCHÄDIGT, Stellen: %1</translation>
+    </message>
+    <message>
+        <source>frames are looked through …</source>
+        <translation>Rahmen werden durchgesehen …</translation>
+    </message>
+    <message>
+        <source>no command can be sent</source>
+        <translation>kein Befehl kann gesendet werden</translation>
+    </message>
+    <message>
+        <source>NOTE NOT SAVED: %1</source>
+        <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
+    </message>
     <message>
         <source>Pages</source>
         <translation>Seiten</translation>
@@ -2672,14 +2836,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>open another file</source>
         <translation>eine andere Datei öffnen</translation>
-    </message>
-    <message>
-        <source>export what is shown</source>
-        <translation>Gezeigtes exportieren</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>diese Übersicht</translation>
     </message>
     <message>
         <source>timeline closer</source>
@@ -2704,6 +2860,14 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>to the next control, to the one before</source>
         <translation>zum nächsten Element, zum vorigen</translation>
+    </message>
+    <message>
+        <source>Write what is shown, or what the session holds, to a file (Ctrl+E)</source>
+        <translation>Gezeigtes oder den Inhalt der Sitzung in eine Datei schreiben (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>export to a file</source>
+        <translation>in eine Datei exportieren</translation>
     </message>
 </context>
 <context>
@@ -2794,14 +2958,6 @@ Ein Klick markiert diesen Augenblick (K)</translation>
     <message>
         <source>last scene</source>
         <translation>letzte Szene</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>this sheet</source>
-        <translation>diese Übersicht</translation>
     </message>
     <message>
         <source>no link: a file</source>

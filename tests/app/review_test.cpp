@@ -4,17 +4,23 @@
 #include <sys/resource.h>
 
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QProgressBar>
+#include <QRadioButton>
 #include <QTableView>
 #include <cstdio>
 #include <cstdlib>
 
 #include "app/estimator_worker.h"
+#include "app/language.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
 #include "app/review_events_page.h"
+#include "app/review_export.h"
+#include "app/review_export_dialog.h"
 #include "app/review_window.h"
 #include "app/scenes_window.h"
 #include "app/terrain_page.h"
@@ -26,6 +32,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
 #include "widgets/estimate_strip.h"
+#include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -112,6 +119,12 @@ struct ReviewOf : testing::Test {
         QTest::keyClick(window.get(), static_cast<Qt::Key>(key), with);
     }
     double now() const { return window->player().position(); }
+    /// Texts without the room they need once the layout has come to rest.
+    std::vector<std::string> cutWhenSettled() const
+    {
+        (void)eventually([this] { return cutText(*window).empty(); }, 1500);
+        return cutText(*window);
+    }
 
     TemporaryDirectory directory;
     QString path = QString::fromStdString(directory.file("review.tts"));
@@ -270,6 +283,41 @@ TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
               static_cast<int>(window->session().events().size()));
 }
 
+TEST_F(ReviewOf, theForcesPeaksAtATimeAreTheSameHoweverOneCameThere)
+{
+    path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+    open();
+    const auto peaks = [&] {
+        const ForceBars& bars = *window->terrainPage()->forces();
+        std::vector<std::optional<double>> all;
+        for (int array = 0; array < bars.arrays(); ++array)
+            for (int e = 0; e < kForceElements; ++e) all.push_back(bars.peak(e, array));
+        return all;
+    };
+    const auto shown = [&](double time) {
+        window->goTo(time);
+        return peaks();
+    };
+    constexpr double kLetGo = 20.0;  // [s] from where on it is looked for
+    double at = 0.0;                 // where an element feels less than it did
+    std::vector<std::optional<double>> jumped;
+    for (double t = kLetGo; at == 0.0 && t < window->player().end(); t += 0.5) {
+        jumped = shown(t);
+        const auto& measured = window->moment().measurement;
+        for (std::size_t e = 0; measured && e < measured->force.size(); ++e)
+            if (jumped[e] && *jumped[e] > measured->force[e] + 1.0) at = t;
+    }
+    ASSERT_GT(at, 0.0) << "the session has a peak that stands above its bar";
+    for (double t = at - 1.0; t < at; t += 0.04) window->goTo(t);
+    EXPECT_EQ(shown(at), jumped) << "played there";
+    for (double t = at + 5.0; t > at; t -= 0.3) window->goTo(t);
+    EXPECT_EQ(shown(at), jumped) << "played there backwards";
+    window->goTo(1.0);
+    EXPECT_EQ(shown(at), jumped) << "from far away";
+    open();
+    EXPECT_EQ(shown(at), jumped) << "in a window that was nowhere else";
+}
+
 TEST_F(ReviewOf, aDamagedSessionShowsItsGaps)
 {
     record();
@@ -306,7 +354,7 @@ TEST_F(ReviewOf, aNoteIsKeptBesideTheSessionAndNotInIt)
     const auto notes = readNotes(path.toStdString());
     ASSERT_TRUE(notes) << notes.error().text;
     ASSERT_EQ(notes->size(), 1U);
-    EXPECT_EQ((*notes)[0], (ReviewNote{1.25, "a; 'step'"}));
+    EXPECT_EQ((*notes)[0], (ReviewNote{1.25, "a, \"step\""}));
     EXPECT_EQ(content(), before);
     window->goTo(0.0);
     press(Qt::Key_8);
@@ -320,18 +368,221 @@ TEST_F(ReviewOf, whatIsShownIsExported)
     record();
     open();
     window->goTo(At::kMarker);
+    TerrainProfileView& terrain = *window->terrainPage()->terrain();
     for (const char* suffix : {"png", "svg", "pdf"}) {
         const QString to = QString::fromStdString(directory.file("picture.")) + suffix;
-        EXPECT_TRUE(window->savePicture(to).isEmpty()) << suffix;
+        EXPECT_TRUE(savePicture(terrain, to).isEmpty()) << suffix;
         EXPECT_GT(QFileInfo(to).size(), 2000) << suffix;
     }
-    EXPECT_FALSE(window->savePicture("picture.bmp").isEmpty());
-    EXPECT_FALSE(window->saveNumbers("/nowhere/numbers.csv").isEmpty());
+    EXPECT_FALSE(savePicture(terrain, "picture.bmp").isEmpty());
+    window->numbers()->refresh(0.0);
+    NumbersTable& table = *window->numbers()->table();
+    EXPECT_FALSE(saveNumbers(window->moment(), table, "/nowhere/numbers.csv").isEmpty());
     const std::string to = directory.file("numbers.csv");
-    EXPECT_TRUE(window->saveNumbers(QString::fromStdString(to)).isEmpty());
+    EXPECT_TRUE(saveNumbers(window->moment(), table, QString::fromStdString(to)).isEmpty());
     const std::string text = *readFile(to, 1U << 20U);
     EXPECT_EQ(text.rfind("t_s,measured_s,pitch_rad", 0), 0U);
     EXPECT_NE(text.find("\n2,"), std::string::npos);
+}
+
+TEST(ReviewNotes, comeBackAsTheyWereWritten)
+{
+    TemporaryDirectory directory;
+    const std::string session = directory.file("a.tts");
+    const std::vector<ReviewNote> notes{{0.0, "plain"},      {1.25, "a, \"step\", or so"},
+                                        {2.5, "\"quoted\""}, {3.0, "two\nlines\r\nand a third"},
+                                        {4.0, ","},          {5.0, "\""},
+                                        {6.0, ""},           {7.0, "schod, který „uhýbá“"}};
+    ASSERT_TRUE(writeNotes(session, notes));
+    const auto read = readNotes(session);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(*read, notes);
+
+    const auto errorOf = [&](const std::string& text) {
+        EXPECT_TRUE(writeFileAtomically(notesPath(session), text));
+        const auto bad = readNotes(session);
+        return bad ? std::string() : bad.error().text;
+    };
+    EXPECT_NE(errorOf("t_s,note\n1,\"two\nlines\"\n2,\"open\n").find("line 4: a quote"),
+              std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\n1,\"a\"b\n").find("line 2"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\nsoon,x\n").find("line 2: t_s"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\nnan,x\n").find("line 2: t_s"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\n1,a,b\n").find("line 2"), std::string::npos);
+    EXPECT_NE(errorOf("t_s,note\n1,torn").find("line 2: is torn"), std::string::npos);
+    EXPECT_NE(errorOf("t,what\n").find("line 1: is no file of notes"), std::string::npos);
+    EXPECT_NE(errorOf("").find("line 1"), std::string::npos);
+    EXPECT_EQ(errorOf("t_s,note\r\n1,of another program\r\n"), "");
+}
+
+struct ExportOf : ReviewOf {
+    /// Opens the dialog by its key.
+    ReviewExportDialog& ask()
+    {
+        press(Qt::Key_E, Qt::ControlModifier);
+        return *window->exportDialog();
+    }
+    /// Chooses by what a list says, and the name of the file.
+    void choose(const QString& what, const QString& format, const std::string& name)
+    {
+        ReviewExportDialog& dialog = ask();
+        choose(*dialog.what(), what);
+        choose(*dialog.format(), format);
+        dialog.pathEdit()->setText(QString::fromStdString(directory.file(name)));
+    }
+    static void choose(QComboBox& box, const QString& text)
+    {
+        const int index = box.findText(text, Qt::MatchStartsWith);
+        ASSERT_GE(index, 0) << text.toStdString();
+        box.setCurrentIndex(index);
+    }
+    void write()
+    {
+        ReviewExportDialog& dialog = *window->exportDialog();
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+        EXPECT_TRUE(dialog.resultLabel()->text().startsWith("Written"))
+            << dialog.resultLabel()->text().toStdString();
+    }
+    std::string written(const std::string& name)
+    {
+        return *readFile(directory.file(name), 1U << 26U);
+    }
+    /// What the command line would write.
+    std::string commandWrites(const std::string& name, const ExportSelection& selection)
+    {
+        auto session = SessionReader::open(path.toStdString());
+        const std::string to = directory.file(name);
+        EXPECT_TRUE(writeExport(*session, to, *exportFormatOf(to), selection));
+        return *readFile(to, 1U << 26U);
+    }
+    QStringList files() { return QDir(QFileInfo(path).path()).entryList(QDir::Files); }
+};
+
+TEST_F(ExportOf, whatIsVisibleAndEverythingAreWhatTheCommandLineWrites)
+{
+    record();
+    open();
+    choose("CAN frames", ".log", "all.log");
+    QTest::mouseClick(window->exportDialog()->wholeSession(), Qt::LeftButton);
+    write();
+    EXPECT_EQ(written("all.log"), commandWrites("command-all.log", {}));
+
+    window->timeline()->showSpan(1.0, 3.0);
+    choose("CAN frames", ".asc", "zoomed.asc");
+    QTest::mouseClick(window->exportDialog()->visibleSpan(), Qt::LeftButton);
+    write();
+    EXPECT_EQ(written("zoomed.asc"),
+              commandWrites("command-zoomed.asc", {.from = window->timeline()->first(),
+                                                   .to = window->timeline()->last()}));
+
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    window->goTo(1.5);
+    press(Qt::Key_B);
+    window->goTo(1.0);
+    press(Qt::Key_A);
+    const ExportSelection cursors{.what = ExportKind::Frames, .from = 1.0, .to = 1.5};
+    choose("CAN frames", ".csv", "cursors.csv");
+    EXPECT_TRUE(window->exportDialog()->visibleSpan()->text().contains("A to B"));
+    write();
+    EXPECT_EQ(written("cursors.csv"), commandWrites("command-cursors.csv", cursors));
+    EXPECT_LT(written("cursors.csv").size(), 0.5 * static_cast<double>(written("all.log").size()));
+    choose("CAN frames", ".mcap", "cursors.mcap");
+    write();
+    EXPECT_EQ(written("cursors.mcap"), commandWrites("command-cursors.mcap", cursors));
+}
+
+TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
+{
+    record();
+    open();
+    window->goTo(At::kMarker);
+    for (const char* format : {".png", ".svg", ".pdf"}) {
+        choose("Picture", format, std::string("picture") + format);
+        write();
+        EXPECT_GT(written(std::string("picture") + format).size(), 2000U);
+    }
+    choose("Numbers", ".csv", "numbers.csv");
+    write();
+    EXPECT_EQ(written("numbers.csv").rfind("t_s,measured_s,pitch_rad", 0), 0U);
+    choose("Report", ".html", "report");  // the ending is added
+    write();
+    EXPECT_NE(written("report.html").find("Scene 1 of review.tts"), std::string::npos);
+    window->goTo(0.0);
+    choose("Report", ".html", "none.html");
+    EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "no estimate stands";
+}
+
+TEST_F(ExportOf, aFileThatIsThereIsReplacedOnlyByAButtonThatSaysSo)
+{
+    record();
+    open();
+    ASSERT_TRUE(writeFileAtomically(directory.file("old.log"), "old"));
+    choose("CAN frames", ".log", "old.log");
+    ReviewExportDialog& dialog = *window->exportDialog();
+    EXPECT_EQ(dialog.exportButton()->text(), "Replace the file");
+    dialog.pathEdit()->setText("/nowhere/new.log");
+    EXPECT_EQ(dialog.exportButton()->text(), "Export");
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+    EXPECT_TRUE(dialog.resultLabel()->text().startsWith("NOT WRITTEN: /nowhere/new.log"))
+        << dialog.resultLabel()->text().toStdString();
+    EXPECT_EQ(written("old.log"), "old");
+}
+
+TEST_F(ExportOf, theDialogHasRoomForEveryTextAndNamesForEveryControl)
+{
+    record();
+    for (const int scale : {100, 150, 200}) {
+        applyLook(*qApp, ThemeName::Day, scale);
+        open();
+        ReviewExportDialog& dialog = ask();
+        for (int what = 0; what < dialog.what()->count(); ++what) {
+            dialog.what()->setCurrentIndex(what);
+            QCoreApplication::processEvents();
+            EXPECT_EQ(cutText(dialog), std::vector<std::string>{}) << scale << " " << what;
+        }
+        for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
+            const auto* button = qobject_cast<const QAbstractButton*>(widget);
+            if (!widget->isVisible() || widget->objectName().startsWith("qt_")) continue;
+            if (!button && !(widget->focusPolicy() & Qt::TabFocus)) continue;
+            EXPECT_FALSE(widget->accessibleName().isEmpty()
+                         && (!button || button->text().isEmpty()))
+                << widget->metaObject()->className();
+            EXPECT_GE(widget->height(), 32) << widget->metaObject()->className();
+        }
+    }
+    applyLook(*qApp);
+}
+
+TEST_F(ExportOf, oneThatIsCancelledLeavesNoFileAndTheReviewGoesOnMeanwhile)
+{
+    {
+        auto writer = robotSession(path.toStdString(), 60.0, 850.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE(writer->seal());
+    }
+    open();
+    const QStringList before = files();
+    choose("Frames, signals", ".mcap", "big.mcap");
+    ReviewExportDialog& dialog = *window->exportDialog();
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    ASSERT_TRUE(dialog.writes()) << "does not wait";
+    EXPECT_TRUE(dialog.progressBar()->isVisible());
+    EXPECT_FALSE(dialog.exportButton()->isEnabled());
+    window->goTo(12.0);
+    EXPECT_EQ(now(), 12.0);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+    EXPECT_TRUE(dialog.resultLabel()->text().startsWith("Cancelled"))
+        << dialog.resultLabel()->text().toStdString();
+    EXPECT_EQ(files(), before);
+    EXPECT_TRUE(dialog.isVisible());
+
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    window.reset();  // closed while it is written
+    EXPECT_EQ(files(), before);
 }
 
 TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
@@ -406,7 +657,7 @@ TEST_F(ReviewOf, everyTextHasItsRoomAndEveryControlAName)
         QCoreApplication::processEvents();
         // The table of numbers is seen to by its own test; four draws that fall apart are too much for it.
         if (window->rail()->keyOf(page) != Qt::Key_F3) {
-            EXPECT_EQ(cutText(*window), std::vector<std::string>{}) << page;
+            EXPECT_EQ(cutWhenSettled(), std::vector<std::string>{}) << page;
         }
         for (const QWidget* widget : window->findChildren<QWidget*>()) {
             const auto* button = qobject_cast<const QAbstractButton*>(widget);
@@ -419,6 +670,68 @@ TEST_F(ReviewOf, everyTextHasItsRoomAndEveryControlAName)
         }
     }
     EXPECT_TRUE(window->keys().html().contains("Space"));
+}
+
+TEST_F(ReviewOf, nothingIsCutInLargeLettersAndTheTerrainHasTheRoomThereIs)
+{
+    applyLook(*qApp);
+    record();
+    open();
+    struct Case {
+        int scale;  // [%]
+        QSize size;
+        double terrain;  // [px] of a metre, at least
+    };
+    const Case cases[]{{100, {1200, 680}, 300.0}, {100, {1440, 900}, 320.0},
+                       {120, {1200, 680}, 200.0}, {150, {1200, 680}, 170.0},
+                       {150, {1440, 900}, 340.0}, {200, {1920, 1080}, 340.0}};
+    int scale = 100;
+    for (const Case& c : cases) {
+        for (; scale < c.scale; scale += 10) press(Qt::Key_Plus, Qt::ControlModifier);
+        window->resize(c.size);
+        for (int page = 0; page < window->rail()->pages(); ++page) {
+            window->rail()->choose(page);
+            window->goTo(At::kMarker);
+            if (window->rail()->keyOf(page) == Qt::Key_F3) continue;
+            EXPECT_EQ(cutWhenSettled(), std::vector<std::string>{}) << c.scale << " " << page;
+        }
+        window->rail()->choose(0);
+        QTest::qWait(50);
+        EXPECT_EQ(window->size(), c.size);
+        const TerrainProfileView& terrain = *window->terrainPage()->terrain();
+        EXPECT_GE(terrain.transform(QwtPlot::xBottom, 1.0)
+                      - terrain.transform(QwtPlot::xBottom, 0.0),
+                  c.terrain)
+            << c.scale << " % " << c.size.width();
+    }
+    press(Qt::Key_0, Qt::ControlModifier);
+}
+
+TEST_F(ReviewOf, nothingIsCutInAnyLanguage)
+{
+    applyLook(*qApp);
+    record();
+    for (const char* language : {"en", "cs", "de"}) {
+        window.reset();
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        open();
+        for (const QSize size : {QSize(1200, 680), QSize(1440, 900)}) {
+            window->resize(size);
+            for (int page = 0; page < window->rail()->pages(); ++page) {
+                window->rail()->choose(page);
+                window->goTo(At::kMarker);
+                if (window->rail()->keyOf(page) == Qt::Key_F3) continue;
+                EXPECT_EQ(cutWhenSettled(), std::vector<std::string>{}) << language << " " << page;
+            }
+        }
+        press(Qt::Key_E, Qt::ControlModifier);
+        const ReviewExportDialog* dialog = window->exportDialog();
+        ASSERT_TRUE(dialog);
+        QTest::qWait(20);
+        EXPECT_EQ(cutText(*dialog), std::vector<std::string>{}) << language;
+    }
+    installLanguage(*qApp, "en");
 }
 
 TEST(ScenesOfAFile, areEstimatedOneByOneAndCommandNothing)

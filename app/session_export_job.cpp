@@ -1,0 +1,72 @@
+#include "app/session_export_job.h"
+
+#include <utility>
+
+#include "app/session_report.h"
+#include "core/log/session_reader.h"
+
+namespace terratact {
+namespace {
+
+using Progress = std::function<bool(double)>;
+
+Status writeReportOf(SessionReader& session, const SessionExportJob::Wish& wish,
+                     const Progress& progress)
+{
+    const auto report = reportOf(session, wish.scene, progress);
+    if (!report) return report.error();
+    return writeReport(wish.out, *report);
+}
+
+}  // namespace
+
+SessionExportJob::SessionExportJob(Wish wish) : wish_(std::move(wish)) {}
+
+SessionExportJob::~SessionExportJob()
+{
+    cancel();
+}
+
+void SessionExportJob::start()
+{
+    thread_ = std::jthread([this] { run(); });
+}
+
+void SessionExportJob::cancel()
+{
+    cancelled_ = true;
+}
+
+bool SessionExportJob::goOn(double share)
+{
+    if (const int percent = static_cast<int>(100.0 * share); percent != percent_) {
+        percent_ = percent;
+        emit progressed(share);
+    }
+    return !cancelled_;
+}
+
+void SessionExportJob::run()
+{
+    auto session = SessionReader::open(wish_.session);
+    if (!session) {
+        emit ended(QString::fromStdString(session.error().text), 0, 0);
+        return;
+    }
+    const Progress progress = [this](double share) { return goOn(share); };
+    ExportCounts counts;
+    QString trouble;
+    if (wish_.format) {
+        const auto written =
+            writeExport(*session, wish_.out, *wish_.format, wish_.selection, progress);
+        if (written)
+            counts = *written;
+        else
+            trouble = QString::fromStdString(written.error().text);
+    } else if (const Status written = writeReportOf(*session, wish_, progress); !written) {
+        trouble = QString::fromStdString(written.error().text);
+    }
+    emit ended(trouble, counts.leftOut, static_cast<int>(session->damage().size()));
+}
+
+}  // namespace terratact
