@@ -88,6 +88,45 @@
     </message>
 </context>
 <context>
+    <name>ModelWords</name>
+    <message>
+        <source>unknown</source>
+        <translation>neznámo</translation>
+    </message>
+    <message>
+        <source>trained %1; ground: %2</source>
+        <translation>naučen %1; terén: %2</translation>
+    </message>
+    <message>
+        <source>%1 scenes, %2 % of them with a step above %3 m; median relief %4 m</source>
+        <translation>%1 scén, %2 % z nich se schodem nad %3 m; střední převýšení %4 m</translation>
+    </message>
+    <message>
+        <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
+        <translation>%1: střední chyba %2 mm, 80% pásmo drží %3 % – %4 scén z %5, %6</translation>
+    </message>
+    <message>
+        <source> – the scenes it was trained on</source>
+        <translation> – scény, na kterých se učil</translation>
+    </message>
+    <message>
+        <source>never evaluated: its errors are unknown</source>
+        <translation>nikdy nevyhodnocen: chyby nejsou známy</translation>
+    </message>
+    <message>
+        <source>its card is not used: %1</source>
+        <translation>jeho karta se nepoužije: %1</translation>
+    </message>
+    <message>
+        <source>content %1; scenes %2</source>
+        <translation>obsah %1; scény %2</translation>
+    </message>
+    <message>
+        <source>made by: %1</source>
+        <translation>vytvořen: %1</translation>
+    </message>
+</context>
+<context>
     <name>OpenFile</name>
     <message>
         <source>Open</source>
@@ -285,6 +324,15 @@
     <message>
         <source>contact open: %1</source>
         <translation>kontakt rozepnut: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RobotCard</name>
+    <message>
+        <source>%1: %2
+file of %3, %4 bytes; content %5</source>
+        <translation>%1: %2
+soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
 </context>
 <context>

@@ -88,6 +88,45 @@
     </message>
 </context>
 <context>
+    <name>ModelWords</name>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>trained %1; ground: %2</source>
+        <translation>gelernt %1; Gelände: %2</translation>
+    </message>
+    <message>
+        <source>%1 scenes, %2 % of them with a step above %3 m; median relief %4 m</source>
+        <translation>%1 Szenen, davon %2 % mit einer Stufe über %3 m; mittlerer Höhenunterschied %4 m</translation>
+    </message>
+    <message>
+        <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
+        <translation>%1: mittlerer Fehler %2 mm, das 80-%-Band hält %3 % – %4 Szenen aus %5, %6</translation>
+    </message>
+    <message>
+        <source> – the scenes it was trained on</source>
+        <translation> – die Szenen, aus denen es gelernt hat</translation>
+    </message>
+    <message>
+        <source>never evaluated: its errors are unknown</source>
+        <translation>nie bewertet: seine Fehler sind unbekannt</translation>
+    </message>
+    <message>
+        <source>its card is not used: %1</source>
+        <translation>seine Karte wird nicht benutzt: %1</translation>
+    </message>
+    <message>
+        <source>content %1; scenes %2</source>
+        <translation>Inhalt %1; Szenen %2</translation>
+    </message>
+    <message>
+        <source>made by: %1</source>
+        <translation>gemacht mit: %1</translation>
+    </message>
+</context>
+<context>
     <name>OpenFile</name>
     <message>
         <source>Open</source>
@@ -285,6 +324,15 @@
     <message>
         <source>contact open: %1</source>
         <translation>Kontakt offen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RobotCard</name>
+    <message>
+        <source>%1: %2
+file of %3, %4 bytes; content %5</source>
+        <translation>%1: %2
+Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
 </context>
 <context>
