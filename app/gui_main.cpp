@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 
+#include "app/big_blocks.h"
 #include "app/can_check.h"
 #include "app/can_source.h"
 #include "app/demo.h"
@@ -540,6 +541,7 @@ int run(int& argc, char** argv, Arguments arguments)
 
 int main(int argc, char** argv)
 {
+    terratact::giveBackBigBlocks();
     openblas_set_num_threads(1);  // the estimator has threads of its own
     try {
         CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
