@@ -243,6 +243,16 @@ TEST_P(Screens, ofAWholeExploration)
         << window->exploration().whyNoGhost().toStdString();
     QTest::keyRelease(window.get(), Qt::Key_S);
     picture("16_ghost");
+    const std::pair<ThemeName, const char*> themes[]{
+        {ThemeName::NightRed, "17_ghost_by_night"},
+        {ThemeName::HighContrast, "18_ghost_in_high_contrast"}};
+    window->resize(1200, 680);
+    for (const auto& [theme, name] : themes) {
+        window->preferences().change([theme = theme](Preferences& p) { p.theme = theme; });
+        picture(name);
+    }
+    window->preferences().change([](Preferences& p) { p.theme = ThemeName::Day; });
+    window->resize(1440, 900);
     QTest::keyClick(window.get(), Qt::Key_F12);
     ASSERT_TRUE(reaches(AtemPhase::Stopped));
     picture("12_stopped");
