@@ -68,6 +68,7 @@ public:
     /// Everything that was received, for the pages that show the bus itself.
     BusTap& tap() { return tap_; }
     std::optional<double> bitrate() const { return options_.bitrate; }
+    Mode mode() const { return options_.mode; }
     std::string busName() const { return bus_->name(); }
     /// Frames that were received and not yet looked at, when new ones came.
     struct Waiting {

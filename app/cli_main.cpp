@@ -179,6 +179,7 @@ struct Arguments {
     WhatIfOptions whatIf;
     std::string modelPath;
     std::string modelData;
+    ModelCardOptions modelCard;
     bool modelCsv = false;
     std::string scratch;
     std::vector<std::string> methods;
@@ -265,6 +266,9 @@ void addEvaluate(CLI::App& app, Arguments& a)
     addNumber(*c, "--step-limit", a.evaluate.stepLimit,
               "Neighbouring bins that differ by more are a step [m]")
         ->check(CLI::Range(0.0, 10.0));
+    auto* card =
+        c->add_flag("--card", a.evaluate.card,
+                    "Also write mean |error| and coverage into the model's card, beside it");
     c->add_option("--shard", a.scratch,
                   "Evaluate part i of n alone (2/8) and write it (part_2_of_8.tte) for merge")
         ->check(CLI::Validator(
@@ -274,7 +278,8 @@ void addEvaluate(CLI::App& app, Arguments& a)
                 a.evaluate.shard = shard;
                 return {};
             },
-            "i/n"));
+            "i/n"))
+        ->excludes(card);
     auto* classes =
         c->add_option("--classes", a.evaluate.classes,
                       "Index CSV whose column row names the scenes' runs: scores by class");
@@ -420,6 +425,11 @@ void addModel(CLI::App& app, Arguments& a)
     auto* show = c->add_subcommand("show", "Every hyper-parameter, and how the model was made");
     show->add_option("model", a.modelPath, "Model (*.ttm)")->required();
     show->add_flag("--csv", a.modelCsv, "Everything a prediction needs, as CSV");
+    auto* card = c->add_subcommand(
+        "card", "Write into the card beside a model when and on what ground it was trained");
+    card->add_option("model", a.modelCard.model, "Model (*.ttm)")->required();
+    card->add_option("--trained", a.modelCard.trained, "When, such as 2026-11-22T07:05:00Z");
+    card->add_option("--terrain", a.modelCard.terrain, "On what ground, in 1 to 100 characters");
     auto* predict = c->add_subcommand(
         "predict", "Mean and sd of each bin given the scene's other bins, as CSV: to check "
                    "the model against another program");
@@ -626,6 +636,7 @@ Status run(const CLI::App& app, Arguments& a)
     if (app.got_subcommand("session")) return runSession(*app.get_subcommand("session"), a);
     if (app.get_subcommand("model")->got_subcommand("predict"))
         return predictConditionals(a.modelPath, a.modelData);
+    if (app.get_subcommand("model")->got_subcommand("card")) return describeModel(a.modelCard);
     return showModel(a.modelPath, a.modelCsv);
 }
 

@@ -12,6 +12,7 @@
 #include "app/findings.h"
 #include "app/findings_file.h"
 #include "app/findings_report.h"
+#include "app/model_cards.h"
 #include "app/parallel.h"
 #include "app/probe_trials.h"
 #include "app/scene_estimates.h"
@@ -225,6 +226,26 @@ Result<std::vector<Scene>> scenesOf(const Shard& shard, std::vector<Scene> all,
     return std::vector<Scene>(at(shard.begin(all.size())), at(shard.end(all.size())));
 }
 
+/// What the methods, baselines apart, err: into the card of the model.
+Status keepInCard(const EvaluateOptions& options, const std::string& modelHash,
+                  const Findings& findings)
+{
+    std::vector<CardScores> scores;
+    for (std::size_t k = 0; k < options.methods.size(); ++k) {
+        const MethodRun& run = findings.runs[k];
+        if (run.failed == run.scenes) continue;
+        const ErrorStatistics all = statistics(errorsOf(run.label, findings.errors));
+        scores.push_back({.method = run.label,
+                          .date = {},
+                          .data = {},
+                          .dataHash = {},
+                          .scenes = run.scenes - run.failed,
+                          .meanError = all.mean,
+                          .coverage = all.coverage});
+    }
+    return keepScores(options.model, modelHash, options.data, std::move(scores));
+}
+
 }  // namespace
 
 Status evaluate(const EvaluateOptions& options)
@@ -254,7 +275,8 @@ Status evaluate(const EvaluateOptions& options)
     findings.scenes = evaluatedScenes(work, *classes);
     if (Status s = judgeAll(work, findings); !s) return s;
     if (options.shard) return writeShard(options, (*toolbox)->model.contentHash, findings);
-    return reportFindings(findings, options.out);
+    if (Status s = reportFindings(findings, options.out); !s || !options.card) return s;
+    return keepInCard(options, (*toolbox)->model.contentHash, findings);
 }
 
 }  // namespace terratact

@@ -7,6 +7,7 @@
 #include "app/findings.h"
 #include "app/findings_file.h"
 #include "app/findings_report.h"
+#include "app/model_cards.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/learn/model_file.h"
@@ -43,6 +44,7 @@ Status mergeTraining(const MergeOptions& options)
     const auto model = mergeModelParts(*parts, *robot, sha256Hex(*bytes), options.out);
     if (!model) return model.error();
     if (Status written = writeModel(options.out, *model); !written) return written;
+    if (Status card = writeNewCard(options.out, *model, {}); !card) return card;
     fmt::print("{} parts; content {}; written to {}\n", parts->size(), contentHash(*model),
                options.out);
     return Done{};

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "app/commands.h"
+#include "app/model_cards.h"
+#include "core/infer/obstacle.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
 #include "core/learn/scene_file.h"
@@ -98,6 +100,26 @@ void printSurfaces(const ClearanceData& data, bool covered)
     row("residual sd", [](const SurfaceProcess& p) { return p.residualSd; });
 }
 
+/// What the card beside the model adds to it.
+void printCard(const ModelFacts& facts)
+{
+    const auto known = [](const std::string& text) { return text.empty() ? "unknown" : text; };
+    fmt::print("trained  {}\nground   {}; {:.0f} % of the scenes with a step above {:.2f} m, "
+               "median relief "
+               "{:.2f} m\n",
+               known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
+               kStepLimit, facts.ground.relief);
+    if (facts.card.scores.empty())
+        fmt::print("errors   unknown; `terratact evaluate --card` finds them\n");
+    for (const CardScores& s : facts.card.scores)
+        fmt::print("errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
+                   "({}), {}{}\n",
+                   s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
+                   s.dataHash.substr(0, 16), s.date,
+                   facts.learntFrom(s) ? "; the scenes it was trained on" : "");
+    if (!facts.trouble.empty()) fmt::print(stderr, "terratact: {}\n", facts.trouble);
+}
+
 /// p(hᵢ | h_{J∖i}, s) of every bin with the other heights taken from the scene.
 void printConditionals(const Scene& scene, const BinModels& models)
 {
@@ -136,6 +158,21 @@ Status predictConditionals(const std::string& modelPath, const std::string& data
     return Done{};
 }
 
+Status describeModel(const ModelCardOptions& options)
+{
+    const auto stored = readModel(options.model);
+    if (!stored) return stored.error();
+    auto found = readModelCard(options.model, stored->contentHash);
+    if (!found) return found.error();
+    ModelCard card = found->value_or(ModelCard{});
+    card.model = stored->contentHash;
+    if (!options.trained.empty()) card.trained = options.trained;
+    if (!options.terrain.empty()) card.terrain = options.terrain;
+    if (Status written = writeModelCard(options.model, card); !written) return written;
+    printCard(factsOf(options.model, *stored));
+    return Done{};
+}
+
 Status showModel(const std::string& path, bool csv)
 {
     const auto stored = readModel(path);
@@ -153,6 +190,7 @@ Status showModel(const std::string& path, bool csv)
                model.scannedHeights.rows(), model.dataHash);
     if (model.inducing > 0)
         fmt::print("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
+    printCard(factsOf(path, *stored));
     printTable(model.pa);
     printTable(model.paf);
     printSurfaces(model.clearance, true);

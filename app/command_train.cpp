@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/model_cards.h"
 #include "app/model_training.h"
 #include "app/progress.h"
 #include "core/learn/model_file.h"
@@ -98,6 +99,7 @@ Status train(const TrainOptions& options)
     if (!model) return model.error();
     if (options.bins) return writePart(options, *std::move(model));
     if (Status written = writeModel(options.out, *model); !written) return written;
+    if (Status card = writeNewCard(options.out, *model, options.data); !card) return card;
     printModel(*model, options.out);
     return Done{};
 }

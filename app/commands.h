@@ -60,6 +60,7 @@ struct EvaluateOptions {
     std::string classColumn = "class";  ///< of the index file
     bool probes = false;                ///< also simulate probes by three rules
     std::optional<Shard> shard;         ///< writes the findings of this part alone
+    bool card = false;                  ///< also writes what the methods err into the model's card
     std::string command;                ///< without --shard and --out
 };
 Status evaluate(const EvaluateOptions& options);
@@ -123,6 +124,13 @@ struct PanelCheckOptions {
 Status checkPanel(const PanelCheckOptions& options);
 
 Status showModel(const std::string& path, bool csv);
+
+struct ModelCardOptions {
+    std::string model;
+    std::string trained, terrain;  ///< empty: as the card has it
+};
+/// Writes into the card of a model, which it begins where there is none, and prints it.
+Status describeModel(const ModelCardOptions& options);
 
 /// Prints mean and sd of every conditional p(hᵢ | h_{J∖i}, s) for complete scenes, as CSV.
 Status predictConditionals(const std::string& modelPath, const std::string& dataPath);

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <utility>
 
+#include "app/bus_words.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -82,7 +83,7 @@ void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
 void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
 {
     const bool isUp = bus.bus == BusState::Up;
-    judge("bus", !isUp, words::text(describe(bus.bus, sight.busName)),
+    judge("bus", !isUp, busWords(bus.bus, sight.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender,

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/model_words.h"
 #include "app/parallel.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
@@ -25,11 +26,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
 
         LoadedModel model;
         model.name = QFileInfo(QString::fromStdString(path)).fileName();
-        model.details = QStringLiteral("%1\n%2 training scenes\nmade by: %3\ncontent %4")
-                            .arg(QString::fromStdString(path))
-                            .arg(stored->data.heights.rows())
-                            .arg(QString::fromStdString(stored->data.command),
-                                 QString::fromStdString(stored->contentHash.substr(0, 16)));
+        model.details = ModelWords::card(factsOf(path, *stored));
         if (const auto hash = sha256OfFile(path)) model.hash = QString::fromStdString(*hash);
         model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
             TerrainEstimate estimate =

@@ -34,7 +34,7 @@ using Estimator = std::function<TerrainEstimate(const EstimateRequest&, const Wa
 struct LoadedModel {
     Estimator estimate;
     QString name;     ///< "default.ttm"
-    QString details;  ///< size, hash, how it was made
+    QString details;  ///< its card, in words
     QString hash{};   ///< SHA-256 of its file
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;

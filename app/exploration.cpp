@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/bus_words.h"
 #include "core/atem/probe_grounds.h"
 #include "core/infer/estimate_words.h"
 #include "widgets/words.h"
@@ -24,7 +25,7 @@ constexpr int kLiveDraws = 200;          // enough for what a glance asks of a p
 Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
                          const Options& options, CanSource* link)
     : source_(source), link_(link), robot_(std::move(robot)), worker_(worker), options_(options),
-      whyFollowing_(link ? QString::fromStdString(link->view().whyNotTransmitting) : QString())
+      whyFollowing_(whyFollowing(link))
 {
     state_.followed = following();
     connect(&worker_, &EstimatorWorker::modelLoaded, this,

@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 
+#include "app/big_blocks.h"
 #include "app/can_check.h"
 #include "app/can_source.h"
 #include "app/demo.h"
@@ -293,13 +294,16 @@ std::shared_ptr<SessionRecorder> recorderFor(const Arguments& arguments,
 }
 
 /// "robots/absolem.toml\ncontent 0123456789abcdef"
-QString fileDetails(const std::string& path)
+QString fileDetails(const std::string& path, const RobotModel& robot)
 {
     constexpr std::size_t kMost = 1U << 20U;  // bytes
     const auto content = readFile(path, kMost);
     const std::string hash = content ? sha256Hex(*content).substr(0, 16) : content.error().text;
-    return QStringLiteral("%1\ncontent %2")
-        .arg(QString::fromStdString(path), QString::fromStdString(hash));
+    const QFileInfo file(QString::fromStdString(path));
+    return QCoreApplication::translate("RobotCard", "%1: %2\nfile of %3, %4 bytes; content %5")
+        .arg(QString::fromStdString(robot.name), QString::fromStdString(path),
+             file.lastModified().toUTC().date().toString(Qt::ISODate), QString::number(file.size()),
+             QString::fromStdString(hash));
 }
 
 /// The preferences with what the command line says.  A picture's and a safe start have none.
@@ -486,7 +490,6 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     std::unique_ptr<BuiltInRobot> builtIn;  // outlives the window, which talks to it
     MainWindow::Options options;
     options.robot = *robot;
-    options.robotDetails = fileDetails(robotPath);
     options.recorder = recorderFor(arguments, robotPath, preferences, options.notices);
     if (const Status connected = connect(options, arguments, builtIn); !connected)
         return failed(connected.error().text);
@@ -494,6 +497,7 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     const bool demo = !arguments.screenshot.empty();
     if (const Status ready = startApplication(argc, argv, demo, preferences, application); !ready)
         return failed(ready.error().text);
+    options.robotDetails = fileDetails(robotPath, *robot);
     options.modelPath = model;
     options.model = modelFileLoader(model, *robot);
     options.exploration.settings = withPreferences(options.exploration.settings, preferences);
@@ -537,6 +541,7 @@ int run(int& argc, char** argv, Arguments arguments)
 
 int main(int argc, char** argv)
 {
+    terratact::giveBackBigBlocks();
     openblas_set_num_threads(1);  // the estimator has threads of its own
     try {
         CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");

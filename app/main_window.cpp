@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/alarms_page.h"
+#include "app/bus_words.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
 #include "app/page.h"
@@ -397,7 +398,7 @@ AlarmSight MainWindow::alarmSight(double now) const
     AlarmSight sight;
     if (latest_) sight.telemetryAge = now - secondsOf(latest_->arrived);
     sight.linkAlive = exploration_->linkAlive();
-    sight.sourceTrouble = QString::fromStdString(acquisition_->trouble());
+    sight.sourceTrouble = troubleWords(link_, acquisition_->trouble());
     if (link_) {
         sight.bus = link_->view();
         sight.busName = link_->busName();
@@ -465,9 +466,9 @@ QString MainWindow::linkDetails(const CanView& view) const
 {
     const BusLoad load = link_->tap().load();
     return tr("%1\n%2 frames/s, %3\n%4 frames dropped by this computer, %5 error frames")
-        .arg(QString::fromStdString(describe(view.bus, link_->busName())),
-             words::number(load.framesPerSecond, 0), loadWords(load, link_->bitrate()),
-             QString::number(view.frames.dropped), QString::number(view.frames.errorFrames));
+        .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
+             loadWords(load, link_->bitrate()), QString::number(view.frames.dropped),
+             QString::number(view.frames.errorFrames));
 }
 
 QList<DiagnosticsSection> MainWindow::diagnostics() const
@@ -547,14 +548,12 @@ void MainWindow::showLink(double now, const std::optional<Received>& latest)
         linkShownAt_ = now;
         worstAge_ = 0.0;
     }
-    const std::string trouble = acquisition_->trouble();
+    const QString trouble = troubleWords(link_, acquisition_->trouble());
     banner_->setVisible(latest && !alive && !ended);
     if (banner_->isVisible())
         banner_->setText(tr("LINK LOST for %1 — nothing on this screen is live%2")
                              .arg(words::age(age),
-                                  trouble.empty()
-                                      ? QString()
-                                      : QStringLiteral(": ") + QString::fromStdString(trouble)));
+                                  trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble));
     if (latest && alive != linkWasAlive_)
         events()->add(alive   ? tr("link is up")
                       : ended ? tr("end of the log")
@@ -584,8 +583,8 @@ void MainWindow::showArming(double now)
 {
     if (!link_) return;
     const CanView view = link_->view();
+    if (!view.transmits) return header()->arming()->setListening(whyFollowing(link_));
     const QString whyNot = words::sentence(whyNotArming(view));
-    if (!view.transmits) return header()->arming()->setListening(whyNot);
     const ArmingState& state = view.link.arming;
     header()->arming()->setState(state, whyNot.isEmpty() ? panelForbids(now) : whyNot);
     if (state.phase == armingWas_) return;

@@ -134,6 +134,7 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     ModelComparison comparison;
     comparison.inFile = known->size();
     comparison.tried = scenes.size();
+    comparison.newContent = (*after)->model.contentHash;
     comparison.oldLearntThese = (*before)->model.data.dataHash == *hash;
     comparison.newLearntThese = (*after)->model.data.dataHash == *hash;
     Errors ofBefore, ofAfter;

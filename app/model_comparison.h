@@ -36,6 +36,7 @@ struct ModelComparison {
     /// 95 % of the difference new − old of the mean |error| near the robot [m], by bootstrap over drives; empty
     /// for fewer than kLeastRuns drives.
     std::optional<Interval> nearDifference;
+    std::string newContent;       ///< contentHash() of the new model
     bool newLearntThese = false;  ///< the file is the one the new model was trained on
     bool oldLearntThese = false;
 };

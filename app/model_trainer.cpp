@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/model_cards.h"
 #include "app/parallel.h"
 #include "app/steady_now.h"
 #include "core/file_read.h"
@@ -46,7 +47,22 @@ Status trainInto(const std::string& path, const TrainingPlan& plan, const Traini
     const QString directory = QFileInfo(QString::fromStdString(path)).path();
     if (Status made = makeDirectory(directory.toStdString()); !made) return made;
     scenes = static_cast<int>(model->heights.rows());
-    return writeModel(path, *model);
+    if (Status written = writeModel(path, *model); !written) return written;
+    return writeNewCard(path, *model, plan.data);
+}
+
+/// What the new model errs, for whoever asks later.
+Status keepInCard(const ComparisonPlan& plan, const ModelComparison& comparison)
+{
+    const ErrorStatistics& all = comparison.after.all;
+    return keepScores(plan.newModel, comparison.newContent, plan.data,
+                      {{.method = std::string(name(plan.settings.method)),
+                        .date = {},
+                        .data = {},
+                        .dataHash = {},
+                        .scenes = comparison.scenes,
+                        .meanError = all.mean,
+                        .coverage = all.coverage}});
 }
 
 }  // namespace
@@ -183,6 +199,8 @@ void ModelTrainer::doCompare(const ComparisonPlan& plan)
         end([this, why = QString::fromStdString(comparison.error().text)] { emit failed(why); });
         return;
     }
+    if (const Status kept = keepInCard(plan, *comparison); !kept)
+        emit noticed(QString::fromStdString(kept.error().text));
     end([this, comparison = *comparison] { emit compared(comparison); });
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/acquisition.h"
+#include "app/bus_words.h"
 #include "app/can_source.h"
 #include "app/can_words.h"
 #include "widgets/card.h"
@@ -32,6 +33,19 @@ QString frameName(const CanFrame& frame)
     return kind ? words::text(layoutOf(*kind).name) : SignalsPage::tr("unknown");
 }
 
+/// As wordsOf() says it; names are those of the DBC in every language.
+QString contentOf(const std::vector<NamedValue>& values)
+{
+    if (values.size() == 1 && values[0].name == "Measured") return words::sentence("not measured");
+    QStringList parts;
+    for (const NamedValue& value : values)
+        parts << QStringLiteral("%1 %2 %3")
+                     .arg(words::text(value.name), words::sentence(value.value),
+                          words::text(value.unit))
+                     .trimmed();
+    return parts.join(QStringLiteral(", "));
+}
+
 TraceWords wordsFor(const CanFrame& frame)
 {
     // A reader of its own: what the frame says is the same whatever came before.
@@ -39,8 +53,8 @@ TraceWords wordsFor(const CanFrame& frame)
     return {.id = words::text(idText(frame)),
             .name = frameName(frame),
             .bytes = words::text(bytesText(frame)),
-            .content = words::text(said.values.empty() && frame.error ? said.verdict
-                                                                      : wordsOf(said.values))};
+            .content = said.values.empty() && frame.error ? words::text(said.verdict)
+                                                          : contentOf(said.values)};
 }
 
 SignalRow::Standing standingOf(const TappedFrame& frame)
@@ -54,7 +68,7 @@ SignalRow::Standing standingOf(const TappedFrame& frame)
 
 QString valueText(const SignalLayout& layout, const std::optional<double>& value)
 {
-    return value ? words::text(wordOf(layout, *value)).replace(QLatin1Char('-'), QChar(0x2212))
+    return value ? words::sentence(wordOf(layout, *value)).replace(QLatin1Char('-'), QChar(0x2212))
                  : words::kNothing;
 }
 
@@ -219,11 +233,11 @@ void SignalsPage::refreshBus(double now)
         tr("%1 · %2 frames/s · %3\nSince the start: %4 frames, %5 dropped, %6 error frames, %7 "
            "with "
            "a wrong checksum, %8 out of sequence, %9 not in the DBC")
-            .arg(words::text(describe(view.bus, link_->busName())),
-                 words::number(load.framesPerSecond, 0), loadWords(load, link_->bitrate()),
-                 QString::number(load.frames), QString::number(view.frames.dropped),
-                 QString::number(view.frames.errorFrames), of(FrameTrouble::WrongChecksum),
-                 of(FrameTrouble::WrongSequence), of(FrameTrouble::Unknown)));
+            .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
+                 loadWords(load, link_->bitrate()), QString::number(load.frames),
+                 QString::number(view.frames.dropped), QString::number(view.frames.errorFrames),
+                 of(FrameTrouble::WrongChecksum), of(FrameTrouble::WrongSequence),
+                 of(FrameTrouble::Unknown)));
     setTone(*headline_, view.bus == BusState::Up ? Tone::Plain : Tone::Bad);
     table_->setRows(signalRows(link_->tap().frames(now)));
 }

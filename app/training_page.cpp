@@ -23,6 +23,7 @@
 
 #include "app/comparison_words.h"
 #include "app/exploration.h"
+#include "core/learn/model_card.h"
 #include "widgets/card.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
@@ -393,6 +394,7 @@ void TrainingPage::discard()
 {
     if (!QFile::remove(trained_) && QFile::exists(trained_))
         return say(tr("%1 could not be deleted: delete it by hand").arg(trained_), true);
+    QFile::remove(QString::fromStdString(cardPath(trained_.toStdString())));
     say(tr("%1 discarded").arg(QFileInfo(trained_).fileName()));
     trained_.clear();
     clearComparison();

@@ -22,7 +22,19 @@ std::string matter(BusState state)
     throw std::invalid_argument("BusState: no such state");
 }
 
-std::string cure(BusState state, const std::string& bus)
+}  // namespace
+
+void requireSendable(const CanFrame& frame)
+{
+    if (frame.fd || frame.error)
+        throw std::invalid_argument("CanBus: neither FD nor error frames are sent");
+    if (frame.length > frame.data.size())
+        throw std::invalid_argument("CanBus: more than eight bytes");
+    if (frame.id > (frame.extended ? 0x1fffffffu : 0x7ffu))
+        throw std::invalid_argument("CanBus: the identifier has too many bits");
+}
+
+std::string cureOf(BusState state, const std::string& bus)
 {
     const bool isVirtual = bus.starts_with("vcan");
     switch (state) {
@@ -40,23 +52,11 @@ std::string cure(BusState state, const std::string& bus)
     throw std::invalid_argument("BusState: no such state");
 }
 
-}  // namespace
-
-void requireSendable(const CanFrame& frame)
-{
-    if (frame.fd || frame.error)
-        throw std::invalid_argument("CanBus: neither FD nor error frames are sent");
-    if (frame.length > frame.data.size())
-        throw std::invalid_argument("CanBus: more than eight bytes");
-    if (frame.id > (frame.extended ? 0x1fffffffu : 0x7ffu))
-        throw std::invalid_argument("CanBus: the identifier has too many bits");
-}
-
 std::string describe(BusState state, const std::string& bus)
 {
     std::string sentence = bus;
     sentence.append(" ").append(matter(state));
-    if (const std::string command = cure(state, bus); !command.empty())
+    if (const std::string command = cureOf(state, bus); !command.empty())
         sentence.append(" (").append(command).append(")");
     return sentence;
 }

@@ -30,7 +30,10 @@ enum class BusState : std::uint8_t {
     Absent,        ///< there is no such interface (any more)
 };
 
-/// In one sentence for the operator: which bus, what is the matter, and the command that mends it.
+/// The command that mends it; empty where none does.
+std::string cureOf(BusState state, const std::string& bus);
+
+/// In one sentence for people: which bus, what is the matter, and the command that mends it.
 std::string describe(BusState state, const std::string& bus);
 
 /// Since the bus was opened.

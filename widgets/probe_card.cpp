@@ -56,6 +56,8 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     variance_ = row(tr("all bins"), Tone::Strong);
     cost_ = row(tr("costs"), Tone::Strong);
     question_ = row(tr("step ahead"), Tone::Strong);
+    // Room to spare goes between the lines: what is to be decided is read at a glance.
+    for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 2);
     rows->setRowStretch(rows->rowCount(), 1);
     auto* instead = new QHBoxLayout;
     instead->setSpacing(6);

@@ -92,6 +92,9 @@ void setLabel(QwtPlotTextLabel& label, QwtText words)
     label.setVisible(!words.text().isEmpty());
 }
 
+constexpr int kNoteMargin = 12;  // [px]
+constexpr int kLowPlot = 230;    // [px] high
+
 /// [m], of the bins that there are.
 double meanSd(const Ghost& ghost)
 {
@@ -352,7 +355,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
         return item;
     };
     note_ = label();
-    note_->setMargin(12);
+    note_->setMargin(kNoteMargin);
     ghostNote_ = label();
 
     clearEstimate(tr("No estimate yet"));
@@ -453,13 +456,28 @@ void TerrainProfileView::clearEstimate(const QString& why)
 void TerrainProfileView::showNote(const QString& note, bool warns)
 {
     setLabel(*note_, text(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true)));
+    arrangeNotes();
 }
 
 void TerrainProfileView::showGhostNote(const QString& note)
 {
-    ghostNote_->setMargin(scaled(40));  // below the other one
     setLabel(*ghostNote_,
              text(note, ghost_->ghost ? theme().sampled : theme().muted, sized(font(), 15, true)));
+    arrangeNotes();
+}
+
+void TerrainProfileView::arrangeNotes()
+{
+    // Two lines would cover the robot of a low plot; that it has moved is the lesser news beside a ghost.
+    const bool isLow = canvas()->height() < scaled(kLowPlot) && ghost_->ghost;
+    note_->setVisible(!isLow && !note_->text().text().isEmpty());
+    ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // else below the other one
+}
+
+void TerrainProfileView::resizeEvent(QResizeEvent* event)
+{
+    QwtPlot::resizeEvent(event);
+    arrangeNotes();
 }
 
 void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QString& why)

@@ -71,6 +71,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     static constexpr std::size_t kKinds = kProvenances.size();
@@ -81,6 +82,7 @@ private:
     QStringList closeUp(int bin) const;
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
+    void arrangeNotes();
     void restyle();  ///< in theme and font as they are now
     void showTruth();
     void showProbe();

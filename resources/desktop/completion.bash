@@ -38,7 +38,7 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | *:--safe-mode | *:--no-record | *:--measured | *:--all | \
+      *:--summary | *:--transmit | *:--safe-mode | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
     *:--model) _terratact_files ttm ;;
@@ -53,6 +53,7 @@ _terratact_value() {
     *:--what) _terratact_words frames signals estimates events ;;
     *:--out) _terratact_files ;;
     console:--terrain | robot:--terrain) _terratact_files csv && _terratact_words varied ;;
+    "model card:--terrain" | *:--trained) ;;
     *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
     *:--replay) _terratact_files log ;;
     *:--screenshot) _terratact_files png ;;
@@ -89,7 +90,7 @@ _terratact_options() {
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;
-    evaluate) echo --robot --model --data --out --methods --step-limit --shard --classes --class-column --probes \
+    evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --classes --class-column --probes \
       "$estimates" ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
@@ -98,6 +99,7 @@ _terratact_options() {
     probes) echo --data ;;
     calibrate) echo --data --robot ;;
     "model show") echo --csv ;;
+    "model card") echo --trained --terrain ;;
     "model predict") echo --data ;;
     "panel check") echo --lamps --watch --seconds ;;
     demo) echo --robot --model --out --method "$estimates" ;;
@@ -121,7 +123,7 @@ _terratact_argument() {
   case $1 in
     "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts ghost probes calibrate model panel \
       demo robot can session ;;
-    model) _terratact_words show predict ;;
+    model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
     session) _terratact_words info verify recover export scenes report merge what-if import ;;

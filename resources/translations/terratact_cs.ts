@@ -2,6 +2,45 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="cs" sourcelanguage="en">
 <context>
+    <name>BusWords</name>
+    <message>
+        <source>%1 works</source>
+        <translation>%1 funguje</translation>
+    </message>
+    <message>
+        <source>%1 does not take frames: nobody acknowledges them or the bus is full; is the robot on, are the wires and the bit rate right?</source>
+        <translation>%1 nebere rámce: nikdo je nepotvrzuje nebo je sběrnice plná; je robot zapnutý, jsou vodiče a přenosová rychlost v pořádku?</translation>
+    </message>
+    <message>
+        <source>%1 has many errors: check wires, terminators and bit rate</source>
+        <translation>%1 má mnoho chyb: zkontrolujte vodiče, zakončení a přenosovou rychlost</translation>
+    </message>
+    <message>
+        <source>%1 is bus-off after too many errors: check the wires, then restart it</source>
+        <translation>%1 je po příliš mnoha chybách odpojena (bus-off): zkontrolujte vodiče a pak ji restartujte</translation>
+    </message>
+    <message>
+        <source>%1 is down: bring it up</source>
+        <translation>%1 je vypnuta: zapněte ji</translation>
+    </message>
+    <message>
+        <source>%1 does not exist: plug the adapter in, or make the interface</source>
+        <translation>%1 neexistuje: zapojte převodník, nebo rozhraní vytvořte</translation>
+    </message>
+    <message>
+        <source>%1 has ended</source>
+        <translation>%1 skončil</translation>
+    </message>
+    <message>
+        <source>%1 is only listened to: start the console with --transmit</source>
+        <translation>%1: jen poslech; konzoli spusťte s --transmit</translation>
+    </message>
+    <message>
+        <source>%1 takes no commands</source>
+        <translation>%1 nepřijímá povely</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonWords</name>
     <message>
         <source>median error near [mm]</source>
@@ -85,6 +124,45 @@
     <message>
         <source>%1, held</source>
         <translation>%1, držet</translation>
+    </message>
+</context>
+<context>
+    <name>ModelWords</name>
+    <message>
+        <source>unknown</source>
+        <translation>neznámo</translation>
+    </message>
+    <message>
+        <source>trained %1; ground: %2</source>
+        <translation>naučen %1; terén: %2</translation>
+    </message>
+    <message>
+        <source>%1 scenes, %2 % of them with a step above %3 m; median relief %4 m</source>
+        <translation>%1 scén, %2 % z nich se schodem nad %3 m; střední převýšení %4 m</translation>
+    </message>
+    <message>
+        <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
+        <translation>%1: střední chyba %2 mm, 80% pásmo drží %3 % – %4 scén z %5, %6</translation>
+    </message>
+    <message>
+        <source> – the scenes it was trained on</source>
+        <translation> – scény, na kterých se učil</translation>
+    </message>
+    <message>
+        <source>never evaluated: its errors are unknown</source>
+        <translation>nikdy nevyhodnocen: chyby nejsou známy</translation>
+    </message>
+    <message>
+        <source>its card is not used: %1</source>
+        <translation>jeho karta se nepoužije: %1</translation>
+    </message>
+    <message>
+        <source>content %1; scenes %2</source>
+        <translation>obsah %1; scény %2</translation>
+    </message>
+    <message>
+        <source>made by: %1</source>
+        <translation>vytvořen: %1</translation>
     </message>
 </context>
 <context>
@@ -328,6 +406,15 @@
     <message>
         <source>contact open: %1</source>
         <translation>kontakt rozepnut: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RobotCard</name>
+    <message>
+        <source>%1: %2
+file of %3, %4 bytes; content %5</source>
+        <translation>%1: %2
+soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
 </context>
 <context>
@@ -722,6 +809,62 @@
     <message>
         <source>nothing of the last estimate is left in view</source>
         <translation>z posledního odhadu už není nic v dohledu</translation>
+    </message>
+    <message>
+        <source>halted</source>
+        <translation>stojí</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>jede</translation>
+    </message>
+    <message>
+        <source>front flippers pressed to the ground</source>
+        <translation>přední flippery přitlačeny k zemi</translation>
+    </message>
+    <message>
+        <source>probing with the arm</source>
+        <translation>sonduje ramenem</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>zastaven</translation>
+    </message>
+    <message>
+        <source>nothing refused</source>
+        <translation>nic neodmítnuto</translation>
+    </message>
+    <message>
+        <source>the arm does not reach that bin</source>
+        <translation>rameno na toto místo nedosáhne</translation>
+    </message>
+    <message>
+        <source>the robot finds no pose to rest in there</source>
+        <translation>robot tam nenajde polohu, v níž by stál</translation>
+    </message>
+    <message>
+        <source>the command is not of this arming</source>
+        <translation>povel není z této aktivace</translation>
+    </message>
+    <message>
+        <source>the command is beyond the robot&apos;s limits</source>
+        <translation>povel je mimo meze robotu</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ano</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>ne</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádný</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nezměřeno</translation>
     </message>
 </context>
 <context>

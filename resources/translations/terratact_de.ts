@@ -2,6 +2,45 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>BusWords</name>
+    <message>
+        <source>%1 works</source>
+        <translation>%1 arbeitet</translation>
+    </message>
+    <message>
+        <source>%1 does not take frames: nobody acknowledges them or the bus is full; is the robot on, are the wires and the bit rate right?</source>
+        <translation>%1 nimmt keine Rahmen an: niemand bestätigt sie oder der Bus ist voll; ist der Roboter an, stimmen Kabel und Bitrate?</translation>
+    </message>
+    <message>
+        <source>%1 has many errors: check wires, terminators and bit rate</source>
+        <translation>%1 hat viele Fehler: Kabel, Abschlüsse und Bitrate prüfen</translation>
+    </message>
+    <message>
+        <source>%1 is bus-off after too many errors: check the wires, then restart it</source>
+        <translation>%1 ist nach zu vielen Fehlern abgeschaltet (bus-off): Kabel prüfen, dann neu starten</translation>
+    </message>
+    <message>
+        <source>%1 is down: bring it up</source>
+        <translation>%1 ist aus: einschalten</translation>
+    </message>
+    <message>
+        <source>%1 does not exist: plug the adapter in, or make the interface</source>
+        <translation>%1 gibt es nicht: Adapter anstecken oder die Schnittstelle anlegen</translation>
+    </message>
+    <message>
+        <source>%1 has ended</source>
+        <translation>%1 ist zu Ende</translation>
+    </message>
+    <message>
+        <source>%1 is only listened to: start the console with --transmit</source>
+        <translation>%1 wird nur abgehört: die Konsole mit --transmit starten</translation>
+    </message>
+    <message>
+        <source>%1 takes no commands</source>
+        <translation>%1 nimmt keine Befehle an</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonWords</name>
     <message>
         <source>median error near [mm]</source>
@@ -85,6 +124,45 @@
     <message>
         <source>%1, held</source>
         <translation>%1, halten</translation>
+    </message>
+</context>
+<context>
+    <name>ModelWords</name>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>trained %1; ground: %2</source>
+        <translation>gelernt %1; Gelände: %2</translation>
+    </message>
+    <message>
+        <source>%1 scenes, %2 % of them with a step above %3 m; median relief %4 m</source>
+        <translation>%1 Szenen, davon %2 % mit einer Stufe über %3 m; mittlerer Höhenunterschied %4 m</translation>
+    </message>
+    <message>
+        <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
+        <translation>%1: mittlerer Fehler %2 mm, das 80-%-Band hält %3 % – %4 Szenen aus %5, %6</translation>
+    </message>
+    <message>
+        <source> – the scenes it was trained on</source>
+        <translation> – die Szenen, aus denen es gelernt hat</translation>
+    </message>
+    <message>
+        <source>never evaluated: its errors are unknown</source>
+        <translation>nie bewertet: seine Fehler sind unbekannt</translation>
+    </message>
+    <message>
+        <source>its card is not used: %1</source>
+        <translation>seine Karte wird nicht benutzt: %1</translation>
+    </message>
+    <message>
+        <source>content %1; scenes %2</source>
+        <translation>Inhalt %1; Szenen %2</translation>
+    </message>
+    <message>
+        <source>made by: %1</source>
+        <translation>gemacht mit: %1</translation>
     </message>
 </context>
 <context>
@@ -328,6 +406,15 @@
     <message>
         <source>contact open: %1</source>
         <translation>Kontakt offen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RobotCard</name>
+    <message>
+        <source>%1: %2
+file of %3, %4 bytes; content %5</source>
+        <translation>%1: %2
+Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
 </context>
 <context>
@@ -722,6 +809,62 @@
     <message>
         <source>nothing of the last estimate is left in view</source>
         <translation>von der letzten Schätzung ist nichts mehr im Bild</translation>
+    </message>
+    <message>
+        <source>halted</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>fährt</translation>
+    </message>
+    <message>
+        <source>front flippers pressed to the ground</source>
+        <translation>vordere Flipper an den Boden gedrückt</translation>
+    </message>
+    <message>
+        <source>probing with the arm</source>
+        <translation>sondiert mit dem Arm</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>nothing refused</source>
+        <translation>nichts abgelehnt</translation>
+    </message>
+    <message>
+        <source>the arm does not reach that bin</source>
+        <translation>der Arm erreicht diese Stelle nicht</translation>
+    </message>
+    <message>
+        <source>the robot finds no pose to rest in there</source>
+        <translation>der Roboter findet dort keine Lage, in der er ruht</translation>
+    </message>
+    <message>
+        <source>the command is not of this arming</source>
+        <translation>der Befehl ist nicht von dieser Freigabe</translation>
+    </message>
+    <message>
+        <source>the command is beyond the robot&apos;s limits</source>
+        <translation>der Befehl liegt jenseits der Grenzen des Roboters</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
     </message>
 </context>
 <context>

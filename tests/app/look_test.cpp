@@ -11,6 +11,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/bus_words.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/view_menu.h"
@@ -283,6 +284,7 @@ TEST_F(Look, nothingIsCutInLargeLetters)
             window->resize(size);
             QTest::qWait(100);
             EXPECT_EQ(window->size(), size) << "the layout needs more than this";
+            (void)eventually([&] { return gui::cutText(*window).empty(); }, 2000);  // laid out
             EXPECT_EQ(gui::cutText(*window), std::vector<std::string>())
                 << scale << " % " << layout;
         }
@@ -301,6 +303,7 @@ TEST_F(Look, nothingIsCutInAnyLanguage)
             window->resize(size);
             QTest::qWait(100);
             eachPage([&] {
+                (void)eventually([&] { return gui::cutText(*window).empty(); }, 2000);  // laid out
                 EXPECT_EQ(gui::cutText(*window), std::vector<std::string>())
                     << language << ", width " << size.width() << ", page "
                     << window->rail()->chosen();
@@ -329,7 +332,8 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
         if (i % 2 == 0) estimate.draws.back()[9] -= 0.3;
     }
     QStringList said = allOf<AtemPhase>(10) + allOf<AtemFailure>(12) + allOf<DisarmCause>(11)
-                     + allOf<GateRefusal>(20) + allOf<Doubt>(5);
+                     + allOf<GateRefusal>(20) + allOf<Doubt>(5) + allOf<RobotActivity>(6)
+                     + allOf<Refusal>(9) + QStringList{"yes", "no", "none", "not measured"};
     for (int i = 0; i < 10; ++i)
         said << QString::fromStdString(describeFollowed(static_cast<AtemPhase>(i)));
     for (const ElementState state :
@@ -342,6 +346,16 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
+        for (const BusState state : {BusState::Up, BusState::Stalled, BusState::ErrorPassive,
+                                     BusState::BusOff, BusState::Down, BusState::Absent}) {
+            const QString english = QString::fromStdString(describe(state, "can0"));
+            const QString translated = busWords(state, "can0");
+            EXPECT_NE(translated, english) << language;
+            EXPECT_TRUE(translated.startsWith("can0 ")) << translated.toStdString();
+            const auto command = [](const QString& text) { return text.section(" (", -1); };
+            EXPECT_TRUE(!english.endsWith(')') || command(translated) == command(english))
+                << translated.toStdString();
+        }
         for (const QString& english : said)
             EXPECT_NE(words::sentence(english.toStdString()), english) << language;
         const QString roll =

@@ -4,13 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStackedWidget>
+#include <map>
+#include <set>
 
+#include "app/language.h"
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
 #include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
+#include "core/wire/frame_layout.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
@@ -24,6 +29,7 @@
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
 #include "widgets/verdict_strip.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -31,10 +37,59 @@ namespace {
 using namespace std::chrono_literals;
 using gui::eventually;
 
-struct Screens : testing::Test {
-    static void SetUpTestSuite()
+/// Names of frames and signals are those of the DBC in every language, and frames' traces full of them.
+const QRegularExpression& namesOfTheBus()
+{
+    static const QRegularExpression kNames = [] {
+        QStringList names;
+        for (const FrameLayout& layout : frameLayouts()) {
+            names << words::text(layout.name);
+            for (const SignalLayout& signal : layout.payload) names << words::text(signal.name);
+        }
+        names.replaceInStrings(QRegularExpression("[0-9]+"), "#");
+        std::sort(names.begin(), names.end(),  // the longest first
+                  [](const QString& a, const QString& b) { return a.size() > b.size(); });
+        return QRegularExpression(names.join('|'));
+    }();
+    return kNames;
+}
+
+/// Whether a text may read in another language as in English: nothing in it but names, units, files and words that the
+/// languages share.
+bool isSameEverywhere(const std::string& text)
+{
+    static const QRegularExpression kNames(
+        "\\b(pa|pac|pafc|pafac|local|joint|clearance|Absolem|Terratact|SIMULATED "
+        "ROBOT|English|Deutsch|Eigen|Qwt|"
+        "OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|terratact (simulate|train) "
+        ".*|[Mm]odel|[Rr]obot|Start|Status|"
+        "Name|Training|Signal|Rate|Bytes)\\b|[^ ]*\\.(ttm|toml|csv)(: no such file)?\\b|Čeština");
+    static const QRegularExpression kWord("[A-Za-z]{3}");
+    QString rest = QString::fromStdString(text);
+    return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);
+}
+
+/// In English, then in the other languages, of which no text may be as in English.
+struct Screens : testing::TestWithParam<const char*> {
+    void SetUp() override
     {
-        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+        applyLook(*qApp);
+        if (installLanguage(*qApp, GetParam()) != QLatin1String(GetParam()))
+            GTEST_SKIP() << "built without translations";
+    }
+    void TearDown() override
+    {
+        static std::map<std::string, std::set<std::string>> inEnglish;  // by the test
+        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::set<std::string>& english = inEnglish[test.substr(0, test.find('/'))];
+        if (GetParam() == std::string_view("en"))
+            english = said;
+        else
+            for (const std::string& text : said) {
+                EXPECT_TRUE(!english.contains(text) || isSameEverywhere(text))
+                    << GetParam() << ": " << text;
+            }
+        installLanguage(*qApp, "en");
     }
     ~Screens() override
     {
@@ -83,13 +138,18 @@ struct Screens : testing::Test {
     {
         QTest::qWait(120);
         EXPECT_TRUE(window->header()->stopButton()->isVisible()) << name.toStdString();
+        (void)eventually([&] { return gui::cutText(*window).empty(); },
+                         2000);  // a busy machine lays out late
         for (const std::string& text : gui::cutText(*window))
             ADD_FAILURE() << "cut in " << name.toStdString() << ": " << text;
         const QImage image = gui::painted(*window);
         EXPECT_GT(gui::colours(image), 20) << name.toStdString();
+        for (const std::string& text : gui::textsOf(*window)) said.insert(text);
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
         if (!folder.isEmpty()) {
-            EXPECT_TRUE(image.save(folder + "/" + name + ".png"));
+            const bool english = GetParam() == std::string_view("en");
+            const QString prefix = english ? QString() : QString(GetParam()) + "_";
+            EXPECT_TRUE(image.save(folder + "/" + prefix + name + ".png"));
         }
     }
     void arm()
@@ -114,13 +174,14 @@ struct Screens : testing::Test {
         picture(name);
     }
 
+    std::set<std::string> said;  ///< in all pictures so far
     MemoryBus bus{steadyNow};
     RobotModel model = absolem();
     std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 
-TEST_F(Screens, ofAWholeExploration)
+TEST_P(Screens, ofAWholeExploration)
 {
     std::atomic<bool> go = false;
     open([&, load = shipped()] {
@@ -182,12 +243,22 @@ TEST_F(Screens, ofAWholeExploration)
         << window->exploration().whyNoGhost().toStdString();
     QTest::keyRelease(window.get(), Qt::Key_S);
     picture("16_ghost");
+    const std::pair<ThemeName, const char*> themes[]{
+        {ThemeName::NightRed, "17_ghost_by_night"},
+        {ThemeName::HighContrast, "18_ghost_in_high_contrast"}};
+    window->resize(1200, 680);
+    for (const auto& [theme, name] : themes) {
+        window->preferences().change([theme = theme](Preferences& p) { p.theme = theme; });
+        picture(name);
+    }
+    window->preferences().change([](Preferences& p) { p.theme = ThemeName::Day; });
+    window->resize(1440, 900);
     QTest::keyClick(window.get(), Qt::Key_F12);
     ASSERT_TRUE(reaches(AtemPhase::Stopped));
     picture("12_stopped");
 }
 
-TEST_F(Screens, ofALostRobot)
+TEST_P(Screens, ofALostRobot)
 {
     open(shipped(), RobotFault::Silence);
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
@@ -197,14 +268,14 @@ TEST_F(Screens, ofALostRobot)
     picture("14_alarms_of_a_lost_link");
 }
 
-TEST_F(Screens, withoutAModel)
+TEST_P(Screens, withoutAModel)
 {
-    open([]() -> Result<LoadedModel> {
-        return Error{"models/mine.ttm: no such file; choose another one in the settings (F7)", 2};
-    });
+    open([]() -> Result<LoadedModel> { return Error{"models/mine.ttm: no such file", 2}; });
     ASSERT_TRUE(eventually([&] { return !window->modelTrouble().isEmpty(); }));
     picture("15_no_model");
 }
+
+INSTANTIATE_TEST_SUITE_P(Languages, Screens, testing::Values("en", "cs", "de"));
 
 }  // namespace
 }  // namespace terratact

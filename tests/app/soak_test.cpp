@@ -1,6 +1,7 @@
 // The whole console on a full bus while it estimates and records: does its window keep up?  TERRATACT_SOAK_SECONDS sets how
 // long; only then are the limits those that are promised, for a machine with two cores and nothing else to do.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <QApplication>
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <ctime>
 #include <thread>
 
+#include "app/big_blocks.h"
 #include "app/diagnostics_page.h"
 #include "app/main_window.h"
 #include "app/resources.h"
@@ -60,7 +62,27 @@ double cpuSeconds()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The shipped model at the console's own quality, but sampling with all cores, again and again for a while.
+Method method()
+{
+    const std::string wanted = qEnvironmentVariable("TERRATACT_SOAK_METHOD").toStdString();
+    return methodFromName(wanted).value_or(Method::Pafac);
+}
+
+Quality quality()
+{
+    const std::string wanted = qEnvironmentVariable("TERRATACT_SOAK_QUALITY").toStdString();
+    return qualityFromName(wanted).value_or(Quality::Balanced);
+}
+
+/// The most memory the process ever had [MB].
+double mostMemory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
+}
+
+/// The shipped model at the console's own quality, or TERRATACT_SOAK_METHOD and _QUALITY, but sampling with all cores, again and again for a while.
 struct Busy {
     std::atomic<double> seconds = 0.0;
     std::atomic<int> estimates = 0;
@@ -72,8 +94,8 @@ struct Busy {
             if (!model) return model;
             const Estimator estimate = model->estimate;
             model->estimate = [this, estimate](EstimateRequest request, const Watch& watch) {
-                request.settings.method = Method::Pafac;
-                request.settings = withQuality(request.settings, Quality::Balanced);
+                request.settings.method = method();
+                request.settings = withQuality(request.settings, quality());
                 const double began = steadyNow();
                 struct Count {
                     Busy& busy;
@@ -95,6 +117,7 @@ struct Busy {
 struct Soak : testing::Test {
     void open()
     {
+        giveBackBigBlocks();
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
@@ -198,10 +221,12 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
                                      + line("telemetry to screen", meter.latencies())));
     std::printf("%.0f s: %.0f frames/s, %llu dropped, %zu waiting at most; %.0f %% of a core, with "
                 "robot and "
-                "other nodes; estimating %.0f %% of the time, %d estimates; %.0f MB resident\n",
+                "other nodes; estimating %.0f %% of the time, %d estimates; %.0f MB resident, at "
+                "most %.0f MB\n",
                 elapsed, rate, static_cast<unsigned long long>(view.frames.dropped),
                 window->link()->waiting().most, 100.0 * (cpuSeconds() - cpu) / elapsed,
-                100.0 * (busy.seconds - estimating) / elapsed, busy.estimates.load(), megabytes);
+                100.0 * (busy.seconds - estimating) / elapsed, busy.estimates.load(), megabytes,
+                mostMemory());
     const RecordingState recorded = recorder->state();
     std::printf("recorded: %lld frames, %lld found no room, %.1f MB\n",
                 static_cast<long long>(recorded.frames), static_cast<long long>(recorded.missing),

@@ -19,6 +19,8 @@
 #include <utility>
 
 #include "app/main_window.h"
+#include "app/settings_page.h"
+#include "core/learn/model_card.h"
 #include "core/learn/model_file.h"
 #include "core/learn/scene_file.h"
 #include "tests/support/gui.h"
@@ -169,7 +171,7 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
             const QString text = page->bins()->item(bin, kind)->text();
             EXPECT_TRUE(text.startsWith("done") || text == "too few") << text.toStdString();
         }
-    EXPECT_EQ(written(), std::set<std::string>{"trained-1.ttm"});
+    EXPECT_EQ(written(), (std::set<std::string>{"trained-1.ttm", "trained-1.card.toml"}));
     EXPECT_EQ(page->nameField()->text(), "trained-2");
 
     type(page->testField(), files->file("test.csv"));
@@ -205,6 +207,18 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     const auto model = readModel(models + "/trained-1.ttm");
     ASSERT_TRUE(model);
     EXPECT_NE(model->data.command.find("page Training"), std::string::npos);
+
+    const auto card = readModelCard(models + "/trained-1.ttm", model->contentHash);
+    ASSERT_TRUE(card && *card);
+    EXPECT_EQ((*card)->terrain, "learn.csv");
+    ASSERT_EQ((*card)->scores.size(), 1U);
+    EXPECT_EQ((*card)->scores.front().data, "test.csv");
+    const auto shows = [&](const char* words) {
+        return eventually([&] { return window->settings()->modelCard().contains(words); });
+    };
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    EXPECT_TRUE(shows("ground: learn.csv"));
+    EXPECT_TRUE(shows("scenes of test.csv"));
 }
 
 TEST_F(TrainingConsole, aCancelledTrainingLeavesNoFile)

@@ -7,6 +7,7 @@ import re
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 
 from support import CLI, SOURCE, complaint, rows, run
 
@@ -119,6 +120,36 @@ class Commands(unittest.TestCase):
         numbers = [run("model", "show", model).split("pa models", 1)[1] for model in (self.model, again)]
         self.assertIn("residual sd", numbers[0])
         self.assertEqual(*numbers)
+
+    def test_a_models_card_tells_when_on_what_and_how_well(self):
+        model = self.path / "carded.ttm"
+        model.write_bytes(self.model.read_bytes())
+        shown = run("model", "show", model)
+        for missing in (r"trained +unknown", r"ground +unknown; \d+ %", r"errors +unknown"):
+            self.assertRegex(shown, missing)
+        trained = run("model", "show", self.model)
+        self.assertRegex(trained, r"trained  20\d\d-\d\d-\d\dT\d\d:\d\d:\d\dZ\nground   " + self.data.name)
+        with unittest.mock.patch.dict(os.environ, SOURCE_DATE_EPOCH="86400"):
+            run("evaluate", "--card", "--model", model, "--data", self.first_scenes(6), "--methods", "local,joint", "--out",
+                self.path / "carded")
+        run("model", "card", model, "--trained", "2026-01-02T03:04:05Z", "--terrain", "boxes")
+        shown = run("model", "show", model)
+        self.assertIn("trained  2026-01-02T03:04:05Z\nground   boxes; ", shown)
+        for method in ("local", "joint"):
+            self.assertRegex(shown, rf"errors   {method}: mean \d+\.\d mm, the 80 % band holds \d+ %; 6 scenes of .*, 1970-01-02T00:00:00Z")
+        means = {row["method"]: 1000 * float(row["mean_m"]) for row in rows(self.path / "carded/scores.csv") if row.get("method") in ("local", "joint")}
+        for method, mean in means.items():
+            self.assertIn(f"{method}: mean {mean:.1f} mm", shown)
+        self.assertEqual(len(means), 2)
+        self.assertIn("not a date", complaint("model", "card", model, "--trained", "today"))
+        self.assertIn("another model", complaint("model", "card", self.swapped(model), "--terrain", "boxes"))
+
+    def swapped(self, model):
+        """A model beside another one's card."""
+        other = self.path / "other.ttm"
+        run("train", "--data", self.data, "--out", other, "--seed", 3, "--inducing", 40)
+        (self.path / "other.card.toml").write_bytes(model.with_suffix(".card.toml").read_bytes())
+        return other
 
     def test_a_sparse_model_says_so_and_estimates(self):
         sparse = self.path / "sparse.ttm"

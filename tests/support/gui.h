@@ -1,15 +1,23 @@
 #pragma once
 
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QHeaderView>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableView>
 #include <QTest>
 #include <QWidget>
 #include <array>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +46,48 @@ inline void showActive(QWidget& widget)
     (void)QTest::qWaitForWindowExposed(&widget);
     widget.activateWindow();
     (void)QTest::qWaitForWindowActive(&widget);
+}
+
+/// Every text of a visible widget: what it shows, its tip and what a screen reader says; line by line, each run of
+/// digits as '#'.
+inline std::set<std::string> textsOf(const QWidget& window)
+{
+    std::set<std::string> texts;
+    const auto add = [&texts](const QString& all) {
+        static const QRegularExpression kDigits(QStringLiteral("[0-9]+"));
+        for (QString line : all.split(QLatin1Char('\n')))
+            texts.insert(line.replace(kDigits, QStringLiteral("#")).trimmed().toStdString());
+    };
+    const auto addRows = [&add](const QAbstractItemModel& model, int columns) {
+        for (int row = 0; row < model.rowCount(); ++row)
+            for (int column = 0; column < columns; ++column) {
+                const QModelIndex cell = model.index(row, column);
+                for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+                    add(cell.data(role).toString());
+            }
+    };
+    add(window.windowTitle());
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible()) continue;
+        for (const QString& text :
+             {widget->toolTip(), widget->accessibleName(), widget->accessibleDescription()})
+            add(text);
+        if (const auto* label = qobject_cast<const QLabel*>(widget)) add(label->text());
+        if (const auto* bar = qobject_cast<const QProgressBar*>(widget)) add(bar->format());
+        if (const auto* field = qobject_cast<const QLineEdit*>(widget))
+            add(field->placeholderText());
+        if (const auto* box = qobject_cast<const QComboBox*>(widget)) addRows(*box->model(), 1);
+        if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) add(button->text());
+        if (const auto* button = qobject_cast<const QPushButton*>(widget); button && button->menu())
+            for (const QAction* action : button->menu()->actions()) add(action->text());
+        if (const auto* table = qobject_cast<const QTableView*>(widget)) {
+            const QAbstractItemModel& model = *table->model();
+            for (int column = 0; column < model.columnCount(); ++column)
+                add(model.headerData(column, Qt::Horizontal).toString());
+            addRows(model, model.columnCount());
+        }
+    }
+    return texts;
 }
 
 inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border

@@ -1,0 +1,64 @@
+#include "app/bus_words.h"
+
+#include <QCoreApplication>
+
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+struct BusWords {
+    Q_DECLARE_TR_FUNCTIONS(BusWords)
+};
+
+QString matter(BusState state)
+{
+    switch (state) {
+    case BusState::Up: return BusWords::tr("%1 works");
+    case BusState::Stalled:
+        return BusWords::tr("%1 does not take frames: nobody acknowledges them or the bus is full; "
+                            "is the robot on, are the wires and the bit rate right?");
+    case BusState::ErrorPassive:
+        return BusWords::tr("%1 has many errors: check wires, terminators and bit rate");
+    case BusState::BusOff:
+        return BusWords::tr(
+            "%1 is bus-off after too many errors: check the wires, then restart it");
+    case BusState::Down: return BusWords::tr("%1 is down: bring it up");
+    case BusState::Absent:
+        return BusWords::tr("%1 does not exist: plug the adapter in, or make the interface");
+    }
+    return QStringLiteral("%1");
+}
+
+}  // namespace
+
+QString busWords(BusState state, const std::string& bus)
+{
+    const QString sentence = matter(state).arg(QString::fromStdString(bus));
+    const std::string command = cureOf(state, bus);
+    return command.empty() ? sentence
+                           : sentence + QStringLiteral(" (%1)").arg(words::text(command));
+}
+
+QString troubleWords(const CanSource* link, const std::string& said)
+{
+    if (said.empty() || !link) return words::text(said);
+    const CanView view = link->view();
+    if (view.ended) return BusWords::tr("%1 has ended").arg(words::text(link->name()));
+    return view.bus == BusState::Up ? words::text(said) : busWords(view.bus, link->busName());
+}
+
+QString whyFollowing(const CanSource* link)
+{
+    if (!link) return {};
+    const QString name = words::text(link->name());
+    switch (link->mode()) {
+    case CanSource::Mode::Transmit: return {};
+    case CanSource::Mode::Listen:
+        return BusWords::tr("%1 is only listened to: start the console with --transmit").arg(name);
+    case CanSource::Mode::Replay: return BusWords::tr("%1 takes no commands").arg(name);
+    }
+    return {};
+}
+
+}  // namespace terratact

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+
+#include "app/can_source.h"
+#include "drivers/can_bus.h"
+
+namespace terratact {
+
+/// What is the matter with a bus, and the command that mends it.
+QString busWords(BusState state, const std::string& bus);
+
+/// Why nothing arrives from a robot: of its bus where there is one that does not work, else what its source said.
+QString troubleWords(const CanSource* link, const std::string& said);
+
+/// Why this console only follows; empty where it commands.
+QString whyFollowing(const CanSource* link);
+
+}  // namespace terratact
