@@ -14,11 +14,6 @@ QString millimetres(double metres)
     return words::number(1000.0 * metres, 1);
 }
 
-QString percent(double share)
-{
-    return words::number(100.0 * share, 0);
-}
-
 ComparisonWords::Row inMillimetres(const QString& what, double before, double after)
 {
     return {what, millimetres(before), millimetres(after),
@@ -27,7 +22,7 @@ ComparisonWords::Row inMillimetres(const QString& what, double before, double af
 
 ComparisonWords::Row inPercent(const QString& what, double before, double after)
 {
-    return {what, percent(before), percent(after),
+    return {what, words::percent(before), words::percent(after),
             words::signedNumber(100.0 * (after - before), 0)};
 }
 
@@ -59,11 +54,11 @@ QString ComparisonWords::sentence(const ModelComparison& c)
             ? tr("The new model errs as much as the old one near the robot on %1 scenes")
                   .arg(scenes)
         : change < 0.0 ? tr("The new model errs %1 % less near the robot on %2 scenes")
-                             .arg(percent(-change), scenes)
+                             .arg(words::percent(-change), scenes)
                        : tr("The new model errs %1 % more near the robot on %2 scenes")
-                             .arg(percent(change), scenes);
+                             .arg(words::percent(change), scenes);
     return tr("%1; its 80 % bands there hold %2 % of the truths, the old one's %3 %.")
-        .arg(errs, percent(c.after.near.coverage), percent(c.before.near.coverage));
+        .arg(errs, words::percent(c.after.near.coverage), words::percent(c.before.near.coverage));
 }
 
 QString ComparisonWords::caution(const ModelComparison& c)

@@ -18,11 +18,6 @@ QString day(const std::string& date)
     return words::text(date).left(kDay);
 }
 
-QString percent(double share)
-{
-    return words::number(100.0 * share, 0);
-}
-
 QString shortHash(const std::string& hash)
 {
     return words::text(hash).left(kShownHash);
@@ -39,14 +34,14 @@ QString ModelWords::card(const ModelFacts& facts)
                  .arg(card.trained.empty() ? unknown : day(card.trained),
                       card.terrain.empty() ? unknown : words::text(card.terrain));
     lines << tr("%1 scenes, %2 % of them with a step above %3 m; median relief %4 m")
-                 .arg(QString::number(facts.scenes), percent(facts.ground.stepShare),
+                 .arg(QString::number(facts.scenes), words::percent(facts.ground.stepShare),
                       words::number(kStepLimit, 2), words::number(facts.ground.relief, 2));
     const auto shown = std::min<std::ptrdiff_t>(kShownScores, std::ssize(card.scores));
     for (auto s = card.scores.end() - shown; s != card.scores.end(); ++s) {
         lines << tr("%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6")
                      .arg(words::text(s->method), words::number(1000.0 * s->meanError, 1),
-                          percent(s->coverage), QString::number(s->scenes), words::text(s->data),
-                          day(s->date));
+                          words::percent(s->coverage), QString::number(s->scenes),
+                          words::text(s->data), day(s->date));
         if (facts.learntFrom(*s)) lines.back() += tr(" – the scenes it was trained on");
     }
     if (shown == 0) lines << tr("never evaluated: its errors are unknown");

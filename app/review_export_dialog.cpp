@@ -23,7 +23,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kLook = 200;  // [ms]
+constexpr int kLookEvery = 200;  // [ms]
 
 /// Where a file comes from.
 enum class From : std::uint8_t { Picture, Numbers, Report, Rows };
@@ -214,7 +214,7 @@ void ReviewExportDialog::ask()
 {
     if (!job_) result_->clear();
     showSight();
-    look_.start(kLook);
+    look_.start(kLookEvery);
     show();
     raise();
     activateWindow();

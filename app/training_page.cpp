@@ -471,7 +471,7 @@ void TrainingPage::showProgress()
         const auto left = progress.secondsLeft();
         const QString what =
             phase_ == Phase::Comparing ? tr("comparing: %1 %") : tr("training: %1 %");
-        text = what.arg(words::number(100.0 * progress.share, 0))
+        text = what.arg(words::percent(progress.share))
              + (left ? tr(", about %1 left").arg(words::countdown(*left))
                      : tr(", time left not known yet"));
     } else if (phase_ == Phase::Trained || phase_ == Phase::Compared) {

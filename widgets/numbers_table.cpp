@@ -58,9 +58,9 @@ void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
         set(bin, TwoHeaps,
             modes[i] ? tr("%1 (%2 %) or %3 (%4 %)")
                            .arg(words::signedNumber(modes[i]->lowMean, 2),
-                                words::number(100.0 * modes[i]->lowShare, 0),
+                                words::percent(modes[i]->lowShare),
                                 words::signedNumber(modes[i]->highMean, 2),
-                                words::number(100.0 * modes[i]->highShare, 0))
+                                words::percent(modes[i]->highShare))
                      : words::kNothing);
     }
 }

@@ -233,8 +233,7 @@ void TwoHeights::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap
             painter->drawLine(from, to);
             const QRectF place(from.x(), from.y() + 2.0, to.x() - from.x(),
                                painter->fontMetrics().height());
-            painter->drawText(place, Qt::AlignCenter,
-                              words::number(100.0 * share, 0) + QStringLiteral(" %"));
+            painter->drawText(place, Qt::AlignCenter, words::percent(share) + QStringLiteral(" %"));
         };
         mark(two->highMean, two->highShare);
         mark(two->lowMean, two->lowShare);

@@ -129,7 +129,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     case Outlook::Clear:
         setBadge(tr("✔ CLEAR"), QStringLiteral("clear"));
         why << tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
-                   .arg(words::number(100.0 * kClearBelow, 0));
+                   .arg(words::percent(kClearBelow));
         break;
     case Outlook::Blocked:
         setBadge(tr("✘ BLOCKED"), QStringLiteral("blocked"));

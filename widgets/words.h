@@ -28,6 +28,12 @@ inline QString number(double value, int decimals)
     return QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
+/// "83" of 0.83.
+inline QString percent(double share)
+{
+    return number(100.0 * share, 0);
+}
+
 /// With its sign, also a plus.
 inline QString signedNumber(double value, int decimals)
 {

@@ -14,7 +14,7 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kMostWords = 100;
-constexpr double kMostScenes = 1e9;
+constexpr double kMostEvaluated = 1e9;
 constexpr double kMostError = 10.0;  // [m]: heights are within ±5 m
 
 /// "0000-00-00T00:00:00Z", digits anywhere else than that refused.
@@ -52,7 +52,7 @@ CardScores scoresFrom(TomlSection& section)
     scores.date = checked(section, "date", isDate, "a date such as 2026-11-22T07:05:00Z");
     scores.data = section.text("data");
     scores.dataHash = checked(section, "data_sha256", isHash, "a SHA-256");
-    scores.scenes = static_cast<std::size_t>(section.number("scenes", {1.0, kMostScenes}));
+    scores.scenes = static_cast<std::size_t>(section.number("scenes", {1.0, kMostEvaluated}));
     scores.meanError = section.number("mean_error_m", {0.0, kMostError});
     scores.coverage = section.number("coverage_80", {0.0, 1.0});
     return scores;

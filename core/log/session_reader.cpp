@@ -20,7 +20,6 @@ namespace {
 constexpr int kLongest = 64 << 20;           // bytes of one value: draws
 constexpr std::size_t kMostRows = 500'000;   // of one table but the frames
 constexpr std::size_t kMostDamage = 10'000;  // places that are told one by one
-constexpr std::size_t atATime = 65'536;      // batches that are judged at a time
 
 using Hash = std::array<char, Sha256::kBytes>;
 
