@@ -25,6 +25,7 @@ namespace {
         "core", "left and right flippers differ by %1°: the ground is not the same left and right"),
     QT_TRANSLATE_NOOP("core", "contact and arm disagree about bin %1 m by %2 mm"),
     QT_TRANSLATE_NOOP("core", "the arm found bin %1 m %2 mm above the robot's own lower edge"),
+    QT_TRANSLATE_NOOP("core", "contact at x %1 m lies %2 mm above the robot's own lower edge"),
     QT_TRANSLATE_NOOP("core",
                       "unlike the training scenes: %1 times the distance that %2 % of them exceed"),
     QT_TRANSLATE_NOOP(

@@ -866,6 +866,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
     </message>
+    <message>
+        <source>contact at x %1 m lies %2 mm above the robot&apos;s own lower edge</source>
+        <translation>der Kontakt bei x %1 m liegt %2 mm über der Unterkante des Roboters</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
