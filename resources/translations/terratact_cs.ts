@@ -868,7 +868,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>contact at x %1 m lies %2 mm above the robot&apos;s own lower edge</source>
-        <translation>dotek na x %1 m leží %2 mm nad spodní hranou robota</translation>
+        <translation>kontakt na x %1 m leží %2 mm nad spodní hranou robota</translation>
     </message>
 </context>
 <context>
