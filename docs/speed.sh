@@ -35,8 +35,8 @@ bit for bit, on any number of processors (\`tests/core/infer/estimate_batch_test
 
 The gain is large with few chains, where groups are not full.  It is none, within what the table varies from run to run,
 where groups are full and factors fit the caches without it (inducing rows, the presets fast and balanced): such scenes stay
-alone.  So do those of the preset accurate, of which one fills a batch, those with a random scan, where each scene has its
-own order of bins, and those with a limit of seconds, which is of a scene that has its thread alone.
+alone.  So do those with a random scan, where each scene has its own order of bins, and those with a limit of seconds, which
+is of a scene that has its thread alone.
 
 ## What limits the rest
 

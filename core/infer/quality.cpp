@@ -16,7 +16,7 @@ Effort effortOf(Quality quality)
     switch (quality) {
     case Quality::Fast: return {250, 16, 16, Precision::Single, 175};
     case Quality::Balanced: return {1000, 32, 16, Precision::Single, 300};
-    case Quality::Accurate: return {4000, 64, 50, Precision::Double, 0};
+    case Quality::Accurate: return {4000, 16, 50, Precision::Single, 0};
     }
     throw std::invalid_argument("no such Quality");
 }
