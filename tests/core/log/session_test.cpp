@@ -268,7 +268,7 @@ TEST_F(Session, isTheSameInPartsOfAnySize)
         change(changed, sql);
         const std::string whole = told(changed, 65'536);
         EXPECT_EQ(whole.find("damage") == std::string::npos, std::string_view(sql).empty()) << sql;
-        for (const std::size_t atATime : {0, 1, 2, 3, 7})
+        for (const std::size_t atATime : {0U, 1U, 2U, 3U, 7U})
             EXPECT_EQ(told(changed, atATime), whole) << sql << ", " << atATime << " at a time";
     }
 }
@@ -279,7 +279,7 @@ TEST_F(Session, rowThatWasPutIntoAnEarlierBatchIsNotShown)
     change(path,
            "INSERT INTO event SELECT 100000, 1, t, kind, subject, 'forged', number, estimate, "
            "proposal, shown FROM event WHERE id = 1");
-    for (const std::size_t atATime : {1, 2, 65'536}) {
+    for (const std::size_t atATime : {1U, 2U, 65'536U}) {
         const std::string text = told(path, atATime);
         EXPECT_NE(text.find("damage"), std::string::npos) << atATime;
         EXPECT_EQ(text.find("forged"), std::string::npos) << atATime;
