@@ -12,9 +12,10 @@ cat >docs/speed.md <<END
 # What sampling costs
 
 Made by \`docs/speed.sh $build $rounds\`, which runs \`tests/bench/run.sh $build $rounds\`: the sampler and the same work
-in NumPy and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  Take ratios: times are of this
-machine and this hour, and other programs on its cores change what the caches hold: the more, the larger the ratios to
-NumPy, which needs more of them.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
+in NumPy and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  NumPy has the fastest kernels that
+its OpenBLAS offers for this processor, which Debian 12's does not always find by itself (\`tests/bench/peer_blas.py\`).
+Take ratios: times are of this machine and this hour, and other programs on its cores change what the caches hold: the
+more, the larger the ratios to NumPy, which needs more of them.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
 
 A *chain-sweep* draws nine unknown bins of one chain once, from processes of 1400 rows.  *Scenes of an evaluation* have
 their own known bins, 20 sweeps per chain, and everything around them: what \`evaluate\` and \`reconstruct\` do.

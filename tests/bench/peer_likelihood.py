@@ -6,15 +6,15 @@ are apart.
 """
 
 import os
-
-for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
-    os.environ[name] = "1"
-
 import struct
 import subprocess
 import sys
 import tempfile
 import time
+
+import peer_blas
+
+peer_blas.prepare()
 
 import numpy as np
 from scipy.linalg import lapack
@@ -78,7 +78,8 @@ def main():
             words = subprocess.run([ours, "data", path, "2"], check=True, capture_output=True, text=True).stdout.split()
             our_ms.append(float(words[0]))
     got = np.array([float(w) for w in words[1:]])
-    print(f"U = {rows}, d = {inputs}, one thread, CPU ms of {rounds} interleaved rounds: fastest, median")
+    print(f"U = {rows}, d = {inputs}, one thread, OpenBLAS's kernels for {peer_blas.kernels()}, "
+          f"CPU ms of {rounds} interleaved rounds: fastest, median")
     print(f"  NumPy/SciPy  {min(peer_ms):8.1f} {np.median(peer_ms):8.1f}")
     print(f"  Terratact    {min(our_ms):8.1f} {np.median(our_ms):8.1f}")
     print(f"  ratio        {min(our_ms) / min(peer_ms):8.3f} {np.median(our_ms) / np.median(peer_ms):8.3f}")

@@ -9,6 +9,10 @@ import json
 import sys
 import time
 
+import peer_blas
+
+peer_blas.prepare()
+
 import numpy as np
 from scipy.linalg import blas, cho_solve, cholesky, lapack, solve_triangular
 from scipy.special import ndtr, ndtri
@@ -159,7 +163,7 @@ def main():
     rng = np.random.default_rng(1)
     gps = [Bin(rng) for _ in range(UNKNOWN)]
     check(gps, rng)
-    result = {"numpy": np.__version__}
+    result = {"numpy": np.__version__, "kernels": peer_blas.kernels()}
 
     def sweeps(chains, ways, name):
         way, seconds = fastest(ways, lambda w: seconds_per_call(Sampler(gps, chains, w, rng).sweep))

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/infer/estimate_batch.h"
+#include "core/infer/estimator.h"
 #include "core/infer/gibbs.h"
 #include "core/infer/process_scene.h"
 #include "core/infer/quality.h"
@@ -180,6 +181,26 @@ void oneClearanceScene(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(run());
 }
 BENCHMARK(oneClearanceScene)->Unit(benchmark::kMillisecond);
+
+/// One scene at the preset balanced, all that estimateTerrain() does around it included: the median of several scenes counts.
+void oneBalancedScene(benchmark::State& state, Method method)
+{
+    static const Models models(shippedModel(), absolem());
+    static const std::vector<Scene> all = someScenes(16, 7);
+    Settings settings = withQuality({}, Quality::Balanced);
+    settings.method = method;
+    const RobotModel robot = absolem();
+    const auto run = [&](const Scene& scene) {
+        return estimateTerrain(scene.s, {}, robot, models, settings);
+    };
+    for (const Scene& scene : all) benchmark::DoNotOptimize(run(scene));
+    std::size_t next = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(run(all[next++ % all.size()]));
+}
+BENCHMARK_CAPTURE(oneBalancedScene, pafc, Method::Pafc)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(oneBalancedScene, clearance, Method::Clearance)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(oneBalancedScene, joint, Method::Joint)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(oneBalancedScene, local, Method::Local)->Unit(benchmark::kMillisecond);
 
 /// Scenes of an evaluation by one of the paper's methods, twice as many as fit into a batch, but 64 at most, each with
 /// its own known bins, through EstimateBatch or one after the other.  Per chain-sweep, all else included.

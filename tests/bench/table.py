@@ -74,7 +74,8 @@ def main(folder):
     worst = max(seconds for name, seconds in ours.items() if name.startswith("draw/"))
     row("truncated normal, slowest regime [ns a draw]", 150, worst * 1e9, 0)
 
-    print(f"{cpu_name()}; one thread; NumPy {files[0]['numpy']}; medians of {len(files)} rounds, CPU time")
+    print(f"{cpu_name()}; one thread; NumPy {files[0]['numpy']} on OpenBLAS's kernels for {files[0]['kernels']}; "
+          f"medians of {len(files)} rounds, CPU time")
     width = max(len(r[0]) for r in rows)
     for what, target, reached in [("", "target", "reached"), *rows]:
         print(f"{what:<{width}}  {target:>7}  {reached:>7}")
