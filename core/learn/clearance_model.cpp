@@ -20,11 +20,11 @@ constexpr int kNoveltyNeighbour = 10;
 constexpr double kNoveltyShare = 0.99;
 
 /// D² of the n-th nearest, n from 1; of the last where there are fewer.
-double nthSmallest(Eigen::VectorXd values, int n)
+double nthSmallest(const Eigen::VectorXd& values, int n)
 {
-    const auto nth = values.begin() + std::min<Eigen::Index>(n, values.size()) - 1;
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
+    std::vector<double> least(static_cast<std::size_t>(std::min<Eigen::Index>(n, values.size())));
+    std::partial_sort_copy(values.begin(), values.end(), least.begin(), least.end());
+    return least.back();
 }
 
 /// Standardised features of all rows times the metric: d × U.
@@ -119,6 +119,11 @@ ClearanceModel::ClearanceModel(const ModelData& model)
         const auto i = static_cast<std::size_t>(bin);
         open_[i] = prepare(data.open[i], X, rowsOf(coveredBins_, bin, false));
         covered_[i] = prepare(data.covered[i], X, rowsOf(coveredBins_, bin, true));
+    }
+    for (Eigen::Index u = 0; u < residuals_.cols(); ++u) {
+        ResidualProducts& products = products_[coveredBins_[static_cast<std::size_t>(u)]];
+        products.sum += residuals_.col(u) * residuals_.col(u).transpose();
+        products.count += 1.0;
     }
 }
 
@@ -233,14 +238,13 @@ Eigen::MatrixXd ClearanceModel::residualCovariance(unsigned covered) const
 {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(kBins, kBins);
     Eigen::MatrixXd count = Eigen::MatrixXd::Zero(kBins, kBins);
-    for (std::size_t u = 0; u < coveredBins_.size(); ++u) {
+    for (const auto& [theirs, products] : products_) {
         Eigen::Matrix<double, kBins, 1> in;
         for (int bin = 0; bin < kBins; ++bin)
-            in[bin] = isCovered(coveredBins_[u], bin) == isCovered(covered, bin) ? 1.0 : 0.0;
-        const Eigen::Matrix<double, kBins, 1> r =
-            residuals_.col(static_cast<Eigen::Index>(u)).cwiseProduct(in);
-        sum += r * r.transpose();
-        count += in * in.transpose();
+            in[bin] = isCovered(theirs, bin) == isCovered(covered, bin) ? 1.0 : 0.0;
+        const Eigen::Matrix<double, kBins, kBins> both = in * in.transpose();
+        sum += products.sum.cwiseProduct(both);
+        count += products.count * both;
     }
     Eigen::MatrixXd covariance = (count.array() > 0.0).select(sum.cwiseQuotient(count), 0.0);
     for (int bin = 0; bin < kBins; ++bin) {

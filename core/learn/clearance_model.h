@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <map>
 #include <vector>
 
 #include "core/learn/model.h"
@@ -74,6 +75,11 @@ private:
         Eigen::VectorXd inverseScale;  ///< d
         Eigen::VectorXd weights;       ///< m
     };
+    /// Of the scenes that cover the same bins.
+    struct ResidualProducts {
+        Eigen::Matrix<double, kBins, kBins> sum = Eigen::Matrix<double, kBins, kBins>::Zero();
+        double count = 0.0;
+    };
     static Process prepare(const SurfaceProcess& data, const Eigen::MatrixXd& X,
                            const std::vector<int>& rows);
     const Process& process(int bin, bool covered) const;
@@ -87,7 +93,8 @@ private:
     Eigen::MatrixXd scenes_;  ///< d × U: standardised features times the metric
     std::array<Process, kBins> open_, covered_;
     std::vector<unsigned> coveredBins_;
-    Eigen::MatrixXd residuals_;  ///< 11 × U
+    Eigen::MatrixXd residuals_;                      ///< 11 × U
+    std::map<unsigned, ResidualProducts> products_;  ///< by the covered bins
     double noveltyScale_ = 1.0;
     double contactBias_ = 0.0, contactSd_ = 0.0;
 };

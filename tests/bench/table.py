@@ -60,6 +60,8 @@ def main(folder):
     row("one scene, K = 1000: NumPy with 16 chains / ours", 10.0, numpy["oneScene"] / ours["oneScene/f32"])
     row("one scene, K = 1000: NumPy with one chain, 1050 sweeps / ours", 10.0,
         1050 * numpy["sweep/1"] / ours["oneScene/f32"])
+    for method, target in (("pafc", 33), ("clearance", 33), ("joint", 2), ("local", 2)):
+        row(f"one scene at `balanced`, K = 1000, {method} [ms]", target, ours[f"oneBalancedScene/{method}"] * 1e3, 1)
     row("likelihood and gradient: ours / NumPy", 0.6, ours["likelihoodAndGradient"] / numpy["likelihoodAndGradient"])
     for chains in (16, 64):
         if "AVX2" in sets and best == "AVX-512":

@@ -74,6 +74,26 @@ TEST(ClearanceModel, borrowsWhereFewScenesHaveTheSameBinsCovered)
     }
 }
 
+TEST(ClearanceModel, hasTheResidualsMeanProductsAsTheirCovariance)
+{
+    const ClearanceModel model(toy());
+    const ClearanceData& data = toy().clearance;
+    const unsigned covered = data.coveredBins[5];
+    const Eigen::MatrixXd c = model.residualCovariance(covered);
+    for (int i = 0; i < kBins; ++i) {
+        double sum = 0.0;
+        double count = 0.0;
+        for (Eigen::Index u = 0; u < data.residuals.rows(); ++u) {
+            if (isCovered(data.coveredBins[static_cast<std::size_t>(u)], i)
+                != isCovered(covered, i))
+                continue;
+            sum += data.residuals(u, i) * data.residuals(u, i);
+            count += 1.0;
+        }
+        EXPECT_NEAR(c(i, i), sum / count, 1e-9 * c(i, i)) << i;  // variances stay as they are
+    }
+}
+
 TEST(ClearanceModel, callsOneTrainingSceneInAHundredNovel)
 {
     const ClearanceModel model(toy());
