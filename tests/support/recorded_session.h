@@ -255,7 +255,7 @@ inline void recordDrive(const std::string& path, const RecordedDrive::Options& o
                         TERRATACT_SOURCE_DIR "/resources/models/default.ttm", options);
     drive.arm();
     drive.driveTo(0.6);
-    drive.explore({.method = Method::Pafc, .draws = 64, .seed = 7});
+    drive.explore({.method = Method::Pafc, .draws = 64, .burnIn = 8, .inducing = 100, .seed = 7});
     drive.mark("before the step, \"closer\" now");
     drive.driveTo(0.47);
     drive.explore({.seed = 8});
