@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using PanelClock = std::chrono::steady_clock;
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -22,16 +22,16 @@ void endOnInterrupt()
     std::signal(SIGTERM, [](int) { interrupted = 1; });
 }
 
-double since(Clock::time_point begin)
+double since(PanelClock::time_point begin)
 {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+    return std::chrono::duration<double>(PanelClock::now() - begin).count();
 }
 
 /// Looks at the panel for so long; what it saw last.
 template <class Watch>
 PanelReport pollFor(OperatorPanel& panel, const LampState& lamps, double seconds, Watch watch)
 {
-    const Clock::time_point begin = Clock::now();
+    const PanelClock::time_point begin = PanelClock::now();
     PanelReport report = panel.poll(lamps, OperatorPanel::kPeriod);
     while (since(begin) < seconds && !interrupted) {
         watch(report);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/canvas.h"
+#include "app/figure_colours.h"
 #include "app/method_look.h"
 
 namespace terratact {
@@ -16,8 +17,6 @@ namespace {
 constexpr int kWidth = 1200, kWideWidth = 1800, kHeight = 700;
 constexpr std::size_t kFewSeries = 5;
 constexpr double kLeft = 84.0, kMargin = 30.0, kTop = 84.0, kBottom = 590.0;
-constexpr Colour kText{0x16222e}, kMuted{0x4a5866}, kGrid{0xe4e9ee}, kFrame{0xcfd8e1};
-
 int widthFor(std::size_t series)
 {
     return series > kFewSeries ? kWideWidth : kWidth;
@@ -48,17 +47,17 @@ public:
 
     void heading(std::string_view title, std::string_view subtitle)
     {
-        canvas_.text({24.0, 36.0}, title, {.colour = kText, .size = 21.0, .bold = true});
-        canvas_.text({24.0, 62.0}, subtitle, {.colour = kMuted, .size = 14.0});
+        canvas_.text({24.0, 36.0}, title, {.colour = kFigureText, .size = 21.0, .bold = true});
+        canvas_.text({24.0, 62.0}, subtitle, {.colour = kFigureMuted, .size = 14.0});
     }
 
     void axes(std::string_view across, std::string_view up)
     {
-        const TextStyle right{.colour = kMuted, .size = 14.0, .align = Align::Right};
-        const TextStyle centre{.colour = kMuted, .size = 14.0, .align = Align::Centre};
+        const TextStyle right{.colour = kFigureMuted, .size = 14.0, .align = Align::Right};
+        const TextStyle centre{.colour = kFigureMuted, .size = 14.0, .align = Align::Centre};
         for (int k = 0; k * step_ <= top_ * (1.0 + 1e-9); ++k) {
             canvas_.line({kLeft, y(k * step_)}, {right_, y(k * step_)},
-                         {k == 0 ? kFrame : kGrid, 1.0, {}});
+                         {k == 0 ? kFigureFrame : kFigureGrid, 1.0, {}});
             canvas_.text({kLeft - 8.0, y(k * step_) + 5.0}, fmt::format("{:g}", k * step_), right);
         }
         canvas_.text({0.5 * (kLeft + right_), kBottom + 44.0}, across, centre);
@@ -68,7 +67,7 @@ public:
     void labelClass(double x, std::string_view words)
     {
         canvas_.text({x, kBottom + 20.0}, words,
-                     {.colour = kMuted, .size = 14.0, .align = Align::Centre});
+                     {.colour = kFigureMuted, .size = 14.0, .align = Align::Centre});
     }
 
     void key(const std::vector<std::string>& labels, bool bars)
@@ -146,7 +145,7 @@ void drawQuartiles(Canvas& canvas, std::span<const MethodSummary> summaries)
     for (std::size_t i = 0; i < kBins; ++i) {
         if (i > 0)
             canvas.line({chart.classBegin(i), kTop}, {chart.classBegin(i), kBottom},
-                        {kGrid, 1.0, {}});
+                        {kFigureGrid, 1.0, {}});
         chart.labelClass(chart.classBegin(i) + 0.5 * chart.classWidth(),
                          signedNumber(binCentre(static_cast<int>(i)), 1));
         double x = chart.classBegin(i) + 0.1 * chart.classWidth() + 0.5 * apart;
@@ -189,7 +188,7 @@ public:
         floor_ = kHead + 20.0 + kPanelHeight + kRowHeight * static_cast<double>(row);
         const MethodLook look = lookOf(h.label);
         canvas_.text({left_, floor_ - kPanelHeight - 8.0}, look.words,
-                     {.colour = kText, .size = 15.0, .bold = true});
+                     {.colour = kFigureText, .size = 15.0, .bold = true});
         scale();
         const auto classes = static_cast<double>(h.count.size());
         for (std::size_t k = 0; k < h.count.size(); ++k)
@@ -197,7 +196,7 @@ public:
                                   {x(static_cast<double>(k + 1) / classes) - 1.0, floor_},
                                   look.colour);
         canvas_.line({left_, y(100.0 / classes)}, {x(1.0), y(100.0 / classes)},
-                     {kText, 1.5, {6.0, 4.0}});
+                     {kFigureText, 1.5, {6.0, 4.0}});
     }
 
 private:
@@ -206,10 +205,10 @@ private:
 
     void scale()
     {
-        const TextStyle right{.colour = kMuted, .size = 13.0, .align = Align::Right};
-        const TextStyle centre{.colour = kMuted, .size = 13.0, .align = Align::Centre};
+        const TextStyle right{.colour = kFigureMuted, .size = 13.0, .align = Align::Right};
+        const TextStyle centre{.colour = kFigureMuted, .size = 13.0, .align = Align::Centre};
         for (int k = 0; k * step_ <= top_ * (1.0 + 1e-9); ++k) {
-            canvas_.line({left_, y(k * step_)}, {x(1.0), y(k * step_)}, {kGrid, 1.0, {}});
+            canvas_.line({left_, y(k * step_)}, {x(1.0), y(k * step_)}, {kFigureGrid, 1.0, {}});
             canvas_.text({left_ - 6.0, y(k * step_) + 4.0}, fmt::format("{:g}", k * step_), right);
         }
         for (const double pit : {0.0, 0.5, 1.0})
@@ -227,11 +226,11 @@ void drawPanels(Canvas& canvas, std::span<const ErrorHistogram> histograms)
     double top = 1.0;
     for (const ErrorHistogram& h : histograms)
         for (std::size_t k = 0; k < h.count.size(); ++k) top = std::max(top, percentOf(h, k));
-    canvas.text({24.0, 36.0}, "Calibration", {.colour = kText, .size = 21.0, .bold = true});
+    canvas.text({24.0, 36.0}, "Calibration", {.colour = kFigureText, .size = 21.0, .bold = true});
     canvas.text({24.0, 62.0},
                 "share of the bins [%] by the probability that was given to a height below the "
                 "true one (PIT); dashed: a calibrated forecast",
-                {.colour = kMuted, .size = 14.0});
+                {.colour = kFigureMuted, .size = 14.0});
     Panels panels(canvas, top);
     for (std::size_t k = 0; k < histograms.size(); ++k) panels.draw(k, histograms[k]);
 }

@@ -47,16 +47,16 @@ Result<std::unique_ptr<Toolbox>> toolboxFrom(const RobotModel& robot, const std:
 }
 
 /// What both models made of one scene.
-struct Pair {
+struct EstimatePair {
     SceneEstimate before, after;
     bool both() const { return before.estimate && after.estimate; }
 };
 
-std::vector<Pair> estimatePairs(const std::vector<Scene>& scenes, const Toolbox& before,
-                                const Toolbox& after, const ComparisonPlan& plan,
-                                const ComparisonWatch& watch)
+std::vector<EstimatePair> estimatePairs(const std::vector<Scene>& scenes, const Toolbox& before,
+                                        const Toolbox& after, const ComparisonPlan& plan,
+                                        const ComparisonWatch& watch)
 {
-    std::vector<Pair> pairs(scenes.size());
+    std::vector<EstimatePair> pairs(scenes.size());
     std::mutex mutex;
     std::size_t done = 0;
     parallelFor(
@@ -129,7 +129,7 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     std::vector<Scene> scenes;
     for (const std::size_t k : evenlyPicked(known->size(), plan.mostScenes))
         scenes.push_back((*known)[k]);
-    const std::vector<Pair> pairs = estimatePairs(scenes, **before, **after, plan, watch);
+    const std::vector<EstimatePair> pairs = estimatePairs(scenes, **before, **after, plan, watch);
 
     ModelComparison comparison;
     comparison.inFile = known->size();
@@ -139,7 +139,7 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     comparison.newLearntThese = (*after)->model.data.dataHash == *hash;
     Errors ofBefore, ofAfter;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-        const Pair& pair = pairs[k];
+        const EstimatePair& pair = pairs[k];
         if (pair.both()) {
             ++comparison.scenes;
             const auto add = [&](Errors& errors, const SceneEstimate& estimate) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/canvas.h"
+#include "app/figure_colours.h"
 
 namespace terratact {
 namespace {
@@ -17,8 +18,7 @@ constexpr double kPlotLeft = 84.0, kPlotRight = 1170.0, kPlotTop = 84.0, kPlotBo
 
 constexpr double kProbeRoom = 50.0;  // [px] above all bars for the words "probe here"
 
-constexpr Colour kText{0x16222e}, kMuted{0x4a5866}, kGrid{0xe4e9ee}, kFrame{0xcfd8e1},
-    kWhite{0xffffff};
+constexpr Colour kWhite{0xffffff};
 constexpr Colour kSampled{0x12804a}, kContact{0x1558a6}, kArm{0x6a1b9a}, kPrior{0xb06400},
     kDoubt{0x8f5200};
 constexpr Colour kPriorZone{0xfff4d2}, kTruth{0xd32f2f}, kPrevious{0x7fa8cc};
@@ -143,10 +143,10 @@ private:
 
     void drawHeading()
     {
-        const TextStyle title{.colour = kText, .size = 21.0, .bold = true};
+        const TextStyle title{.colour = kFigureText, .size = 21.0, .bold = true};
         canvas_.text({24.0, 36.0}, canvas_.fitted(input_.title, kPlotRight - 24.0, title), title);
         const TerrainEstimate& e = input_.estimate;
-        const TextStyle plain{.colour = kMuted, .size = 14.0};
+        const TextStyle plain{.colour = kFigureMuted, .size = 14.0};
         const std::string how =
             fmt::format("method {}, {} draws in {} chains", name(e.settings.method), e.draws.size(),
                         e.settings.chains);
@@ -177,23 +177,23 @@ private:
 
     void drawGrid()
     {
-        const TextStyle across{.colour = kMuted, .size = 14.0, .align = Align::Centre};
-        const TextStyle up{.colour = kMuted, .size = 14.0, .align = Align::Right};
+        const TextStyle across{.colour = kFigureMuted, .size = 14.0, .align = Align::Centre};
+        const TextStyle up{.colour = kFigureMuted, .size = 14.0, .align = Align::Right};
         for (int k = tick(axes_.left(), true); k <= tick(axes_.right(), false); k += axes_.step()) {
             const double x = axes_.x(0.1 * k);
-            canvas_.line({x, kPlotTop}, {x, kPlotBottom}, {kGrid, 1.0, {}});
+            canvas_.line({x, kPlotTop}, {x, kPlotBottom}, {kFigureGrid, 1.0, {}});
             canvas_.text({x, kPlotBottom + 20.0}, signedNumber(0.1 * k, 1), across);
         }
         for (int k = tick(axes_.bottom(), true); k <= tick(axes_.top(), false); k += axes_.step()) {
             const double y = axes_.y(0.1 * k);
-            canvas_.line({kPlotLeft, y}, {kPlotRight, y}, {kGrid, 1.0, {}});
+            canvas_.line({kPlotLeft, y}, {kPlotRight, y}, {kFigureGrid, 1.0, {}});
             canvas_.text({kPlotLeft - 8.0, y + 5.0}, signedNumber(0.1 * k, 1), up);
         }
         canvas_.polygon({{kPlotLeft, kPlotTop},
                          {kPlotRight, kPlotTop},
                          {kPlotRight, kPlotBottom},
                          {kPlotLeft, kPlotBottom}},
-                        {0xffffff, 0.0}, {kFrame, 1.0, {}});
+                        {0xffffff, 0.0}, {kFigureFrame, 1.0, {}});
         canvas_.text({0.5 * (kPlotLeft + kPlotRight), kPlotBottom + 42.0},
                      "forward from the IMU [m]", across);
         canvas_.text({26.0, 0.5 * (kPlotTop + kPlotBottom)}, "height above the IMU [m]", across,
@@ -219,7 +219,8 @@ private:
             for (const auto& [x, z] : part.points) points.push_back(axes_.at(x, z));
             canvas_.polygon(points, {rgb, 0.75}, {{0x6c7a89}, 1.0, {}});
         }
-        canvas_.marker(Shape::Circle, axes_.at(0.0, 0.0), 10.0, kText, {kText, 1.0, {}});
+        canvas_.marker(Shape::Circle, axes_.at(0.0, 0.0), 10.0, kFigureText,
+                       {kFigureText, 1.0, {}});
     }
 
     void drawCeilings()
@@ -228,7 +229,7 @@ private:
             const double ceiling = input_.estimate.ceiling[static_cast<std::size_t>(bin)];
             if (!std::isfinite(ceiling) || ceiling > axes_.top()) continue;
             canvas_.line(axes_.at(binBegin(bin) + 0.006, ceiling),
-                         axes_.at(binEnd(bin) - 0.006, ceiling), {kMuted, 1.6, {2.0, 3.0}});
+                         axes_.at(binEnd(bin) - 0.006, ceiling), {kFigureMuted, 1.6, {2.0, 3.0}});
         }
     }
 
@@ -306,12 +307,13 @@ private:
                      canvas.line({at.x - 6.0, at.y + dy}, {at.x + 6.0, at.y + dy},
                                  {kSampled, 2.0, {}});
              }});
-        addLine(entries, "ceiling by the body", {kMuted, 1.6, {2.0, 3.0}});
+        addLine(entries, "ceiling by the body", {kFigureMuted, 1.6, {2.0, 3.0}});
         if (input_.previous) addLine(entries, "estimate before", {kPrevious, 2.0, {7.0, 4.0}});
         if (input_.truth) addLine(entries, "truth", {kTruth, 1.5, {}});
-        entries.push_back({"IMU", [](Canvas& canvas, Point at) {
-                               canvas.marker(Shape::Circle, at, 10.0, kText, {kText, 1.0, {}});
-                           }});
+        entries.push_back(
+            {"IMU", [](Canvas& canvas, Point at) {
+                 canvas.marker(Shape::Circle, at, 10.0, kFigureText, {kFigureText, 1.0, {}});
+             }});
         terratact::drawKey(canvas_, {kPlotLeft, kPlotBottom + 54.0}, kPlotRight, entries);
     }
 

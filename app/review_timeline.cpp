@@ -16,7 +16,6 @@ struct ReviewWords {
 };
 
 using Lanes = QList<TimelineLane>;
-using Weight = TimelineWeight;
 
 TimelineLane& laneOf(Timeline& timeline, ReviewLane lane)
 {
@@ -55,17 +54,18 @@ void addRows(Timeline& timeline, const SessionReader& session)
 {
     for (const SceneRow& row : session.scenes())
         laneOf(timeline, ReviewLane::Scenes).marks << TimelineMark{
-            secondsOf(row.time), Weight::Plain, ReviewWords::tr("scene %1").arg(row.id)};
+            secondsOf(row.time), TimelineWeight::Plain, ReviewWords::tr("scene %1").arg(row.id)};
     for (const EstimateRow& row : session.estimates())
-        laneOf(timeline, ReviewLane::Estimates).marks << TimelineMark{
-            secondsOf(row.time), row.estimate.converged ? Weight::Good : Weight::Doubt,
-            ReviewWords::tr("estimate %1 of scene %2, %3")
-                .arg(row.id)
-                .arg(row.scene)
-                .arg(words::text(name(row.estimate.settings.method)))};
+        laneOf(timeline, ReviewLane::Estimates).marks
+            << TimelineMark{secondsOf(row.time),
+                            row.estimate.converged ? TimelineWeight::Good : TimelineWeight::Doubt,
+                            ReviewWords::tr("estimate %1 of scene %2, %3")
+                                .arg(row.id)
+                                .arg(row.scene)
+                                .arg(words::text(name(row.estimate.settings.method)))};
     for (const ProposalRow& row : session.proposals())
         laneOf(timeline, ReviewLane::Probes).marks
-            << TimelineMark{secondsOf(row.time), Weight::Doubt,
+            << TimelineMark{secondsOf(row.time), TimelineWeight::Doubt,
                             ReviewWords::tr("probe proposed at %1").arg(words::binName(row.bin))};
 }
 
@@ -98,11 +98,11 @@ private:
     void begin(const EstimateRow& row)
     {
         if (!estimates_.has("estimate"))
-            estimates_.begin("estimate", {secondsOf(row.time), 0.0, Weight::Plain,
+            estimates_.begin("estimate", {secondsOf(row.time), 0.0, TimelineWeight::Plain,
                                           ReviewWords::tr("an estimate stands")});
     }
 
-    void mark(ReviewLane lane, const EventRow& event, Weight weight)
+    void mark(ReviewLane lane, const EventRow& event, TimelineWeight weight)
     {
         laneOf(timeline_, lane).marks
             << TimelineMark{secondsOf(event.time), weight, sentenceOf(event)};
@@ -113,23 +113,24 @@ private:
         const double at = secondsOf(event.time);
         switch (event.kind) {
         case EventKind::Link:
-            link_.begin("link", {at, at, event.subject == "up" ? Weight::Good : Weight::Bad,
-                                 sentenceOf(event)});
+            link_.begin("link",
+                        {at, at, event.subject == "up" ? TimelineWeight::Good : TimelineWeight::Bad,
+                         sentenceOf(event)});
             break;
         case EventKind::Forgotten: estimates_.end("estimate", at); break;
         case EventKind::Phase: takePhase(event, at); break;
         case EventKind::Alarm:
             if (event.number.value_or(0.0) == 3.0)
-                alarms_.begin(event.subject, {at, at, Weight::Bad, sentenceOf(event)});
+                alarms_.begin(event.subject, {at, at, TimelineWeight::Bad, sentenceOf(event)});
             else if (event.number.value_or(0.0) != 2.0)
                 alarms_.end(event.subject, at);
             break;
-        case EventKind::Decision: mark(ReviewLane::Operator, event, Weight::Accent); break;
+        case EventKind::Decision: mark(ReviewLane::Operator, event, TimelineWeight::Accent); break;
         case EventKind::Panel:
-        case EventKind::Arming: mark(ReviewLane::Operator, event, Weight::Plain); break;
-        case EventKind::Marker: mark(ReviewLane::Markers, event, Weight::Accent); break;
-        case EventKind::Gap: mark(ReviewLane::Link, event, Weight::Bad); break;
-        case EventKind::Session: mark(ReviewLane::Markers, event, Weight::Plain); break;
+        case EventKind::Arming: mark(ReviewLane::Operator, event, TimelineWeight::Plain); break;
+        case EventKind::Marker: mark(ReviewLane::Markers, event, TimelineWeight::Accent); break;
+        case EventKind::Gap: mark(ReviewLane::Link, event, TimelineWeight::Bad); break;
+        case EventKind::Session: mark(ReviewLane::Markers, event, TimelineWeight::Plain); break;
         case EventKind::Word: break;
         }
     }
@@ -139,11 +140,11 @@ private:
         const auto phase = phaseFrom(event.subject);
         probes_.end("probe", at);
         if (phase == AtemPhase::ProposingProbe)
-            probes_.begin("probe", {at, at, Weight::Doubt, sentenceOf(event)});
+            probes_.begin("probe", {at, at, TimelineWeight::Doubt, sentenceOf(event)});
         if (phase == AtemPhase::Probing)
-            probes_.begin("probe", {at, at, Weight::Accent, sentenceOf(event)});
+            probes_.begin("probe", {at, at, TimelineWeight::Accent, sentenceOf(event)});
         if (phase == AtemPhase::Stopped || phase == AtemPhase::Failed)
-            mark(ReviewLane::Operator, event, Weight::Bad);
+            mark(ReviewLane::Operator, event, TimelineWeight::Bad);
     }
 
     Timeline& timeline_;
@@ -154,15 +155,15 @@ void addSurvey(Timeline& timeline, const Surveyed& surveyed)
 {
     for (const SessionSpan& span : surveyed.contacts)
         laneOf(timeline, ReviewLane::Contact).spans
-            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), Weight::Plain,
+            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), TimelineWeight::Plain,
                             ReviewWords::tr("a force element is in contact")};
     for (const SessionSpan& span : surveyed.silences)
         laneOf(timeline, ReviewLane::Link).spans
-            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), Weight::Bad,
+            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), TimelineWeight::Bad,
                             ReviewWords::tr("no telemetry came")};
     for (const SessionDamage& damage : surveyed.damage)
         timeline.gaps << TimelineSpan{
-            secondsOf(damage.first), secondsOf(damage.last), Weight::Bad,
+            secondsOf(damage.first), secondsOf(damage.last), TimelineWeight::Bad,
             ReviewWords::tr("DAMAGED, not shown: %1").arg(QString::fromStdString(damage.why))};
 }
 
@@ -238,7 +239,7 @@ Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
     addSurvey(timeline, surveyed);
     for (const ReviewNote& note : notes)
         laneOf(timeline, ReviewLane::Markers).marks
-            << TimelineMark{note.time, Weight::Good, QString::fromStdString(note.text)};
+            << TimelineMark{note.time, TimelineWeight::Good, QString::fromStdString(note.text)};
     return timeline;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/canvas.h"
+#include "app/figure_colours.h"
 #include "app/session_text.h"
 #include "app/what_if.h"
 #include "core/file_read.h"
@@ -20,9 +21,8 @@ namespace terratact {
 
 namespace {
 
-constexpr int kWidth = 1240, kHeight = 1754;  // A4 at 150 dots per inch
+constexpr int kPageWidth = 1240, kPageHeight = 1754;  // A4 at 150 dots per inch
 constexpr double kMargin = 50.0, kLine = 24.0;
-constexpr Colour kText{0x16222e}, kMuted{0x4a5866}, kRule{0xcfd8e1};
 
 double degrees(double radians)
 {
@@ -114,9 +114,9 @@ public:
     void draw(const SessionReport& report)
     {
         y_ = 62.0;
-        write(report.title, {.colour = kText, .size = 27.0, .bold = true}, 34.0);
-        write(report.verdict, {.colour = kText, .size = 20.0, .bold = true}, 28.0);
-        const double scale = (kWidth - 2.0 * kMargin) / kProfileWidth;
+        write(report.title, {.colour = kFigureText, .size = 27.0, .bold = true}, 34.0);
+        write(report.verdict, {.colour = kFigureText, .size = 20.0, .bold = true}, 28.0);
+        const double scale = (kPageWidth - 2.0 * kMargin) / kProfileWidth;
         canvas_.place({kMargin, y_ - 18.0}, scale,
                       [&](Canvas& canvas) { drawProfile(canvas, report.figure); });
         y_ += scale * kProfileHeight;
@@ -128,7 +128,7 @@ public:
 private:
     void write(const std::string& text, const TextStyle& style, double line)
     {
-        for (const std::string& part : canvas_.wrapped(text, kWidth - 2.0 * kMargin, style)) {
+        for (const std::string& part : canvas_.wrapped(text, kPageWidth - 2.0 * kMargin, style)) {
             canvas_.text({kMargin, y_}, part, style);
             y_ += line;
         }
@@ -136,9 +136,10 @@ private:
 
     void drawTable(const std::vector<std::vector<std::string>>& table)
     {
-        const double column = (kWidth - 2.0 * kMargin) / static_cast<double>(table.front().size());
+        const double column =
+            (kPageWidth - 2.0 * kMargin) / static_cast<double>(table.front().size());
         for (std::size_t row = 0; row < table.size(); ++row) {
-            const TextStyle style{.colour = row == 0 ? kMuted : kText,
+            const TextStyle style{.colour = row == 0 ? kFigureMuted : kFigureText,
                                   .size = 16.0,
                                   .bold = row == 0,
                                   .align = Align::Right};
@@ -152,16 +153,19 @@ private:
         y_ += 10.0;
     }
 
-    void rule(double y) { canvas_.line({kMargin, y}, {kWidth - kMargin, y}, {kRule, 1.0, {}}); }
+    void rule(double y)
+    {
+        canvas_.line({kMargin, y}, {kPageWidth - kMargin, y}, {kFigureFrame, 1.0, {}});
+    }
 
     void drawFact(const std::string& what, const std::string& text)
     {
         constexpr double kColumn = 130.0;
-        const TextStyle heading{.colour = kMuted, .size = 16.0, .bold = true};
-        const TextStyle style{.colour = kText, .size = 16.0};
+        const TextStyle heading{.colour = kFigureMuted, .size = 16.0, .bold = true};
+        const TextStyle style{.colour = kFigureText, .size = 16.0};
         canvas_.text({kMargin, y_}, what, heading);
         for (const std::string& part :
-             canvas_.wrapped(text, kWidth - 2.0 * kMargin - kColumn, style)) {
+             canvas_.wrapped(text, kPageWidth - 2.0 * kMargin - kColumn, style)) {
             canvas_.text({kMargin + kColumn, y_}, part, style);
             y_ += kLine - 1.0;
         }
@@ -170,13 +174,13 @@ private:
     /// As many as there is room for, and how many there are besides.
     void drawEvents(const std::vector<std::string>& events)
     {
-        const TextStyle style{.colour = kText, .size = 16.0};
-        const double bottom = kHeight - kMargin;
+        const TextStyle style{.colour = kFigureText, .size = 16.0};
+        const double bottom = kPageHeight - kMargin;
         y_ += 8.0;
         write(events.empty() ? "The operator decided nothing here" : "The operator",
-              {.colour = kMuted, .size = 16.0, .bold = true}, kLine);
+              {.colour = kFigureMuted, .size = 16.0, .bold = true}, kLine);
         for (std::size_t k = 0; k < events.size(); ++k) {
-            const auto lines = canvas_.wrapped(events[k], kWidth - 2.0 * kMargin, style);
+            const auto lines = canvas_.wrapped(events[k], kPageWidth - 2.0 * kMargin, style);
             const double needed = kLine * static_cast<double>(lines.size());
             const double reserved = k + 1 < events.size() ? kLine : 0.0;
             if (y_ + needed + reserved > bottom) {
@@ -326,7 +330,8 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
 Status writeReport(const std::string& path, const SessionReport& report)
 {
     if (path.ends_with(".html")) return writeFileAtomically(path, htmlOf(report));
-    return writePicture(path, kWidth, kHeight, [&](Canvas& canvas) { Page(canvas).draw(report); });
+    return writePicture(path, kPageWidth, kPageHeight,
+                        [&](Canvas& canvas) { Page(canvas).draw(report); });
 }
 
 }  // namespace terratact

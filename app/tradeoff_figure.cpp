@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/canvas.h"
+#include "app/figure_colours.h"
 #include "app/method_look.h"
 
 namespace terratact {
@@ -16,7 +17,7 @@ namespace {
 constexpr int kWidth = 1800, kHeight = 760;
 constexpr double kTop = 110.0, kBottom = 620.0, kPanelWidth = 760.0, kFirstLeft = 96.0,
                  kSecondLeft = 990.0;
-constexpr Colour kText{0x16222e}, kMuted{0x4a5866}, kGrid{0xe4e9ee}, kFront{0x16222e, 0.55};
+constexpr Colour kFront{0x16222e, 0.55};
 
 /// A logarithmic scale over whole decades.
 class LogScale {
@@ -64,17 +65,19 @@ public:
 
     void axes(std::string_view title)
     {
-        const TextStyle right{.colour = kMuted, .size = 13.0, .align = Align::Right};
-        const TextStyle centre{.colour = kMuted, .size = 13.0, .align = Align::Centre};
+        const TextStyle right{.colour = kFigureMuted, .size = 13.0, .align = Align::Right};
+        const TextStyle centre{.colour = kFigureMuted, .size = 13.0, .align = Align::Centre};
         for (const double tick : x_.ticks()) {
-            canvas_.line({x_(tick), kTop}, {x_(tick), kBottom}, {kGrid, 1.0, {}});
+            canvas_.line({x_(tick), kTop}, {x_(tick), kBottom}, {kFigureGrid, 1.0, {}});
             canvas_.text({x_(tick), kBottom + 20.0}, fmt::format("{:g}", tick), centre);
         }
         for (const double tick : y_.ticks()) {
-            canvas_.line({left_, y_(tick)}, {left_ + kPanelWidth, y_(tick)}, {kGrid, 1.0, {}});
+            canvas_.line({left_, y_(tick)}, {left_ + kPanelWidth, y_(tick)},
+                         {kFigureGrid, 1.0, {}});
             canvas_.text({left_ - 8.0, y_(tick) + 5.0}, fmt::format("{:g}", tick), right);
         }
-        canvas_.text({left_, kTop - 14.0}, title, {.colour = kText, .size = 15.0, .bold = true});
+        canvas_.text({left_, kTop - 14.0}, title,
+                     {.colour = kFigureText, .size = 15.0, .bold = true});
         canvas_.text({left_ + 0.5 * kPanelWidth, kBottom + 44.0}, "time per scene, one core [ms]",
                      centre);
         canvas_.text({left_ - 62.0, 0.5 * (kTop + kBottom)}, "[mm]", centre, true);
@@ -125,11 +128,12 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
             methods.push_back(method);
     }
     truth.cost = reference.cost;
-    canvas.text({24.0, 36.0}, "Time and accuracy", {.colour = kText, .size = 21.0, .bold = true});
+    canvas.text({24.0, 36.0}, "Time and accuracy",
+                {.colour = kFigureText, .size = 21.0, .bold = true});
     canvas.text(
         {24.0, 62.0},
         "every marker is one setting; large and named: the presets; dashed: the Pareto front",
-        {.colour = kMuted, .size = 14.0});
+        {.colour = kFigureMuted, .size = 14.0});
     Panel left(canvas, kFirstLeft, std::move(reference));
     Panel right(canvas, kSecondLeft, std::move(truth));
     left.axes("distance of the 0.1 and 0.9 quantiles from a long run");

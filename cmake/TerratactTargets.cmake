@@ -34,13 +34,13 @@ function(terratact_missing name)
     "which installs all that is missing.")
 endfunction()
 
-# terratact_library(<target> [APART source...] [ALONE source...]), after its sources are named: its headers are
-# compiled alone (below), and with CMAKE_UNITY_BUILD the sources of one directory are joined and compiled as one,
-# for presets whose cost is the parsing of headers. APART: joined with each other instead, since they have a name
-# of their own that another source of that directory has, too. ALONE: joined with none. (What has compile options
-# of its own is compiled alone anyway.) A source that is told of a name defined twice goes to one of these lists.
+# terratact_library(<target> [APART source...]), after its sources are named: its headers are compiled alone
+# (below), and with CMAKE_UNITY_BUILD the sources of one directory are joined and compiled as one, for presets whose
+# cost is the parsing of headers. APART: joined with each other instead, since they have a name of their own that
+# another source of that directory has, too. (What has compile options of its own is compiled alone anyway.) A source
+# that is told of a name defined twice goes to that list, or its name is made its own.
 function(terratact_library target)
-  cmake_parse_arguments(library "" "" "APART;ALONE" ${ARGN})
+  cmake_parse_arguments(library "" "" "APART" ${ARGN})
   set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
@@ -53,7 +53,6 @@ function(terratact_library target)
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-free-nonheap-object)
   endif()
   set_property(SOURCE ${library_APART} PROPERTY UNITY_GROUP "${target}_apart")
-  set_property(SOURCE ${library_ALONE} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # Compiles every header of every FILE_SET alone, as part of the default build: a header that

@@ -17,7 +17,7 @@
 namespace terratact {
 namespace {
 
-enum Column { Number, Time, Id, Name, Bytes, Content, kColumns };
+enum TraceColumn { Number, Time, Id, Name, Bytes, Content, kTraceColumns };
 
 QString troubleWords(FrameTrouble trouble)
 {
@@ -74,14 +74,14 @@ public:
     }
     int columnCount(const QModelIndex& parent = {}) const override
     {
-        return parent.isValid() ? 0 : kColumns;
+        return parent.isValid() ? 0 : kTraceColumns;
     }
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override
     {
         if (orientation != Qt::Horizontal) return {};
-        const QString names[kColumns]{RawTrace::tr("Number"), RawTrace::tr("Time [s]"),
-                                      RawTrace::tr("Id"),     RawTrace::tr("Frame"),
-                                      RawTrace::tr("Bytes"),  RawTrace::tr("What it says")};
+        const QString names[kTraceColumns]{RawTrace::tr("Number"), RawTrace::tr("Time [s]"),
+                                           RawTrace::tr("Id"),     RawTrace::tr("Frame"),
+                                           RawTrace::tr("Bytes"),  RawTrace::tr("What it says")};
         if (role == Qt::DisplayRole) return names[section];
         if (role == Qt::TextAlignmentRole) return alignment(section);
         return {};

@@ -13,9 +13,9 @@ namespace terratact {
 
 namespace {
 
-constexpr int kColumns = SymmetricPanels::kPanelColumns;
-constexpr long kStride = long{kColumns} * kGroup;  // of a packed group
-constexpr int kCachedRows = 512;                   // their packed groups stay in a core's own cache
+constexpr int kPanel = SymmetricPanels::kPanelColumns;
+constexpr long kStride = long{kPanel} * kGroup;  // of a packed group
+constexpr int kCachedRows = 512;                 // their packed groups stay in a core's own cache
 
 int roundUp(int n, int multiple)
 {
@@ -35,8 +35,8 @@ AlignedArray<double> packedRows(int n)
 
 /// The pivot block's L⁻¹, packed by rows and by columns.
 struct PivotInverse {
-    AlignedArray<double> rows = packedRows(kColumns);
-    AlignedArray<double> columns = packedRows(kColumns);
+    AlignedArray<double> rows = packedRows(kPanel);
+    AlignedArray<double> columns = packedRows(kPanel);
 };
 
 void pack(const Eigen::MatrixXd& inverseL, PivotInverse& pivot)
@@ -61,8 +61,8 @@ public:
     bool pivot(int panel, SymmetricPanels::Factors& factors)
     {
         panel_ = panel;
-        first_ = panel * kColumns;
-        width_ = std::min(kColumns, n_ - first_);
+        first_ = panel * kPanel;
+        width_ = std::min(kPanel, n_ - first_);
         if (!invertPivot(factors)) return false;
         packColumns();
         multiply();
@@ -101,15 +101,15 @@ private:
         for (int left = 0; left < panel_; ++left)
             for (int k = 0; k < width_; ++k) {
                 const double* from = A_.row(left, first_ + k);
-                double* to = group(V_, left * kColumns) + static_cast<long>(k) * kGroup;
-                for (int i = 0; i < kColumns; i += kGroup, to += kStride)
+                double* to = group(V_, left * kPanel) + static_cast<long>(k) * kGroup;
+                for (int i = 0; i < kPanel; i += kGroup, to += kStride)
                     std::copy_n(from + i, kGroup, to);
             }
         for (int i = first_ + width_; i < n_; i += kGroup) {
             const double* from = A_.row(panel_, i);
             double* to = group(V_, i);
             for (int k = 0; k < width_; ++k)
-                for (int r = 0; r < kGroup; ++r) *to++ = from[r * kColumns + k];
+                for (int r = 0; r < kGroup; ++r) *to++ = from[r * kPanel + k];
         }
     }
 
@@ -154,11 +154,11 @@ private:
         const auto subtract = likelihoodKernels().subtractProducts;
         for (int j = 0; j < to; j += kTileColumns) {
             if (isPivot(j)) continue;
-            const int panel = j / kColumns;
+            const int panel = j / kPanel;
             for (int i = std::max(from, j); i < to; i += kGroup)
                 if (!isPivot(i))
                     subtract(group(W_, i), group(W_, j), kStride, width_,
-                             A_.row(panel, i) + j % kColumns, kColumns, kGroup);
+                             A_.row(panel, i) + j % kPanel, kPanel, kGroup);
         }
     }
 
@@ -167,14 +167,14 @@ private:
     {
         const auto subtract = likelihoodKernels().subtractProducts;
         const auto tile = [&](const double* a, const double* b, int k, double* C) {
-            for (int r = 0; r < kGroup; ++r) std::fill_n(C + long{r} * kColumns, kTileColumns, 0.0);
+            for (int r = 0; r < kGroup; ++r) std::fill_n(C + long{r} * kPanel, kTileColumns, 0.0);
             const long skipped = static_cast<long>(k) * kGroup;  // zeros of the triangle
-            subtract(a + skipped, b + skipped, kStride, width_ - k, C, kColumns, kGroup);
+            subtract(a + skipped, b + skipped, kStride, width_ - k, C, kPanel, kGroup);
         };
         for (int k = 0; k < width_; k += kGroup)
             for (int j = 0; j < first_; j += kTileColumns)
                 tile(group(inverse_.columns, k), group(W_, j), k,
-                     A_.row(j / kColumns, first_ + k) + j % kColumns);
+                     A_.row(j / kPanel, first_ + k) + j % kPanel);
         for (int k = 0; k < width_; k += kTileColumns)
             for (int i = first_; i < n_; i += kGroup)
                 tile(isPivot(i) ? group(inverse_.columns, i - first_) : group(W_, i),

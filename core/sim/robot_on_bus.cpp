@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kStep = 0.05;  // [s] of simulated time, at most
+constexpr double kLongestStep = 0.05;  // [s] of simulated time, at most
 constexpr double kSlowArm = 3.0;
 
 bool moves(const Command& command)
@@ -37,7 +37,8 @@ std::string_view name(RobotFault fault)
 
 std::optional<RobotFault> robotFaultFromName(std::string_view text)
 {
-    const auto* const found = std::ranges::find(kRobotFaults, text, &name);
+    const auto* const found =
+        std::ranges::find(kRobotFaults, text, [](RobotFault fault) { return name(fault); });
     return found == kRobotFaults.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -135,7 +136,7 @@ void RobotOnBus::haltForSilence(CommandReceiver::Silence silence)
 void RobotOnBus::live(double dt)
 {
     if (faulty(RobotFault::SlowArm) && robot_.activity() == RobotActivity::Probing) dt /= kSlowArm;
-    const int steps = static_cast<int>(std::ceil(dt / kStep - 1e-9));
+    const int steps = static_cast<int>(std::ceil(dt / kLongestStep - 1e-9));
     for (int i = 0; i < steps; ++i) robot_.step(dt / steps);
 }
 

@@ -11,7 +11,7 @@ namespace terratact {
 namespace {
 
 using Kind = AbsolemFrame::Kind;
-using Command = std::array<char, 2>;
+using Mnemonic = std::array<char, 2>;
 
 constexpr std::uint32_t kStatusBase = 0x180, kReplyBase = 0x280, kRequestBase = 0x300;
 constexpr std::uint8_t kIndexBits = 0x3F, kFlagBit = 0x40, kFloatBit = 0x80;
@@ -20,7 +20,7 @@ constexpr double kMostCounts = 1'000'000;  // the modulus that the driver sets (
 constexpr double kMostCurrent = 50.0;      // [A] peak limit: 16 A
 constexpr std::uint16_t kEmergencyInput = 16;
 
-constexpr Command kPosition{'P', 'X'}, kCurrent{'I', 'Q'}, kStatus{'S', 'R'}, kFault{'M', 'F'},
+constexpr Mnemonic kPosition{'P', 'X'}, kCurrent{'I', 'Q'}, kStatus{'S', 'R'}, kFault{'M', 'F'},
     kInput{'I', 'B'};
 // What the robot's driver also says, and nothing is kept of.
 constexpr std::string_view kOthers =
@@ -56,7 +56,7 @@ char capital(std::uint8_t byte)
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-bool isOneOfOthers(const Command& command)
+bool isOneOfOthers(const Mnemonic& command)
 {
     const char word[]{command[0], command[1], ' ', '\0'};
     return kOthers.find(word) != std::string_view::npos;
