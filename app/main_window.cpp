@@ -137,7 +137,7 @@ void MainWindow::addPages(const Options& options)
             tr("The terrain under the robot, exploring it, and the arm"));
     numbers_ = new NumbersPage(
         [this] {
-            const auto& estimate = exploration_->estimate();
+            const auto& estimate = exploration_->estimation().estimate();
             return NumbersSight{estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
                                 exploration_->options().stepLimit};
         },
@@ -211,7 +211,7 @@ void MainWindow::offerViews()
     const auto offer = [&](const QString& text, std::optional<Method> method) {
         QAction* action = menu->addAction(text);
         action->setCheckable(true);
-        action->setChecked(method == exploration_->secondMethod());
+        action->setChecked(method == exploration_->estimation().secondMethod());
         group->addAction(action);
         connect(action, &QAction::triggered, exploration_.get(),
                 [this, method] { exploration_->setSecondMethod(method); });
@@ -352,7 +352,7 @@ void MainWindow::look()
     latest_ = acquisition_->latest();
     exploration_->tick(now, latest_);
     // An estimate is shown as soon as it is there; all else waits for its turn.
-    const bool news = exploration_->estimate().has_value() && !showsEstimate();
+    const bool news = exploration_->estimation().estimate().has_value() && !showsEstimate();
     if (news || now - redrawn_ >= kRedraw - 1e-3) redraw(now);
 }
 
@@ -608,19 +608,20 @@ void MainWindow::showTerrain(double now)
         sight.forces = &forceArrays();
         sight.truth = &latest_->sample.truth;
     }
-    if (const auto& scene = exploration_->scene()) {
+    const Estimation& estimation = exploration_->estimation();
+    if (const auto& scene = estimation.scene()) {
         sight.scene = &scene->measurement;
         sight.sceneTruth = &scene->truth;
     }
-    sight.estimate = pointer(exploration_->estimate());
-    sight.estimateSeconds = exploration_->estimateSeconds();
-    sight.second = pointer(exploration_->second());
+    sight.estimate = pointer(estimation.estimate());
+    sight.estimateSeconds = estimation.seconds();
+    sight.second = pointer(estimation.second());
     if (sight.second) sight.secondName = words::text(name(sight.second->settings.method));
-    sight.live = pointer(exploration_->live());
+    sight.live = pointer(estimation.live());
     sight.whyNoEstimate = exploration_->whyNoEstimate();
-    sight.ghost = exploration_->ghost();
-    sight.whyNoGhost = exploration_->whyNoGhost();
-    sight.verdict = exploration_->verdict();
+    sight.ghost = estimation.ghost();
+    sight.whyNoGhost = estimation.whyNoGhost();
+    sight.verdict = estimation.verdict();
     sight.state = exploration_->state();
     sight.timeLeft = exploration_->timeLeft();
     sight.secondsInPhase = exploration_->secondsInPhase();

@@ -181,6 +181,64 @@
     </message>
 </context>
 <context>
+    <name>PlanarGround</name>
+    <message>
+        <source>roll %1: left and right ground differ</source>
+        <translation>náklon %1: terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1</source>
+        <translation>levý a pravý flipper se liší o %1</translation>
+    </message>
+    <message>
+        <source>left and right agree, roll is small</source>
+        <translation>vlevo i vpravo stejně, náklon malý</translation>
+    </message>
+</context>
+<context>
+    <name>Preconditions</name>
+    <message>
+        <source>telemetry is live</source>
+        <translation>telemetrie běží</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>záznam skončil</translation>
+    </message>
+    <message>
+        <source>no telemetry from the robot</source>
+        <translation>žádná telemetrie z robota</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP nedrží</translation>
+    </message>
+    <message>
+        <source>STOP: release sent, not yet confirmed by the robot</source>
+        <translation>STOP: uvolnění odesláno, robot ještě nepotvrdil</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP drží</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>robot je aktivní</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>bez modelu: %1</translation>
+    </message>
+    <message>
+        <source>the model is being loaded</source>
+        <translation>model se načítá</translation>
+    </message>
+    <message>
+        <source>model %1 is ready</source>
+        <translation>model %1 je připraven</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -1388,6 +1446,49 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::Estimation</name>
+    <message>
+        <source>model %1 loaded</source>
+        <translation>model %1 načten</translation>
+    </message>
+    <message>
+        <source>model %1 stays in use: %2</source>
+        <translation>dál se používá model %1: %2</translation>
+    </message>
+    <message>
+        <source>arm at %1: %2 m, %3 the band shown before</source>
+        <translation>rameno v %1: %2 m, %3 předtím ukázaného pásma</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>uvnitř</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>mimo</translation>
+    </message>
+    <message>
+        <source>No live estimate: %1</source>
+        <translation>Bez živého odhadu: %1</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>bez druhého odhadu: %1</translation>
+    </message>
+    <message>
+        <source>estimate failed: %1</source>
+        <translation>odhad selhal: %1</translation>
+    </message>
+    <message>
+        <source>estimate in %1 s</source>
+        <translation>odhad za %1 s</translation>
+    </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Bez stínu: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::EventList</name>
     <message>
         <source>Last minutes</source>
@@ -1399,22 +1500,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>No estimate yet: explore the terrain (A)</source>
         <translation>Zatím bez odhadu: prozkoumejte terén (A)</translation>
-    </message>
-    <message>
-        <source>model %1 loaded</source>
-        <translation>model %1 načten</translation>
-    </message>
-    <message>
-        <source>estimate in %1 s</source>
-        <translation>odhad za %1 s</translation>
-    </message>
-    <message>
-        <source>No live estimate: %1</source>
-        <translation>Bez živého odhadu: %1</translation>
-    </message>
-    <message>
-        <source>estimate failed: %1</source>
-        <translation>odhad selhal: %1</translation>
     </message>
     <message>
         <source>STOP not sent: %1</source>
@@ -1493,18 +1578,6 @@ Poslední deaktivace: %1</translation>
         <translation>Bez odhadu: %1</translation>
     </message>
     <message>
-        <source>arm at %1: %2 m, %3 the band shown before</source>
-        <translation>rameno v %1: %2 m, %3 předtím ukázaného pásma</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>uvnitř</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>mimo</translation>
-    </message>
-    <message>
         <source>STOP is latched: release it first</source>
         <translation>STOP drží: nejdřív ho uvolněte</translation>
     </message>
@@ -1517,58 +1590,6 @@ Poslední deaktivace: %1</translation>
         <translation>Žádná telemetrie z robota</translation>
     </message>
     <message>
-        <source>the robot is armed</source>
-        <translation>robot je aktivní</translation>
-    </message>
-    <message>
-        <source>telemetry is live</source>
-        <translation>telemetrie běží</translation>
-    </message>
-    <message>
-        <source>no telemetry from the robot</source>
-        <translation>žádná telemetrie z robota</translation>
-    </message>
-    <message>
-        <source>STOP: release sent, not yet confirmed by the robot</source>
-        <translation>STOP: uvolnění odesláno, robot ještě nepotvrdil</translation>
-    </message>
-    <message>
-        <source>STOP is latched</source>
-        <translation>STOP drží</translation>
-    </message>
-    <message>
-        <source>STOP is not latched</source>
-        <translation>STOP nedrží</translation>
-    </message>
-    <message>
-        <source>no model: %1</source>
-        <translation>bez modelu: %1</translation>
-    </message>
-    <message>
-        <source>the model is being loaded</source>
-        <translation>model se načítá</translation>
-    </message>
-    <message>
-        <source>model %1 is ready</source>
-        <translation>model %1 je připraven</translation>
-    </message>
-    <message>
-        <source>roll %1: left and right ground differ</source>
-        <translation>náklon %1: terén vlevo a vpravo se liší</translation>
-    </message>
-    <message>
-        <source>left and right flippers differ by %1</source>
-        <translation>levý a pravý flipper se liší o %1</translation>
-    </message>
-    <message>
-        <source>left and right agree, roll is small</source>
-        <translation>vlevo i vpravo stejně, náklon malý</translation>
-    </message>
-    <message>
-        <source>no second estimate: %1</source>
-        <translation>bez druhého odhadu: %1</translation>
-    </message>
-    <message>
         <source>No estimate yet: it comes when the robot presses its flippers</source>
         <translation>Zatím bez odhadu: přijde, až robot přitlačí flippery</translation>
     </message>
@@ -1577,16 +1598,47 @@ Poslední deaktivace: %1</translation>
         <translation>Zatím bez odhadu: aktivujte (stisk M, pak držet M); pak průzkum (A)</translation>
     </message>
     <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
-        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
-    </message>
-    <message>
         <source>probe asked for at %1 instead</source>
         <translation>místo toho žádána sonda v %1</translation>
     </message>
     <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>není aktivní: stisknout M, pak držet M</translation>
+    </message>
+    <message>
+        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
+        <translation>příští odhad: %1, %2 vzorků, kontakty nad %3 N</translation>
+    </message>
+    <message>
+        <source>the override has ended: left and right agree again</source>
+        <translation>přebití skončilo: vlevo a vpravo zase souhlasí</translation>
+    </message>
+    <message>
+        <source>overridden by the operator: %1</source>
+        <translation>operátor přebil: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: nothing is heard of the robot</source>
+        <translation>Zatím bez odhadu: robot není slyšet</translation>
+    </message>
+    <message>
+        <source>No estimate: there is no model</source>
+        <translation>Bez odhadu: chybí model</translation>
+    </message>
+    <message>
+        <source>No estimate yet: the model is being loaded</source>
+        <translation>Zatím bez odhadu: model se načítá</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Following</name>
+    <message>
         <source>Following: the front flippers press down</source>
         <translation>Sledování: přední flippery tlačí dolů</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Odhaduje se …</translation>
     </message>
     <message>
         <source>following: the robot has pressed its flippers down</source>
@@ -1609,44 +1661,12 @@ Poslední deaktivace: %1</translation>
         <translation>sledování: bez odhadu: %1</translation>
     </message>
     <message>
-        <source>not armed: press M, then hold M</source>
-        <translation>není aktivní: stisknout M, pak držet M</translation>
+        <source>No estimate: %1</source>
+        <translation>Bez odhadu: %1</translation>
     </message>
     <message>
-        <source>the log has ended</source>
-        <translation>záznam skončil</translation>
-    </message>
-    <message>
-        <source>model %1 stays in use: %2</source>
-        <translation>dál se používá model %1: %2</translation>
-    </message>
-    <message>
-        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
-        <translation>příští odhad: %1, %2 vzorků, kontakty nad %3 N</translation>
-    </message>
-    <message>
-        <source>the override has ended: left and right agree again</source>
-        <translation>přebití skončilo: vlevo a vpravo zase souhlasí</translation>
-    </message>
-    <message>
-        <source>overridden by the operator: %1</source>
-        <translation>operátor přebil: %1</translation>
-    </message>
-    <message>
-        <source>No ghost: %1</source>
-        <translation>Bez stínu: %1</translation>
-    </message>
-    <message>
-        <source>No estimate yet: nothing is heard of the robot</source>
-        <translation>Zatím bez odhadu: robot není slyšet</translation>
-    </message>
-    <message>
-        <source>No estimate: there is no model</source>
-        <translation>Bez odhadu: chybí model</translation>
-    </message>
-    <message>
-        <source>No estimate yet: the model is being loaded</source>
-        <translation>Zatím bez odhadu: model se načítá</translation>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
     </message>
 </context>
 <context>

@@ -181,6 +181,64 @@
     </message>
 </context>
 <context>
+    <name>PlanarGround</name>
+    <message>
+        <source>roll %1: left and right ground differ</source>
+        <translation>Rollen %1: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1</source>
+        <translation>linker und rechter Flipper weichen um %1 ab</translation>
+    </message>
+    <message>
+        <source>left and right agree, roll is small</source>
+        <translation>links und rechts gleich, Rollen klein</translation>
+    </message>
+</context>
+<context>
+    <name>Preconditions</name>
+    <message>
+        <source>telemetry is live</source>
+        <translation>Telemetrie läuft</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>das Log ist zu Ende</translation>
+    </message>
+    <message>
+        <source>no telemetry from the robot</source>
+        <translation>keine Telemetrie vom Roboter</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP ist nicht eingerastet</translation>
+    </message>
+    <message>
+        <source>STOP: release sent, not yet confirmed by the robot</source>
+        <translation>STOP: Lösen gesendet, vom Roboter noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP ist eingerastet</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>kein Modell: %1</translation>
+    </message>
+    <message>
+        <source>the model is being loaded</source>
+        <translation>das Modell wird geladen</translation>
+    </message>
+    <message>
+        <source>model %1 is ready</source>
+        <translation>Modell %1 ist bereit</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -1388,6 +1446,49 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::Estimation</name>
+    <message>
+        <source>model %1 loaded</source>
+        <translation>Modell %1 geladen</translation>
+    </message>
+    <message>
+        <source>model %1 stays in use: %2</source>
+        <translation>Modell %1 bleibt in Gebrauch: %2</translation>
+    </message>
+    <message>
+        <source>arm at %1: %2 m, %3 the band shown before</source>
+        <translation>Arm bei %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innerhalb</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>No live estimate: %1</source>
+        <translation>Keine laufende Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>keine zweite Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>estimate failed: %1</source>
+        <translation>Schätzung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>estimate in %1 s</source>
+        <translation>Schätzung in %1 s</translation>
+    </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Kein Schatten: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::EventList</name>
     <message>
         <source>Last minutes</source>
@@ -1399,22 +1500,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>No estimate yet: explore the terrain (A)</source>
         <translation>Noch keine Schätzung: Gelände erkunden (A)</translation>
-    </message>
-    <message>
-        <source>model %1 loaded</source>
-        <translation>Modell %1 geladen</translation>
-    </message>
-    <message>
-        <source>estimate in %1 s</source>
-        <translation>Schätzung in %1 s</translation>
-    </message>
-    <message>
-        <source>No live estimate: %1</source>
-        <translation>Keine laufende Schätzung: %1</translation>
-    </message>
-    <message>
-        <source>estimate failed: %1</source>
-        <translation>Schätzung fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>STOP not sent: %1</source>
@@ -1493,18 +1578,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>arm at %1: %2 m, %3 the band shown before</source>
-        <translation>Arm bei %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>innerhalb</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außerhalb</translation>
-    </message>
-    <message>
         <source>STOP is latched: release it first</source>
         <translation>STOP ist eingerastet: erst lösen</translation>
     </message>
@@ -1517,58 +1590,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Keine Telemetrie vom Roboter</translation>
     </message>
     <message>
-        <source>the robot is armed</source>
-        <translation>der Roboter ist freigegeben</translation>
-    </message>
-    <message>
-        <source>telemetry is live</source>
-        <translation>Telemetrie läuft</translation>
-    </message>
-    <message>
-        <source>no telemetry from the robot</source>
-        <translation>keine Telemetrie vom Roboter</translation>
-    </message>
-    <message>
-        <source>STOP: release sent, not yet confirmed by the robot</source>
-        <translation>STOP: Lösen gesendet, vom Roboter noch nicht bestätigt</translation>
-    </message>
-    <message>
-        <source>STOP is latched</source>
-        <translation>STOP ist eingerastet</translation>
-    </message>
-    <message>
-        <source>STOP is not latched</source>
-        <translation>STOP ist nicht eingerastet</translation>
-    </message>
-    <message>
-        <source>no model: %1</source>
-        <translation>kein Modell: %1</translation>
-    </message>
-    <message>
-        <source>the model is being loaded</source>
-        <translation>das Modell wird geladen</translation>
-    </message>
-    <message>
-        <source>model %1 is ready</source>
-        <translation>Modell %1 ist bereit</translation>
-    </message>
-    <message>
-        <source>roll %1: left and right ground differ</source>
-        <translation>Rollen %1: Boden links und rechts verschieden</translation>
-    </message>
-    <message>
-        <source>left and right flippers differ by %1</source>
-        <translation>linker und rechter Flipper weichen um %1 ab</translation>
-    </message>
-    <message>
-        <source>left and right agree, roll is small</source>
-        <translation>links und rechts gleich, Rollen klein</translation>
-    </message>
-    <message>
-        <source>no second estimate: %1</source>
-        <translation>keine zweite Schätzung: %1</translation>
-    </message>
-    <message>
         <source>No estimate yet: it comes when the robot presses its flippers</source>
         <translation>Noch keine Schätzung: sie kommt, wenn der Roboter die Flipper andrückt</translation>
     </message>
@@ -1577,16 +1598,47 @@ Zuletzt gesperrt: %1</translation>
         <translation>Noch keine Schätzung: M drücken, dann M halten zum Freigeben; dann erkunden (A)</translation>
     </message>
     <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
-        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
-    </message>
-    <message>
         <source>probe asked for at %1 instead</source>
         <translation>stattdessen Sondierung bei %1 verlangt</translation>
     </message>
     <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>nicht freigegeben: M drücken, dann M halten</translation>
+    </message>
+    <message>
+        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
+        <translation>nächste Schätzung: %1, %2 Ziehungen, Kontakte über %3 N</translation>
+    </message>
+    <message>
+        <source>the override has ended: left and right agree again</source>
+        <translation>Übergehen beendet: links und rechts stimmen wieder überein</translation>
+    </message>
+    <message>
+        <source>overridden by the operator: %1</source>
+        <translation>vom Bediener übergangen: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: nothing is heard of the robot</source>
+        <translation>Noch keine Schätzung: vom Roboter ist nichts zu hören</translation>
+    </message>
+    <message>
+        <source>No estimate: there is no model</source>
+        <translation>Keine Schätzung: es gibt kein Modell</translation>
+    </message>
+    <message>
+        <source>No estimate yet: the model is being loaded</source>
+        <translation>Noch keine Schätzung: das Modell wird geladen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Following</name>
+    <message>
         <source>Following: the front flippers press down</source>
         <translation>Mitverfolgt: die vorderen Flipper drücken an</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzt …</translation>
     </message>
     <message>
         <source>following: the robot has pressed its flippers down</source>
@@ -1609,44 +1661,12 @@ Zuletzt gesperrt: %1</translation>
         <translation>mitverfolgt: keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>not armed: press M, then hold M</source>
-        <translation>nicht freigegeben: M drücken, dann M halten</translation>
+        <source>No estimate: %1</source>
+        <translation>Keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>the log has ended</source>
-        <translation>das Log ist zu Ende</translation>
-    </message>
-    <message>
-        <source>model %1 stays in use: %2</source>
-        <translation>Modell %1 bleibt in Gebrauch: %2</translation>
-    </message>
-    <message>
-        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
-        <translation>nächste Schätzung: %1, %2 Ziehungen, Kontakte über %3 N</translation>
-    </message>
-    <message>
-        <source>the override has ended: left and right agree again</source>
-        <translation>Übergehen beendet: links und rechts stimmen wieder überein</translation>
-    </message>
-    <message>
-        <source>overridden by the operator: %1</source>
-        <translation>vom Bediener übergangen: %1</translation>
-    </message>
-    <message>
-        <source>No ghost: %1</source>
-        <translation>Kein Schatten: %1</translation>
-    </message>
-    <message>
-        <source>No estimate yet: nothing is heard of the robot</source>
-        <translation>Noch keine Schätzung: vom Roboter ist nichts zu hören</translation>
-    </message>
-    <message>
-        <source>No estimate: there is no model</source>
-        <translation>Keine Schätzung: es gibt kein Modell</translation>
-    </message>
-    <message>
-        <source>No estimate yet: the model is being loaded</source>
-        <translation>Noch keine Schätzung: das Modell wird geladen</translation>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
     </message>
 </context>
 <context>
