@@ -549,20 +549,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>v %1 m jsou pravděpodobné dvě výšky: %2 m (%3 %) nebo %4 m (%5 %)</translation>
     </message>
     <message>
-        <source>no live telemetry: the robot may have moved</source>
-        <translation>bez živé telemetrie: robot se mohl pohnout</translation>
-    </message>
-    <message>
         <source>the scene is unlike all training</source>
         <translation>scéna se nepodobá ničemu z tréninku</translation>
-    </message>
-    <message>
-        <source>the robot rolls: left and right ground differ</source>
-        <translation>robot je nakloněn: terén vlevo a vpravo se liší</translation>
-    </message>
-    <message>
-        <source>the flippers differ: left and right ground differ</source>
-        <translation>flippery se liší: terén vlevo a vpravo se liší</translation>
     </message>
     <message>
         <source>STOP is latched: release it first</source>
@@ -927,6 +915,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>contact at x %1 m lies %2 mm above the robot&apos;s own lower edge</source>
         <translation>kontakt na x %1 m leží %2 mm nad spodní hranou robota</translation>
+    </message>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>bez živé telemetrie, robot se mohl pohnout</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>robot je nakloněn, terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>flippery se liší, terén vlevo a vpravo se liší</translation>
     </message>
 </context>
 <context>
@@ -4216,26 +4216,6 @@ vpředu</translation>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
-    <message>
-        <source>no live telemetry, the robot may have moved</source>
-        <translation>bez živé telemetrie, robot se mohl pohnout</translation>
-    </message>
-    <message>
-        <source>the chains have not converged</source>
-        <translation>řetězce nekonvergovaly</translation>
-    </message>
-    <message>
-        <source>the scene is unlike all training</source>
-        <translation>scéna se nepodobá ničemu z tréninku</translation>
-    </message>
-    <message>
-        <source>the robot rolls, left and right ground differ</source>
-        <translation>robot je nakloněn, terén vlevo a vpravo se liší</translation>
-    </message>
-    <message>
-        <source>the flippers differ, left and right ground differ</source>
-        <translation>flippery se liší, terén vlevo a vpravo se liší</translation>
-    </message>
     <message>
         <source>likeliest at %1 … %2 m (%3)</source>
         <translation>nejspíš v %1 … %2 m (%3)</translation>

@@ -549,20 +549,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>bei %1 m sind zwei Höhen wahrscheinlich: %2 m (%3 %) oder %4 m (%5 %)</translation>
     </message>
     <message>
-        <source>no live telemetry: the robot may have moved</source>
-        <translation>keine aktuelle Telemetrie: der Roboter kann sich bewegt haben</translation>
-    </message>
-    <message>
         <source>the scene is unlike all training</source>
         <translation>die Szene gleicht nichts aus dem Training</translation>
-    </message>
-    <message>
-        <source>the robot rolls: left and right ground differ</source>
-        <translation>der Roboter rollt: Boden links und rechts verschieden</translation>
-    </message>
-    <message>
-        <source>the flippers differ: left and right ground differ</source>
-        <translation>die Flipper weichen ab: Boden links und rechts verschieden</translation>
     </message>
     <message>
         <source>STOP is latched: release it first</source>
@@ -927,6 +915,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>contact at x %1 m lies %2 mm above the robot&apos;s own lower edge</source>
         <translation>der Kontakt bei x %1 m liegt %2 mm über der Unterkante des Roboters</translation>
+    </message>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>keine aktuelle Telemetrie, der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>der Roboter rollt, Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>die Flipper weichen ab, Boden links und rechts verschieden</translation>
     </message>
 </context>
 <context>
@@ -4216,26 +4216,6 @@ voraus</translation>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
-    <message>
-        <source>no live telemetry, the robot may have moved</source>
-        <translation>keine aktuelle Telemetrie, der Roboter kann sich bewegt haben</translation>
-    </message>
-    <message>
-        <source>the chains have not converged</source>
-        <translation>die Ketten sind nicht konvergiert</translation>
-    </message>
-    <message>
-        <source>the scene is unlike all training</source>
-        <translation>die Szene gleicht nichts aus dem Training</translation>
-    </message>
-    <message>
-        <source>the robot rolls, left and right ground differ</source>
-        <translation>der Roboter rollt, Boden links und rechts verschieden</translation>
-    </message>
-    <message>
-        <source>the flippers differ, left and right ground differ</source>
-        <translation>die Flipper weichen ab, Boden links und rechts verschieden</translation>
-    </message>
     <message>
         <source>likeliest at %1 … %2 m (%3)</source>
         <translation>am ehesten bei %1 … %2 m (%3)</translation>
