@@ -116,6 +116,13 @@
     </message>
 </context>
 <context>
+    <name>ConsoleSights</name>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -124,6 +131,65 @@
     <message>
         <source>%1, held</source>
         <translation>%1, držet</translation>
+    </message>
+</context>
+<context>
+    <name>LinkStatus</name>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>KONEC ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>SPOJENÍ ZTRACENO · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>zatím bez telemetrie</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>spoj %1 Hz · ≤ %2</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 ztraceno</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 rámců/s, %3
+%4 rámců ztratil tento počítač, %5 chybových rámců</translation>
+    </message>
+    <message>
+        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
+        <translation>SPOJENÍ ZTRACENO %1 — nic na obrazovce není živé%2</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>spojení navázáno</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>konec záznamu</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>spojení ztraceno</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>robot je aktivní</translation>
+    </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>není aktivní: %1</translation>
     </message>
 </context>
 <context>
@@ -283,6 +349,51 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Nastavení: %1 nelze přečíst; použije se dodaný model</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingDisplay</name>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NEZAZNAMENÁVÁ SE: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Zaznamenává se: %1
+%2 rámců, %3 MB; pro %4 rámců nebylo místo
+Kliknutí označí tento okamžik (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Nic se nezaznamenává</translation>
+    </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ BEZ
+ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ bez
+záznamu</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+značka K</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nezaznamenává se</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Zaznamenává se; označit tento okamžik</translation>
     </message>
 </context>
 <context>
@@ -1374,6 +1485,66 @@ Poslední deaktivace: %1</translation>
         <source>All of this page, for a report</source>
         <translation>Celá stránka, pro hlášení</translation>
     </message>
+    <message>
+        <source>Now</source>
+        <translation>Teď</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>stáří telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>čekající rámce CAN</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 teď, nejvýš %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>jeden odhad běží</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>nečinný</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>paměť</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>S čím pracuje</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>zdroj</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>údaje o robotu</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>údaje o modelu</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>
@@ -1762,42 +1933,6 @@ Poslední deaktivace: %1</translation>
         <translation>STOP je stisknut na panelu: nejdřív ho uvolněte tam</translation>
     </message>
     <message>
-        <source>LINK LOST · %1</source>
-        <translation>SPOJENÍ ZTRACENO · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry yet</source>
-        <translation>zatím bez telemetrie</translation>
-    </message>
-    <message>
-        <source>link %1 Hz · ≤ %2</source>
-        <translation>spoj %1 Hz · ≤ %2</translation>
-    </message>
-    <message>
-        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
-        <translation>SPOJENÍ ZTRACENO %1 — nic na obrazovce není živé%2</translation>
-    </message>
-    <message>
-        <source>link is up</source>
-        <translation>spojení navázáno</translation>
-    </message>
-    <message>
-        <source>link lost</source>
-        <translation>spojení ztraceno</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>robot: --</translation>
-    </message>
-    <message>
-        <source>the robot is armed</source>
-        <translation>robot je aktivní</translation>
-    </message>
-    <message>
-        <source>not armed: %1</source>
-        <translation>není aktivní: %1</translation>
-    </message>
-    <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
         <translation>Terratact %1. Zčásti založen na práci projektu Qwt (http://qwt.sf.net).</translation>
     </message>
@@ -1870,14 +2005,6 @@ Poslední deaktivace: %1</translation>
         <translation>žádná</translation>
     </message>
     <message>
-        <source>END OF THE LOG</source>
-        <translation>KONEC ZÁZNAMU</translation>
-    </message>
-    <message>
-        <source>end of the log</source>
-        <translation>konec záznamu</translation>
-    </message>
-    <message>
         <source>ask for another bin instead: the %1. offered</source>
         <translation>žádat jiný bod: %1. nabízený</translation>
     </message>
@@ -1918,82 +2045,6 @@ Poslední deaktivace: %1</translation>
         <translation>Verze, oprávnění a rychlost konzole</translation>
     </message>
     <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
-        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
-    </message>
-    <message>
-        <source>%1
-%2 frames/s, %3
-%4 frames dropped by this computer, %5 error frames</source>
-        <translation>%1
-%2 rámců/s, %3
-%4 rámců ztratil tento počítač, %5 chybových rámců</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Teď</translation>
-    </message>
-    <message>
-        <source>age of the telemetry</source>
-        <translation>stáří telemetrie</translation>
-    </message>
-    <message>
-        <source>telemetry</source>
-        <translation>telemetrie</translation>
-    </message>
-    <message>
-        <source>CAN frames waiting</source>
-        <translation>čekající rámce CAN</translation>
-    </message>
-    <message>
-        <source>%1 now, %2 at most</source>
-        <translation>%1 teď, nejvýš %2</translation>
-    </message>
-    <message>
-        <source>estimator</source>
-        <translation>odhad</translation>
-    </message>
-    <message>
-        <source>one estimate under way</source>
-        <translation>jeden odhad běží</translation>
-    </message>
-    <message>
-        <source>idle</source>
-        <translation>nečinný</translation>
-    </message>
-    <message>
-        <source>memory</source>
-        <translation>paměť</translation>
-    </message>
-    <message>
-        <source>What it works with</source>
-        <translation>S čím pracuje</translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation>zdroj</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>robot</translation>
-    </message>
-    <message>
-        <source>facts of the robot</source>
-        <translation>údaje o robotu</translation>
-    </message>
-    <message>
-        <source>model</source>
-        <translation>model</translation>
-    </message>
-    <message>
-        <source>facts of the model</source>
-        <translation>údaje o modelu</translation>
-    </message>
-    <message>
-        <source> · %1 dropped</source>
-        <translation> · %1 ztraceno</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Nastavení</translation>
     </message>
@@ -2024,48 +2075,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>přebít, co je na průzkumu sporné</translation>
-    </message>
-    <message>
-        <source>✕ NOT
-RECORDED</source>
-        <translation>✕ BEZ
-ZÁZNAMU</translation>
-    </message>
-    <message>
-        <source>○ not
-recorded</source>
-        <translation>○ bez
-záznamu</translation>
-    </message>
-    <message>
-        <source>● REC
-mark K</source>
-        <translation>● REC
-značka K</translation>
-    </message>
-    <message>
-        <source>NOT RECORDED: %1</source>
-        <translation>NEZAZNAMENÁVÁ SE: %1</translation>
-    </message>
-    <message>
-        <source>Recorded: %1
-%2 frames, %3 MB; %4 frames found no room
-A click marks this moment (K)</source>
-        <translation>Zaznamenává se: %1
-%2 rámců, %3 MB; pro %4 rámců nebylo místo
-Kliknutí označí tento okamžik (K)</translation>
-    </message>
-    <message>
-        <source>Nothing is recorded</source>
-        <translation>Nic se nezaznamenává</translation>
-    </message>
-    <message>
-        <source>Not recorded</source>
-        <translation>Nezaznamenává se</translation>
-    </message>
-    <message>
-        <source>Recording; mark this moment</source>
-        <translation>Zaznamenává se; označit tento okamžik</translation>
     </message>
     <message>
         <source>marked in the recording</source>

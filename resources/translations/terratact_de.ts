@@ -116,6 +116,13 @@
     </message>
 </context>
 <context>
+    <name>ConsoleSights</name>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -124,6 +131,65 @@
     <message>
         <source>%1, held</source>
         <translation>%1, halten</translation>
+    </message>
+</context>
+<context>
+    <name>LinkStatus</name>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>ENDE DES LOGS</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>VERBINDUNG WEG · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>noch keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>Link %1 Hz · ≤ %2</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 verloren</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 Rahmen/s, %3
+%4 Rahmen von diesem Rechner verloren, %5 Fehlerrahmen</translation>
+    </message>
+    <message>
+        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
+        <translation>VERBINDUNG WEG seit %1 — nichts auf diesem Schirm ist aktuell%2</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>Verbindung steht</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>Ende des Logs</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>nicht freigegeben: %1</translation>
     </message>
 </context>
 <context>
@@ -283,6 +349,51 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Einstellungen: %1 ist nicht lesbar; das mitgelieferte Modell wird verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingDisplay</name>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NICHT AUFGEZEICHNET: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Aufgezeichnet: %1
+%2 Rahmen, %3 MB; für %4 Rahmen war kein Platz
+Ein Klick markiert diesen Augenblick (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Es wird nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ OHNE
+AUFZEICHN.</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ ohne
+Aufzeichn.</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+Marke K</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Aufzeichnung läuft; diesen Augenblick markieren</translation>
     </message>
 </context>
 <context>
@@ -1374,6 +1485,66 @@ Zuletzt gesperrt: %1</translation>
         <source>All of this page, for a report</source>
         <translation>Die ganze Seite, für einen Bericht</translation>
     </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>Alter der Telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>Telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>wartende CAN-Rahmen</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 jetzt, höchstens %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>eine Schätzung läuft</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>untätig</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>Womit sie arbeitet</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>Angaben zum Roboter</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>Angaben zum Modell</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>
@@ -1762,42 +1933,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>STOP ist am Pult gedrückt: erst dort lösen</translation>
     </message>
     <message>
-        <source>LINK LOST · %1</source>
-        <translation>VERBINDUNG WEG · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry yet</source>
-        <translation>noch keine Telemetrie</translation>
-    </message>
-    <message>
-        <source>link %1 Hz · ≤ %2</source>
-        <translation>Link %1 Hz · ≤ %2</translation>
-    </message>
-    <message>
-        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
-        <translation>VERBINDUNG WEG seit %1 — nichts auf diesem Schirm ist aktuell%2</translation>
-    </message>
-    <message>
-        <source>link is up</source>
-        <translation>Verbindung steht</translation>
-    </message>
-    <message>
-        <source>link lost</source>
-        <translation>Verbindung verloren</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>Roboter: --</translation>
-    </message>
-    <message>
-        <source>the robot is armed</source>
-        <translation>der Roboter ist freigegeben</translation>
-    </message>
-    <message>
-        <source>not armed: %1</source>
-        <translation>nicht freigegeben: %1</translation>
-    </message>
-    <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
         <translation>Terratact %1. Beruht teilweise auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
     </message>
@@ -1870,14 +2005,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>keine</translation>
     </message>
     <message>
-        <source>END OF THE LOG</source>
-        <translation>ENDE DES LOGS</translation>
-    </message>
-    <message>
-        <source>end of the log</source>
-        <translation>Ende des Logs</translation>
-    </message>
-    <message>
         <source>ask for another bin instead: the %1. offered</source>
         <translation>ein anderes Feld verlangen: das %1. angebotene</translation>
     </message>
@@ -1918,82 +2045,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Versionen, Rechte und wie schnell die Konsole ist</translation>
     </message>
     <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
-        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
-    </message>
-    <message>
-        <source>%1
-%2 frames/s, %3
-%4 frames dropped by this computer, %5 error frames</source>
-        <translation>%1
-%2 Rahmen/s, %3
-%4 Rahmen von diesem Rechner verloren, %5 Fehlerrahmen</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
-        <source>age of the telemetry</source>
-        <translation>Alter der Telemetrie</translation>
-    </message>
-    <message>
-        <source>telemetry</source>
-        <translation>Telemetrie</translation>
-    </message>
-    <message>
-        <source>CAN frames waiting</source>
-        <translation>wartende CAN-Rahmen</translation>
-    </message>
-    <message>
-        <source>%1 now, %2 at most</source>
-        <translation>%1 jetzt, höchstens %2</translation>
-    </message>
-    <message>
-        <source>estimator</source>
-        <translation>Schätzer</translation>
-    </message>
-    <message>
-        <source>one estimate under way</source>
-        <translation>eine Schätzung läuft</translation>
-    </message>
-    <message>
-        <source>idle</source>
-        <translation>untätig</translation>
-    </message>
-    <message>
-        <source>memory</source>
-        <translation>Speicher</translation>
-    </message>
-    <message>
-        <source>What it works with</source>
-        <translation>Womit sie arbeitet</translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation>Quelle</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>facts of the robot</source>
-        <translation>Angaben zum Roboter</translation>
-    </message>
-    <message>
-        <source>model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>facts of the model</source>
-        <translation>Angaben zum Modell</translation>
-    </message>
-    <message>
-        <source> · %1 dropped</source>
-        <translation> · %1 verloren</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -2024,48 +2075,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
-    </message>
-    <message>
-        <source>✕ NOT
-RECORDED</source>
-        <translation>✕ OHNE
-AUFZEICHN.</translation>
-    </message>
-    <message>
-        <source>○ not
-recorded</source>
-        <translation>○ ohne
-Aufzeichn.</translation>
-    </message>
-    <message>
-        <source>● REC
-mark K</source>
-        <translation>● REC
-Marke K</translation>
-    </message>
-    <message>
-        <source>NOT RECORDED: %1</source>
-        <translation>NICHT AUFGEZEICHNET: %1</translation>
-    </message>
-    <message>
-        <source>Recorded: %1
-%2 frames, %3 MB; %4 frames found no room
-A click marks this moment (K)</source>
-        <translation>Aufgezeichnet: %1
-%2 Rahmen, %3 MB; für %4 Rahmen war kein Platz
-Ein Klick markiert diesen Augenblick (K)</translation>
-    </message>
-    <message>
-        <source>Nothing is recorded</source>
-        <translation>Es wird nichts aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Not recorded</source>
-        <translation>Nicht aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Recording; mark this moment</source>
-        <translation>Aufzeichnung läuft; diesen Augenblick markieren</translation>
     </message>
     <message>
         <source>marked in the recording</source>
