@@ -1,9 +1,7 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -123,25 +121,12 @@ void judgeBaselines(const Workload& work, Findings& findings)
     }
 }
 
-bool hasTruth(const Scene& scene)
-{
-    return std::any_of(scene.truth.begin(), scene.truth.end(),
-                       [](const auto& h) { return h.has_value(); });
-}
-
 Result<std::vector<Scene>> scenesWithTruth(const std::string& path)
 {
-    const auto file = readScenes(path);
+    auto file = readScenesWithTruth(path);
     if (!file) return file.error();
     for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
-    std::vector<Scene> scenes;
-    std::copy_if(file->scenes.begin(), file->scenes.end(), std::back_inserter(scenes), hasTruth);
-    if (scenes.empty())
-        return fileError(path, "no scene has a known height (columns h_-0.3_m … h_+0.7_m)");
-    if (scenes.size() < file->scenes.size())
-        fmt::print(stderr, "terratact: {} scenes without any known height left out\n",
-                   file->scenes.size() - scenes.size());
-    return scenes;
+    return std::move(file->scenes);
 }
 
 /// The index file of the classes, where there is one.

@@ -117,6 +117,53 @@ DiagnosticsSection permissions()
              {DiagnosticsPage::tr("groups"), groupWords()}}};
 }
 
+DiagnosticsSection presentDiagnostics(const ConsoleFacts& facts)
+{
+    DiagnosticsSection section{DiagnosticsPage::tr("Now"), {}};
+    section.lines << std::pair(DiagnosticsPage::tr("age of the telemetry"),
+                               facts.telemetryAge ? words::age(*facts.telemetryAge)
+                                                  : words::kNothing)
+                  << std::pair(DiagnosticsPage::tr("telemetry"),
+                               words::number(facts.telemetryRate, 0) + QStringLiteral(" Hz"));
+    if (facts.waiting)
+        section.lines << std::pair(DiagnosticsPage::tr("CAN frames waiting"),
+                                   DiagnosticsPage::tr("%1 now, %2 at most")
+                                       .arg(facts.waiting->now)
+                                       .arg(facts.waiting->most));
+    section.lines << std::pair(DiagnosticsPage::tr("estimator"),
+                               facts.estimating ? DiagnosticsPage::tr("one estimate under way")
+                                                : DiagnosticsPage::tr("idle"))
+                  << std::pair(DiagnosticsPage::tr("memory"),
+                               words::number(residentMemory() / 1e6, 0) + QStringLiteral(" MB"));
+    return section;
+}
+
+DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
+{
+    const auto halfAndWorst = [](const NewestValues& values) {
+        if (values.count() == 0) return words::kNothing;
+        return DiagnosticsPage::tr("half ≤ %1 · 99 % ≤ %2 · worst %3")
+            .arg(milliseconds(values.quantile(0.5)), milliseconds(values.quantile(0.99)),
+                 milliseconds(values.most()));
+    };
+    return {DiagnosticsPage::tr("Last minute"),
+            {{DiagnosticsPage::tr("a frame takes"), halfAndWorst(meter.frames())},
+             {DiagnosticsPage::tr("an event waits"), halfAndWorst(meter.lateness())},
+             {DiagnosticsPage::tr("telemetry to screen"), halfAndWorst(meter.latencies())}}};
+}
+
+DiagnosticsSection partsDiagnostics(const ConsoleFacts& facts)
+{
+    const ModelInUse& model = facts.model;
+    return {DiagnosticsPage::tr("What it works with"),
+            {{DiagnosticsPage::tr("source"), facts.source},
+             {DiagnosticsPage::tr("robot"), facts.robot},
+             {DiagnosticsPage::tr("facts of the robot"),
+              facts.robotDetails.isEmpty() ? words::kNothing : facts.robotDetails},
+             {DiagnosticsPage::tr("model"), model.trouble.isEmpty() ? model.name : model.trouble},
+             {DiagnosticsPage::tr("facts of the model"), model.details}}};
+}
+
 }  // namespace
 
 double residentMemory()
@@ -133,18 +180,9 @@ QList<DiagnosticsSection> standingDiagnostics()
     return {versions(), processor(), permissions()};
 }
 
-DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
+QList<DiagnosticsSection> consoleDiagnostics(const ConsoleFacts& facts, const LoopMeter& meter)
 {
-    const auto halfAndWorst = [](const NewestValues& values) {
-        if (values.count() == 0) return words::kNothing;
-        return DiagnosticsPage::tr("half ≤ %1 · 99 % ≤ %2 · worst %3")
-            .arg(milliseconds(values.quantile(0.5)), milliseconds(values.quantile(0.99)),
-                 milliseconds(values.most()));
-    };
-    return {DiagnosticsPage::tr("Last minute"),
-            {{DiagnosticsPage::tr("a frame takes"), halfAndWorst(meter.frames())},
-             {DiagnosticsPage::tr("an event waits"), halfAndWorst(meter.lateness())},
-             {DiagnosticsPage::tr("telemetry to screen"), halfAndWorst(meter.latencies())}}};
+    return {presentDiagnostics(facts), loopDiagnostics(meter), partsDiagnostics(facts)};
 }
 
 QString plainText(const QList<DiagnosticsSection>& sections)

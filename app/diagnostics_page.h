@@ -3,9 +3,11 @@
 #include <QList>
 #include <QString>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <utility>
 
+#include "app/can_source.h"
+#include "app/estimation.h"
 #include "app/page.h"
 
 class QGridLayout;
@@ -26,8 +28,18 @@ struct DiagnosticsSection {
 /// network stack once.
 QList<DiagnosticsSection> standingDiagnostics();
 
-/// Frame times, latency and the lateness of the event loop.
-DiagnosticsSection loopDiagnostics(const LoopMeter& meter);
+/// What a console works with, and how it fares.
+struct ConsoleFacts {
+    std::optional<double> telemetryAge{};         ///< [s]; empty: none came yet
+    double telemetryRate = 0.0;                   ///< [Hz]
+    std::optional<CanSource::Waiting> waiting{};  ///< of a bus
+    bool estimating = false;
+    QString source{}, robot{}, robotDetails{};
+    ModelInUse model{};
+};
+
+/// These facts, and frame times, latency and the lateness of the event loop.
+QList<DiagnosticsSection> consoleDiagnostics(const ConsoleFacts& facts, const LoopMeter& meter);
 
 /// Resident memory of this process [B]; 0 where it cannot be read.
 double residentMemory();

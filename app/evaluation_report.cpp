@@ -8,6 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/csv_field.h"
+
 namespace terratact {
 namespace {
 
@@ -82,19 +84,6 @@ Entry entryOf(const std::string& label, std::span<const Entry> entries)
     for (const Entry& e : entries)
         if (e.label == label) return e;
     return {};
-}
-
-/// A CSV field; in quotes where it holds a comma or a quote.
-std::string csvField(const std::string& text)
-{
-    if (text.find_first_of(",\"") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    quoted += '"';
-    return quoted;
 }
 
 /// As much of a name as a column holds.

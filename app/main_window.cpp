@@ -1,6 +1,5 @@
 #include "app/main_window.h"
 
-#include <QAbstractItemView>
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
@@ -8,19 +7,15 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QStyle>
 #include <QTime>
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "app/alarms_page.h"
-#include "app/bus_words.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
 #include "app/page.h"
-#include "app/resources.h"
-#include "app/robot_words.h"
 #include "app/session_scribe.h"
 #include "app/settings_page.h"
 #include "app/signals_page.h"
@@ -32,12 +27,10 @@
 #include "widgets/drive_pad.h"
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
-#include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 #include "widgets/probe_card.h"
-#include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
 #include "widgets/verdict_strip.h"
@@ -50,17 +43,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kLook = 10ms;      // at the world
 constexpr double kRedraw = 0.04;  // [s] 25 Hz
-
-QString shippedModel()
-{
-    return QString::fromStdString(resourcePath("models/default.ttm"));
-}
-
-/// The file that is preferred.
-QString modelOf(const Preferences& preferences)
-{
-    return preferences.model.isEmpty() ? shippedModel() : preferences.model;
-}
 
 }  // namespace
 
@@ -75,10 +57,14 @@ MainWindow::MainWindow(Options options)
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
       alarms_(std::make_unique<ConsoleAlarms>(std::move(options.sounder))),
       recorder_(std::move(options.recorder)), meter_(std::chrono::duration<double>(kLook).count()),
-      forceArrays_(robot_), robotDetails_(std::move(options.robotDetails))
+      robotDetails_(std::move(options.robotDetails))
 {
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
+    sights_ =
+        std::make_unique<ConsoleSights>(ConsoleSights::Parts{*acquisition_, *exploration_, *worker_,
+                                                             link_, panel_.get(), recorder_.get()},
+                                        robot_);
     setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
     build(options);
     connectAll();
@@ -110,14 +96,12 @@ void MainWindow::build(const Options& options)
 {
     header()->setSource(QString::fromStdString(source_->name()));
     header()->setModel(tr("model loading …"), Tone::Doubt);
-    header()->arming()->setVisible(link_ != nullptr);
-    banner_ = addStrip(QStringLiteral("banner"));
-    banner_->setVisible(false);
-    notRecorded_ = addStrip(QStringLiteral("banner"));
-    notRecorded_->setVisible(false);
+    QLabel& banner = *addStrip(QStringLiteral("banner"));
+    QLabel& notRecorded = *addStrip(QStringLiteral("banner"));
     addPages(options);
+    linkStatus_ = std::make_unique<LinkStatus>(*header(), banner, *events(), *acquisition_, link_);
     recording_ = addTool({}, {});
-    recording_->setProperty("role", "quiet");
+    recordingDisplay_ = std::make_unique<RecordingDisplay>(*recording_, notRecorded);
     recording_->setVisible(recorder_ != nullptr);
     connect(recording_, &QPushButton::clicked, this, &MainWindow::mark);
     connect(addTool(tr("Open"), tr("Review a session, a log or scenes in a window of its own; "
@@ -137,7 +121,7 @@ void MainWindow::addPages(const Options& options)
             tr("The terrain under the robot, exploring it, and the arm"));
     numbers_ = new NumbersPage(
         [this] {
-            const auto& estimate = exploration_->estimate();
+            const auto& estimate = exploration_->estimation().estimate();
             return NumbersSight{estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
                                 exploration_->options().stepLimit};
         },
@@ -169,35 +153,14 @@ void MainWindow::addTraining(const Options& options)
                                  this);
     addPage(training_, tr("Training"), Qt::Key_F6,
             tr("Train a model, compare it with the one in use, adopt it"));
-    modelInUse_ = QString::fromStdString(options.modelPath);
-    connect(training_, &TrainingPage::adopted, this, &MainWindow::loadModel);
-    // A model is preferred once it is in use; one that cannot be loaded is not preferred any more.
-    connect(worker_.get(), &EstimatorWorker::modelLoaded, this, [this] {
-        if (!modelWanted_.isEmpty()) modelInUse_ = std::exchange(modelWanted_, QString());
-        training_->setModelInUse(modelInUse_);
-        preferModelInUse();
-    });
-    connect(worker_.get(), &EstimatorWorker::modelKept, this, [this] {
-        modelWanted_.clear();
-        preferModelInUse();
-    });
+    models_ = std::make_unique<ModelChoice>(*worker_, *preferences_, robot_,
+                                            QString::fromStdString(options.modelPath));
+    connect(models_.get(), &ModelChoice::loaded, this,
+            [this] { training_->setModelInUse(models_->inUse()); });
+    connect(training_, &TrainingPage::adopted, models_.get(), &ModelChoice::load);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, training_, &TrainingPage::adoptionDone);
     for (const auto failed : {&EstimatorWorker::modelKept, &EstimatorWorker::modelFailed})
         connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
-}
-
-void MainWindow::loadModel(const QString& path)
-{
-    modelWanted_ = path;
-    worker_->load(modelFileLoader(path.toStdString(), robot_));
-}
-
-void MainWindow::preferModelInUse()
-{
-    if (modelInUse_.isEmpty() || modelOf(preferences_->current()) == modelInUse_) return;
-    preferences_->change([this](Preferences& p) {
-        p.model = modelInUse_ == shippedModel() ? QString() : modelInUse_;
-    });
 }
 
 void MainWindow::offerViews()
@@ -211,7 +174,7 @@ void MainWindow::offerViews()
     const auto offer = [&](const QString& text, std::optional<Method> method) {
         QAction* action = menu->addAction(text);
         action->setCheckable(true);
-        action->setChecked(method == exploration_->secondMethod());
+        action->setChecked(method == exploration_->estimation().secondMethod());
         group->addAction(action);
         connect(action, &QAction::triggered, exploration_.get(),
                 [this, method] { exploration_->setSecondMethod(method); });
@@ -241,7 +204,7 @@ void MainWindow::applyPreferences(const Preferences& before)
     }
     if (now.robot != before.robot) emit reopenWanted();
     if (now.model != before.model) {
-        if (const QString wanted = modelOf(now); wanted != modelInUse_) loadModel(wanted);
+        models_->loadPreferred();
         offerQualities();
     }
     if (now.sound != before.sound) {
@@ -258,8 +221,9 @@ void MainWindow::applyPreferences(const Preferences& before)
 
 void MainWindow::showCards()
 {
-    settings_->setModelCard(modelTrouble_.isEmpty() ? modelName_ + QLatin1Char('\n') + modelDetails_
-                                                    : tr("no model: %1").arg(modelTrouble_));
+    const ModelInUse& model = exploration_->estimation().model();
+    settings_->setModelCard(model.trouble.isEmpty() ? model.name + QLatin1Char('\n') + model.details
+                                                    : tr("no model: %1").arg(model.trouble));
     const bool commands = link_ && exploration_->armed();
     const QString blocked = exploring(exploration_->state().phase)
                               ? tr("An exploration is running: end it with Esc first")
@@ -331,14 +295,10 @@ void MainWindow::connectAll()
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
-                modelName_ = name;
-                modelDetails_ = details;
-                modelTrouble_.clear();
                 header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
                 if (link_) link_->begin();  // a replay, so that no press comes too early
             });
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
-        modelTrouble_ = why;
         header()->setModel(tr("no model"), Tone::Bad, why);
         if (link_) link_->begin();
     });
@@ -352,18 +312,18 @@ void MainWindow::look()
     latest_ = acquisition_->latest();
     exploration_->tick(now, latest_);
     // An estimate is shown as soon as it is there; all else waits for its turn.
-    const bool news = exploration_->estimate().has_value() && !showsEstimate();
+    const bool news = exploration_->estimation().estimate().has_value() && !showsEstimate();
     if (news || now - redrawn_ >= kRedraw - 1e-3) redraw(now);
 }
 
 void MainWindow::redraw(double now)
 {
     redrawn_ = now;
-    showLink(now, latest_);
+    linkStatus_->show(sights_->link(now, latest_));
     showAlarms(now);
     showRecording();
-    showArming(now);
-    showTerrain(now);
+    linkStatus_->showArming(sights_->panelForbids(now));
+    terrainPage_->setSight(sights_->terrain(now, latest_));
     header()->setLatched(exploration_->state().phase == AtemPhase::Stopped);
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
@@ -393,32 +353,9 @@ void MainWindow::restartMeter()
     meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
 }
 
-AlarmSight MainWindow::alarmSight(double now) const
-{
-    AlarmSight sight;
-    if (latest_) sight.telemetryAge = now - secondsOf(latest_->arrived);
-    sight.linkAlive = exploration_->linkAlive();
-    sight.sourceTrouble = troubleWords(link_, acquisition_->trouble());
-    if (link_) {
-        sight.bus = link_->view();
-        sight.busName = link_->busName();
-        sight.wrongChecksums =
-            link_->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
-    }
-    sight.noModel = modelTrouble_;
-    if (recorder_) sight.notRecorded = QString::fromStdString(recorder_->state().trouble);
-    if (panel_ && !panel_->answers(now))
-        sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
-    const AtemState& state = exploration_->state();
-    if (state.phase == AtemPhase::Failed)
-        sight.failedExploration = words::sentence(describe(state.failure));
-    sight.isStopped = latest_ && latest_->sample.measurement.activity == RobotActivity::Stopped;
-    return sight;
-}
-
 void MainWindow::showAlarms(double now)
 {
-    alarms_->look(now, alarmSight(now));
+    alarms_->look(now, sights_->alarms(now, latest_));
     const AlarmList& list = alarms_->list();
     const auto all = list.alarms().size();
     header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
@@ -430,29 +367,7 @@ void MainWindow::showRecording()
     if (!scribe_) return;
     scribe_->look(exploration_->linkAlive(), link_ ? std::optional(link_->view()) : std::nullopt,
                   alarms_->list(), panel_ ? std::optional(panel_->state()) : std::nullopt);
-    const RecordingState state = recorder_->state();
-    const bool failed = state.on && !state.trouble.empty();
-    const QString text = failed    ? tr("✕ NOT\nRECORDED")
-                       : !state.on ? tr("○ not\nrecorded")
-                                   : tr("● REC\nmark K");
-    notRecorded_->setVisible(failed);
-    if (failed)
-        notRecorded_->setText(tr("NOT RECORDED: %1").arg(QString::fromStdString(state.trouble)));
-    recording_->setToolTip(state.recording
-                               ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames found no room\nA "
-                                    "click marks this moment (K)")
-                                     .arg(QString::fromStdString(state.path))
-                                     .arg(state.frames)
-                                     .arg(words::number(static_cast<double>(state.bytes) / 1e6, 1))
-                                     .arg(state.missing)
-                               : tr("Nothing is recorded"));
-    if (recording_->text() == text) return;
-    recording_->setText(text);
-    recording_->setAccessibleName(failed || !state.on ? tr("Not recorded")
-                                                      : tr("Recording; mark this moment"));
-    recording_->setProperty("role", failed ? "alarm" : "quiet");
-    recording_->style()->unpolish(recording_);
-    recording_->style()->polish(recording_);
+    recordingDisplay_->show(recorder_->state());
 }
 
 void MainWindow::mark()
@@ -462,53 +377,23 @@ void MainWindow::mark()
     events()->add(tr("marked in the recording"), Weight::Note, QTime::currentTime());
 }
 
-QString MainWindow::linkDetails(const CanView& view) const
-{
-    const BusLoad load = link_->tap().load();
-    return tr("%1\n%2 frames/s, %3\n%4 frames dropped by this computer, %5 error frames")
-        .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
-             loadWords(load, link_->bitrate()), QString::number(view.frames.dropped),
-             QString::number(view.frames.errorFrames));
-}
-
 QList<DiagnosticsSection> MainWindow::diagnostics() const
 {
-    const double now = steadyNow();
     const auto latest = acquisition_->latest();
-    DiagnosticsSection state{tr("Now"), {}};
-    state.lines << std::pair(tr("age of the telemetry"),
-                             latest ? words::age(now - secondsOf(latest->arrived))
-                                    : words::kNothing)
-                << std::pair(tr("telemetry"),
-                             words::number(acquisition_->rate(), 0) + QStringLiteral(" Hz"));
-    if (link_)
-        state.lines << std::pair(
-            tr("CAN frames waiting"),
-            tr("%1 now, %2 at most").arg(link_->waiting().now).arg(link_->waiting().most));
-    state.lines << std::pair(tr("estimator"),
-                             worker_->progress() ? tr("one estimate under way") : tr("idle"))
-                << std::pair(tr("memory"),
-                             words::number(residentMemory() / 1e6, 0) + QStringLiteral(" MB"));
-    DiagnosticsSection sources{tr("What it works with"), {}};
-    sources.lines << std::pair(tr("source"), QString::fromStdString(source_->name()))
-                  << std::pair(tr("robot"), QString::fromStdString(robot_.name))
-                  << std::pair(tr("facts of the robot"),
-                               robotDetails_.isEmpty() ? words::kNothing : robotDetails_)
-                  << std::pair(tr("model"), modelTrouble_.isEmpty() ? modelName_ : modelTrouble_)
-                  << std::pair(tr("facts of the model"), modelDetails_);
-    return {state, loopDiagnostics(meter_), sources};
+    ConsoleFacts facts{.telemetryRate = acquisition_->rate(),
+                       .estimating = worker_->progress().has_value(),
+                       .source = QString::fromStdString(source_->name()),
+                       .robot = QString::fromStdString(robot_.name),
+                       .robotDetails = robotDetails_,
+                       .model = exploration_->estimation().model()};
+    if (latest) facts.telemetryAge = steadyNow() - secondsOf(latest->arrived);
+    if (link_) facts.waiting = link_->waiting();
+    return consoleDiagnostics(facts, meter_);
 }
 
 void MainWindow::tickPanel(double now)
 {
     if (panel_) panel_->tick(now, atemPanel()->requestButton()->isEnabled());
-}
-
-QString MainWindow::panelForbids(double now) const
-{
-    if (!panel_) return {};
-    const Precondition panel = panel_->precondition(now);
-    return panel.level == Precondition::Level::Met ? QString() : panel.text;
 }
 
 void MainWindow::releaseStop()
@@ -519,121 +404,6 @@ void MainWindow::releaseStop()
         return;
     }
     exploration_->releaseStop();
-}
-
-void MainWindow::showLink(double now, const std::optional<Received>& latest)
-{
-    const double age = latest ? now - secondsOf(latest->arrived) : 0.0;
-    const bool ended = exploration_->ended();
-    const bool alive = exploration_->linkAlive() && !ended;
-    worstAge_ = std::max(worstAge_, age);
-    const QString details = link_ && !alive ? linkDetails(link_->view()) : QString();
-    if (ended) {
-        header()->setLink(tr("END OF THE LOG"), Tone::Doubt, details);
-    } else if (!alive) {
-        header()->setLink(latest ? tr("LINK LOST · %1").arg(words::age(age))
-                                 : tr("no telemetry yet"),
-                          Tone::Bad, details);
-        linkShownAt_ = 0.0;
-    } else if (now - linkShownAt_ >= 0.5) {
-        const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
-        const std::uint64_t dropped = view ? view->frames.dropped : 0;
-        QString text = tr("link %1 Hz · ≤ %2")
-                           .arg(words::number(acquisition_->rate(), 0), words::age(worstAge_));
-        if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
-        const bool isGood =
-            worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && dropped == 0;
-        header()->setLink(text, isGood ? Tone::Good : Tone::Doubt,
-                          view ? linkDetails(*view) : QString());
-        linkShownAt_ = now;
-        worstAge_ = 0.0;
-    }
-    const QString trouble = troubleWords(link_, acquisition_->trouble());
-    banner_->setVisible(latest && !alive && !ended);
-    if (banner_->isVisible())
-        banner_->setText(tr("LINK LOST for %1 — nothing on this screen is live%2")
-                             .arg(words::age(age),
-                                  trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble));
-    if (latest && alive != linkWasAlive_)
-        events()->add(alive   ? tr("link is up")
-                      : ended ? tr("end of the log")
-                              : tr("link lost"),
-                      alive || ended ? Weight::Note : Weight::Bad, QTime::currentTime());
-    linkWasAlive_ = alive;
-
-    if (!latest) return header()->setRobot(tr("robot: --"), Tone::Plain);
-    const Measurement& m = latest->sample.measurement;
-    if (age <= kStaleAfter)
-        header()->setRobot(glance(m.activity), toneOf(m.activity));
-    else
-        header()->setRobot(tr("robot: --"), Tone::Doubt);
-}
-
-const std::vector<ForceArray>& MainWindow::forceArrays()
-{
-    if (latest_->count == forcesCount_) return forceArraysShown_;
-    forcesCount_ = latest_->count;
-    const auto line = link_ ? link_->view().line : std::nullopt;
-    const double threshold = exploration_->options().settings.forceThreshold;
-    forceArraysShown_ = forceArrays_.of(latest_->sample.measurement, line, threshold);
-    return forceArraysShown_;
-}
-
-void MainWindow::showArming(double now)
-{
-    if (!link_) return;
-    const CanView view = link_->view();
-    if (!view.transmits) return header()->arming()->setListening(whyFollowing(link_));
-    const QString whyNot = words::sentence(whyNotArming(view));
-    const ArmingState& state = view.link.arming;
-    header()->arming()->setState(state, whyNot.isEmpty() ? panelForbids(now) : whyNot);
-    if (state.phase == armingWas_) return;
-    if (state.phase == ArmingPhase::Armed)
-        events()->add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
-    if (state.phase == ArmingPhase::Disarmed)
-        events()->add(tr("not armed: %1").arg(words::sentence(describe(state.cause))),
-                      state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
-                      QTime::currentTime());
-    armingWas_ = state.phase;
-}
-
-void MainWindow::showTerrain(double now)
-{
-    const auto pointer = [](const auto& value) { return value ? &*value : nullptr; };
-    TerrainSight sight{.now = now, .ended = exploration_->ended()};
-    if (latest_) {
-        sight.measurement = &latest_->sample.measurement;
-        sight.age = now - secondsOf(latest_->arrived);
-        sight.count = latest_->count;
-        sight.forces = &forceArrays();
-        sight.truth = &latest_->sample.truth;
-    }
-    if (const auto& scene = exploration_->scene()) {
-        sight.scene = &scene->measurement;
-        sight.sceneTruth = &scene->truth;
-    }
-    sight.estimate = pointer(exploration_->estimate());
-    sight.estimateSeconds = exploration_->estimateSeconds();
-    sight.second = pointer(exploration_->second());
-    if (sight.second) sight.secondName = words::text(name(sight.second->settings.method));
-    sight.live = pointer(exploration_->live());
-    sight.whyNoEstimate = exploration_->whyNoEstimate();
-    sight.ghost = exploration_->ghost();
-    sight.whyNoGhost = exploration_->whyNoGhost();
-    sight.verdict = exploration_->verdict();
-    sight.state = exploration_->state();
-    sight.timeLeft = exploration_->timeLeft();
-    sight.secondsInPhase = exploration_->secondsInPhase();
-    sight.proposal = pointer(exploration_->proposal());
-    sight.probingBin = exploration_->probingBin();
-    sight.probeSeconds = exploration_->options().probeSeconds;
-    // A preview takes a telemetry's time: its progress would only flicker.
-    if (exploration_->estimating()) sight.progress = worker_->progress();
-    sight.preconditions = exploration_->preconditions();
-    if (panel_) sight.preconditions << panel_->precondition(now);
-    sight.whyNotDriving = exploration_->whyNotDriving();
-    if (sight.whyNotDriving.isEmpty()) sight.whyNotDriving = panelForbids(now);
-    terrainPage_->setSight(sight);
 }
 
 void MainWindow::open()

@@ -6,21 +6,23 @@
 
 #include "app/acquisition.h"
 #include "app/console_alarms.h"
+#include "app/console_sights.h"
 #include "app/console_window.h"
 #include "app/diagnostics_page.h"
 #include "app/estimator_worker.h"
 #include "app/exploration.h"
-#include "app/force_arrays.h"
+#include "app/link_status.h"
 #include "app/loop_meter.h"
+#include "app/model_choice.h"
 #include "app/model_trainer.h"
 #include "app/panel_control.h"
 #include "app/preference_store.h"
+#include "app/recording_display.h"
 #include "app/session_recorder.h"
 #include "app/terrain_page.h"
 #include "core/eval/tradeoff.h"
 
 class QAction;
-class QLabel;
 class QPushButton;
 
 namespace terratact {
@@ -61,7 +63,7 @@ public:
     const Acquisition& acquisition() const { return *acquisition_; }
     /// True once what was last drawn includes the standing estimate.
     bool showsEstimate() const { return terrainPage_->showsEstimate(); }
-    QString modelTrouble() const { return modelTrouble_; }
+    QString modelTrouble() const { return exploration_->estimation().model().trouble; }
 
     PreferenceStore& preferences() { return *preferences_; }
     CanSource* link() const { return link_; }
@@ -97,26 +99,16 @@ protected:
 private:
     void build(const Options& options);
     void addPages(const Options& options);
-    AlarmSight alarmSight(double now) const;
     void showAlarms(double now);
     void showRecording();
     void mark();
-    QString linkDetails(const CanView& view) const;
     QList<DiagnosticsSection> diagnostics() const;
     void connectAll();
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
-    void showLink(double now, const std::optional<Received>& latest);
-    const std::vector<ForceArray>& forceArrays();  ///< of the newest telemetry, which there is
-    void showArming(double now);
-    QString
-    panelForbids(double now) const;  ///< why nothing may be set in motion; empty: it does not
     void tickPanel(double now);
     void releaseStop();
-    void showTerrain(double now);
     void addTraining(const Options& options);
-    void loadModel(const QString& path);
-    void preferModelInUse();
     void offerViews();
     void open();
     void defineKeys();
@@ -128,14 +120,17 @@ private:
     std::unique_ptr<PreferenceStore> preferences_;
     std::vector<PresetCost> presets_;  ///< of the model at the start
     QString modelAtStart_;
-    QString modelInUse_, modelWanted_;  ///< files; wanted: being loaded, empty: none
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
     CanSource* link_;  ///< null where the source is no bus
     std::unique_ptr<Acquisition> acquisition_;
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;
+    std::unique_ptr<ModelChoice> models_;
     std::unique_ptr<PanelControl> panel_;  ///< may be null
+    std::unique_ptr<ConsoleSights> sights_;
+    std::unique_ptr<LinkStatus> linkStatus_;
+    std::unique_ptr<RecordingDisplay> recordingDisplay_;
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
     std::unique_ptr<SessionScribe> scribe_;      ///< likewise
@@ -148,8 +143,6 @@ private:
     double redrawn_ = 0.0;  ///< [s] steady clock
 
     // Qt's parents own the widgets.
-    QLabel* banner_ = nullptr;
-    QLabel* notRecorded_ = nullptr;
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;
@@ -159,14 +152,7 @@ private:
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;
     DiagnosticsPage* diagnosticsPage_ = nullptr;
-    bool linkWasAlive_ = false;
-    ArmingPhase armingWas_ = ArmingPhase::Disarmed;
-    double linkShownAt_ = 0.0;
-    double worstAge_ = 0.0;
-    ForceArrays forceArrays_;
-    std::vector<ForceArray> forceArraysShown_;
-    std::uint64_t forcesCount_ = 0;  ///< of the telemetry they are of
-    QString modelTrouble_, modelName_, modelDetails_, robotDetails_;
+    QString robotDetails_;
 };
 
 }  // namespace terratact

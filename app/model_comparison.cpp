@@ -22,23 +22,6 @@ namespace {
 
 constexpr int kResamples = 2000;
 
-bool hasTruth(const Scene& scene)
-{
-    return std::any_of(scene.truth.begin(), scene.truth.end(),
-                       [](const auto& height) { return height.has_value(); });
-}
-
-Result<std::vector<Scene>> scenesWithTruth(const std::string& path)
-{
-    auto file = readScenes(path);
-    if (!file) return file.error();
-    std::erase_if(file->scenes, [](const Scene& scene) { return !hasTruth(scene); });
-    if (file->scenes.empty())
-        return fileError(
-            path, "no scene has a known height to compare with; choose a file with h columns");
-    return std::move(file->scenes);
-}
-
 Result<std::unique_ptr<Toolbox>> toolboxFrom(const RobotModel& robot, const std::string& path)
 {
     auto model = readModel(path);
@@ -117,8 +100,9 @@ std::vector<std::size_t> evenlyPicked(std::size_t count, std::size_t most)
 
 Result<ModelComparison> compareModels(const ComparisonPlan& plan, const ComparisonWatch& watch)
 {
-    const auto known = scenesWithTruth(plan.data);
-    if (!known) return known.error();
+    const auto file = readScenesWithTruth(plan.data);
+    if (!file) return file.error();
+    const std::vector<Scene>& known = file->scenes;
     const auto hash = sha256OfFile(plan.data);
     if (!hash) return hash.error();
     const auto before = toolboxFrom(plan.robot, plan.oldModel);
@@ -127,12 +111,12 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     if (!after) return after.error();
 
     std::vector<Scene> scenes;
-    for (const std::size_t k : evenlyPicked(known->size(), plan.mostScenes))
-        scenes.push_back((*known)[k]);
+    for (const std::size_t k : evenlyPicked(known.size(), plan.mostScenes))
+        scenes.push_back(known[k]);
     const std::vector<EstimatePair> pairs = estimatePairs(scenes, **before, **after, plan, watch);
 
     ModelComparison comparison;
-    comparison.inFile = known->size();
+    comparison.inFile = known.size();
     comparison.tried = scenes.size();
     comparison.newContent = (*after)->model.contentHash;
     comparison.oldLearntThese = (*before)->model.data.dataHash == *hash;

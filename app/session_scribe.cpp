@@ -52,14 +52,15 @@ SessionScribe::SessionScribe(std::shared_ptr<SessionRecorder> recorder, Explorat
 
 void SessionScribe::connectTo(Exploration& exploration)
 {
-    connect(&exploration, &Exploration::captured, this, [this](const CapturedScene& scene) {
+    const Estimation* estimation = &exploration.estimation();
+    connect(estimation, &Estimation::captured, this, [this](const CapturedScene& scene) {
         scene_ = recorder_->record(
             SceneRow{.id = 0, .time = 0, .measurement = scene.measurement, .truth = scene.truth});
     });
-    connect(&exploration, &Exploration::stands, this, &SessionScribe::takeEstimate);
+    connect(estimation, &Estimation::stands, this, &SessionScribe::takeEstimate);
     connect(&exploration, &Exploration::proposed, this, &SessionScribe::takeProposal);
     connect(&exploration, &Exploration::decided, this, &SessionScribe::decision);
-    connect(&exploration, &Exploration::forgotten, this, [this](const QString& why) {
+    connect(estimation, &Estimation::forgotten, this, [this](const QString& why) {
         tell(EventKind::Forgotten, {}, why.toStdString());
         estimate_ = proposal_ = 0;
     });
@@ -77,16 +78,17 @@ void SessionScribe::takeModel(const QString& name, const QString& details, const
 void SessionScribe::takeEstimate(bool second)
 {
     if (scene_ == 0 || model_ == 0) return;
+    const Estimation& estimation = exploration_.estimation();
     EstimateRow row;
     row.scene = scene_;
     row.model = model_;
-    row.readings = exploration_.readings();
+    row.readings = estimation.readings();
     row.role = second               ? EstimateRole::Second
              : row.readings.empty() ? EstimateRole::First
                                     : EstimateRole::Again;
-    row.seconds = second ? 0.0 : exploration_.estimateSeconds();
+    row.seconds = second ? 0.0 : estimation.seconds();
     row.stepLimit = exploration_.options().stepLimit;
-    row.estimate = second ? *exploration_.second() : *exploration_.estimate();
+    row.estimate = second ? *estimation.second() : *estimation.estimate();
     const std::int64_t id = recorder_->record(std::move(row));
     if (!second) estimate_ = id;
 }
@@ -145,7 +147,7 @@ std::string SessionScribe::shown() const
 {
     std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase));
     text += exploration_.linkAlive() ? "; link alive" : "; link lost";
-    if (const auto verdict = exploration_.verdict())
+    if (const auto verdict = exploration_.estimation().verdict())
         text += "; " + inWords(*verdict, exploration_.options().stepLimit);
     else
         text += "; no estimate";

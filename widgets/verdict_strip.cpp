@@ -16,19 +16,6 @@
 namespace terratact {
 namespace {
 
-QString doubtText(Doubt doubt)
-{
-    switch (doubt) {
-    case Doubt::Stale: return VerdictStrip::tr("no live telemetry, the robot may have moved");
-    case Doubt::NotConverged: return VerdictStrip::tr("the chains have not converged");
-    case Doubt::UnlikeTraining: return VerdictStrip::tr("the scene is unlike all training");
-    case Doubt::Roll: return VerdictStrip::tr("the robot rolls, left and right ground differ");
-    case Doubt::Asymmetry:
-        return VerdictStrip::tr("the flippers differ, left and right ground differ");
-    }
-    return {};
-}
-
 QString likeliestText(const Verdict& verdict)
 {
     return VerdictStrip::tr("likeliest at %1 … %2 m (%3)")
@@ -124,7 +111,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
                            .arg(words::number(limit_, 2), words::number(verdict.step.p, 2),
                                 words::number(verdict.step.monteCarloSd, 2)));
     QStringList why;
-    for (const Doubt doubt : verdict.doubts) why << doubtText(doubt);
+    for (const Doubt doubt : verdict.doubts) why << words::sentence(describe(doubt));
     switch (verdict.outlook) {
     case Outlook::Clear:
         setBadge(tr("✔ CLEAR"), QStringLiteral("clear"));

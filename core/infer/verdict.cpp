@@ -34,11 +34,11 @@ std::string_view name(Outlook outlook)
 std::string describe(Doubt doubt)
 {
     switch (doubt) {
-    case Doubt::Stale: return "no live telemetry: the robot may have moved";
+    case Doubt::Stale: return "no live telemetry, the robot may have moved";
     case Doubt::NotConverged: return "the chains have not converged";
     case Doubt::UnlikeTraining: return "the scene is unlike all training";
-    case Doubt::Roll: return "the robot rolls: left and right ground differ";
-    case Doubt::Asymmetry: return "the flippers differ: left and right ground differ";
+    case Doubt::Roll: return "the robot rolls, left and right ground differ";
+    case Doubt::Asymmetry: return "the flippers differ, left and right ground differ";
     }
     return {};
 }

@@ -1,5 +1,7 @@
 #include "core/learn/scene_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/learn/columns.h"
 #include "core/text.h"
@@ -202,6 +205,20 @@ Result<SceneFile> readScenes(CsvReader csv)
         file.scenes.push_back(*std::move(scene));
     }
     if (file.scenes.empty()) return csv.error("is the header, and no scene follows it");
+    return file;
+}
+
+Result<SceneFile> readScenesWithTruth(const std::string& path)
+{
+    auto file = readScenes(path);
+    if (!file) return file;
+    const std::size_t left = std::erase_if(file->scenes, [](const Scene& scene) {
+        return std::ranges::none_of(scene.truth, [](const auto& h) { return h.has_value(); });
+    });
+    if (file->scenes.empty())
+        return fileError(path, "no scene has a known height (columns h_-0.3_m … h_+0.7_m)");
+    if (left > 0)
+        file->notices.push_back(fmt::format("{} scenes without any known height left out", left));
     return file;
 }
 

@@ -27,8 +27,11 @@ struct SceneFile {
 /// ±100 A, a wrong number of fields, a torn last line, an empty file, more than kMostScenes scenes.
 Result<SceneFile> readScenes(const std::string& path);
 
-/// The same from its first line on.
+/// readScenes() of a file from its first line on.
 Result<SceneFile> readScenes(CsvReader csv);
+
+/// readScenes() without the scenes of which no height is known; a notice says how many.  Also an error: none is left.
+Result<SceneFile> readScenesWithTruth(const std::string& path);
 
 /// Scenes in the same format, numbers shortest that read back equal.  Throws std::invalid_argument for what
 /// readScenes would refuse.

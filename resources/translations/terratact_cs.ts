@@ -116,6 +116,13 @@
     </message>
 </context>
 <context>
+    <name>ConsoleSights</name>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -124,6 +131,65 @@
     <message>
         <source>%1, held</source>
         <translation>%1, držet</translation>
+    </message>
+</context>
+<context>
+    <name>LinkStatus</name>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>KONEC ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>SPOJENÍ ZTRACENO · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>zatím bez telemetrie</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>spoj %1 Hz · ≤ %2</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 ztraceno</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 rámců/s, %3
+%4 rámců ztratil tento počítač, %5 chybových rámců</translation>
+    </message>
+    <message>
+        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
+        <translation>SPOJENÍ ZTRACENO %1 — nic na obrazovce není živé%2</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>spojení navázáno</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>konec záznamu</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>spojení ztraceno</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>robot je aktivní</translation>
+    </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>není aktivní: %1</translation>
     </message>
 </context>
 <context>
@@ -181,6 +247,64 @@
     </message>
 </context>
 <context>
+    <name>PlanarGround</name>
+    <message>
+        <source>roll %1: left and right ground differ</source>
+        <translation>náklon %1: terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1</source>
+        <translation>levý a pravý flipper se liší o %1</translation>
+    </message>
+    <message>
+        <source>left and right agree, roll is small</source>
+        <translation>vlevo i vpravo stejně, náklon malý</translation>
+    </message>
+</context>
+<context>
+    <name>Preconditions</name>
+    <message>
+        <source>telemetry is live</source>
+        <translation>telemetrie běží</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>záznam skončil</translation>
+    </message>
+    <message>
+        <source>no telemetry from the robot</source>
+        <translation>žádná telemetrie z robota</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP nedrží</translation>
+    </message>
+    <message>
+        <source>STOP: release sent, not yet confirmed by the robot</source>
+        <translation>STOP: uvolnění odesláno, robot ještě nepotvrdil</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP drží</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>robot je aktivní</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>bez modelu: %1</translation>
+    </message>
+    <message>
+        <source>the model is being loaded</source>
+        <translation>model se načítá</translation>
+    </message>
+    <message>
+        <source>model %1 is ready</source>
+        <translation>model %1 je připraven</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -225,6 +349,51 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Nastavení: %1 nelze přečíst; použije se dodaný model</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingDisplay</name>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NEZAZNAMENÁVÁ SE: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Zaznamenává se: %1
+%2 rámců, %3 MB; pro %4 rámců nebylo místo
+Kliknutí označí tento okamžik (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Nic se nezaznamenává</translation>
+    </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ BEZ
+ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ bez
+záznamu</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+značka K</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nezaznamenává se</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Zaznamenává se; označit tento okamžik</translation>
     </message>
 </context>
 <context>
@@ -491,20 +660,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>v %1 m jsou pravděpodobné dvě výšky: %2 m (%3 %) nebo %4 m (%5 %)</translation>
     </message>
     <message>
-        <source>no live telemetry: the robot may have moved</source>
-        <translation>bez živé telemetrie: robot se mohl pohnout</translation>
-    </message>
-    <message>
         <source>the scene is unlike all training</source>
         <translation>scéna se nepodobá ničemu z tréninku</translation>
-    </message>
-    <message>
-        <source>the robot rolls: left and right ground differ</source>
-        <translation>robot je nakloněn: terén vlevo a vpravo se liší</translation>
-    </message>
-    <message>
-        <source>the flippers differ: left and right ground differ</source>
-        <translation>flippery se liší: terén vlevo a vpravo se liší</translation>
     </message>
     <message>
         <source>STOP is latched: release it first</source>
@@ -869,6 +1026,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>contact at x %1 m lies %2 mm above the robot&apos;s own lower edge</source>
         <translation>kontakt na x %1 m leží %2 mm nad spodní hranou robota</translation>
+    </message>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>bez živé telemetrie, robot se mohl pohnout</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>robot je nakloněn, terén vlevo a vpravo se liší</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>flippery se liší, terén vlevo a vpravo se liší</translation>
     </message>
 </context>
 <context>
@@ -1316,6 +1485,66 @@ Poslední deaktivace: %1</translation>
         <source>All of this page, for a report</source>
         <translation>Celá stránka, pro hlášení</translation>
     </message>
+    <message>
+        <source>Now</source>
+        <translation>Teď</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>stáří telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>čekající rámce CAN</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 teď, nejvýš %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>jeden odhad běží</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>nečinný</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>paměť</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>S čím pracuje</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>zdroj</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>údaje o robotu</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>údaje o modelu</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>
@@ -1388,6 +1617,49 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::Estimation</name>
+    <message>
+        <source>model %1 loaded</source>
+        <translation>model %1 načten</translation>
+    </message>
+    <message>
+        <source>model %1 stays in use: %2</source>
+        <translation>dál se používá model %1: %2</translation>
+    </message>
+    <message>
+        <source>arm at %1: %2 m, %3 the band shown before</source>
+        <translation>rameno v %1: %2 m, %3 předtím ukázaného pásma</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>uvnitř</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>mimo</translation>
+    </message>
+    <message>
+        <source>No live estimate: %1</source>
+        <translation>Bez živého odhadu: %1</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>bez druhého odhadu: %1</translation>
+    </message>
+    <message>
+        <source>estimate failed: %1</source>
+        <translation>odhad selhal: %1</translation>
+    </message>
+    <message>
+        <source>estimate in %1 s</source>
+        <translation>odhad za %1 s</translation>
+    </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Bez stínu: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::EventList</name>
     <message>
         <source>Last minutes</source>
@@ -1399,22 +1671,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>No estimate yet: explore the terrain (A)</source>
         <translation>Zatím bez odhadu: prozkoumejte terén (A)</translation>
-    </message>
-    <message>
-        <source>model %1 loaded</source>
-        <translation>model %1 načten</translation>
-    </message>
-    <message>
-        <source>estimate in %1 s</source>
-        <translation>odhad za %1 s</translation>
-    </message>
-    <message>
-        <source>No live estimate: %1</source>
-        <translation>Bez živého odhadu: %1</translation>
-    </message>
-    <message>
-        <source>estimate failed: %1</source>
-        <translation>odhad selhal: %1</translation>
     </message>
     <message>
         <source>STOP not sent: %1</source>
@@ -1493,18 +1749,6 @@ Poslední deaktivace: %1</translation>
         <translation>Bez odhadu: %1</translation>
     </message>
     <message>
-        <source>arm at %1: %2 m, %3 the band shown before</source>
-        <translation>rameno v %1: %2 m, %3 předtím ukázaného pásma</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>uvnitř</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>mimo</translation>
-    </message>
-    <message>
         <source>STOP is latched: release it first</source>
         <translation>STOP drží: nejdřív ho uvolněte</translation>
     </message>
@@ -1517,58 +1761,6 @@ Poslední deaktivace: %1</translation>
         <translation>Žádná telemetrie z robota</translation>
     </message>
     <message>
-        <source>the robot is armed</source>
-        <translation>robot je aktivní</translation>
-    </message>
-    <message>
-        <source>telemetry is live</source>
-        <translation>telemetrie běží</translation>
-    </message>
-    <message>
-        <source>no telemetry from the robot</source>
-        <translation>žádná telemetrie z robota</translation>
-    </message>
-    <message>
-        <source>STOP: release sent, not yet confirmed by the robot</source>
-        <translation>STOP: uvolnění odesláno, robot ještě nepotvrdil</translation>
-    </message>
-    <message>
-        <source>STOP is latched</source>
-        <translation>STOP drží</translation>
-    </message>
-    <message>
-        <source>STOP is not latched</source>
-        <translation>STOP nedrží</translation>
-    </message>
-    <message>
-        <source>no model: %1</source>
-        <translation>bez modelu: %1</translation>
-    </message>
-    <message>
-        <source>the model is being loaded</source>
-        <translation>model se načítá</translation>
-    </message>
-    <message>
-        <source>model %1 is ready</source>
-        <translation>model %1 je připraven</translation>
-    </message>
-    <message>
-        <source>roll %1: left and right ground differ</source>
-        <translation>náklon %1: terén vlevo a vpravo se liší</translation>
-    </message>
-    <message>
-        <source>left and right flippers differ by %1</source>
-        <translation>levý a pravý flipper se liší o %1</translation>
-    </message>
-    <message>
-        <source>left and right agree, roll is small</source>
-        <translation>vlevo i vpravo stejně, náklon malý</translation>
-    </message>
-    <message>
-        <source>no second estimate: %1</source>
-        <translation>bez druhého odhadu: %1</translation>
-    </message>
-    <message>
         <source>No estimate yet: it comes when the robot presses its flippers</source>
         <translation>Zatím bez odhadu: přijde, až robot přitlačí flippery</translation>
     </message>
@@ -1577,16 +1769,47 @@ Poslední deaktivace: %1</translation>
         <translation>Zatím bez odhadu: aktivujte (stisk M, pak držet M); pak průzkum (A)</translation>
     </message>
     <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
-        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
-    </message>
-    <message>
         <source>probe asked for at %1 instead</source>
         <translation>místo toho žádána sonda v %1</translation>
     </message>
     <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>není aktivní: stisknout M, pak držet M</translation>
+    </message>
+    <message>
+        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
+        <translation>příští odhad: %1, %2 vzorků, kontakty nad %3 N</translation>
+    </message>
+    <message>
+        <source>the override has ended: left and right agree again</source>
+        <translation>přebití skončilo: vlevo a vpravo zase souhlasí</translation>
+    </message>
+    <message>
+        <source>overridden by the operator: %1</source>
+        <translation>operátor přebil: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: nothing is heard of the robot</source>
+        <translation>Zatím bez odhadu: robot není slyšet</translation>
+    </message>
+    <message>
+        <source>No estimate: there is no model</source>
+        <translation>Bez odhadu: chybí model</translation>
+    </message>
+    <message>
+        <source>No estimate yet: the model is being loaded</source>
+        <translation>Zatím bez odhadu: model se načítá</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Following</name>
+    <message>
         <source>Following: the front flippers press down</source>
         <translation>Sledování: přední flippery tlačí dolů</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Odhaduje se …</translation>
     </message>
     <message>
         <source>following: the robot has pressed its flippers down</source>
@@ -1609,44 +1832,12 @@ Poslední deaktivace: %1</translation>
         <translation>sledování: bez odhadu: %1</translation>
     </message>
     <message>
-        <source>not armed: press M, then hold M</source>
-        <translation>není aktivní: stisknout M, pak držet M</translation>
+        <source>No estimate: %1</source>
+        <translation>Bez odhadu: %1</translation>
     </message>
     <message>
-        <source>the log has ended</source>
-        <translation>záznam skončil</translation>
-    </message>
-    <message>
-        <source>model %1 stays in use: %2</source>
-        <translation>dál se používá model %1: %2</translation>
-    </message>
-    <message>
-        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
-        <translation>příští odhad: %1, %2 vzorků, kontakty nad %3 N</translation>
-    </message>
-    <message>
-        <source>the override has ended: left and right agree again</source>
-        <translation>přebití skončilo: vlevo a vpravo zase souhlasí</translation>
-    </message>
-    <message>
-        <source>overridden by the operator: %1</source>
-        <translation>operátor přebil: %1</translation>
-    </message>
-    <message>
-        <source>No ghost: %1</source>
-        <translation>Bez stínu: %1</translation>
-    </message>
-    <message>
-        <source>No estimate yet: nothing is heard of the robot</source>
-        <translation>Zatím bez odhadu: robot není slyšet</translation>
-    </message>
-    <message>
-        <source>No estimate: there is no model</source>
-        <translation>Bez odhadu: chybí model</translation>
-    </message>
-    <message>
-        <source>No estimate yet: the model is being loaded</source>
-        <translation>Zatím bez odhadu: model se načítá</translation>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
     </message>
 </context>
 <context>
@@ -1742,42 +1933,6 @@ Poslední deaktivace: %1</translation>
         <translation>STOP je stisknut na panelu: nejdřív ho uvolněte tam</translation>
     </message>
     <message>
-        <source>LINK LOST · %1</source>
-        <translation>SPOJENÍ ZTRACENO · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry yet</source>
-        <translation>zatím bez telemetrie</translation>
-    </message>
-    <message>
-        <source>link %1 Hz · ≤ %2</source>
-        <translation>spoj %1 Hz · ≤ %2</translation>
-    </message>
-    <message>
-        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
-        <translation>SPOJENÍ ZTRACENO %1 — nic na obrazovce není živé%2</translation>
-    </message>
-    <message>
-        <source>link is up</source>
-        <translation>spojení navázáno</translation>
-    </message>
-    <message>
-        <source>link lost</source>
-        <translation>spojení ztraceno</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>robot: --</translation>
-    </message>
-    <message>
-        <source>the robot is armed</source>
-        <translation>robot je aktivní</translation>
-    </message>
-    <message>
-        <source>not armed: %1</source>
-        <translation>není aktivní: %1</translation>
-    </message>
-    <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
         <translation>Terratact %1. Zčásti založen na práci projektu Qwt (http://qwt.sf.net).</translation>
     </message>
@@ -1850,14 +2005,6 @@ Poslední deaktivace: %1</translation>
         <translation>žádná</translation>
     </message>
     <message>
-        <source>END OF THE LOG</source>
-        <translation>KONEC ZÁZNAMU</translation>
-    </message>
-    <message>
-        <source>end of the log</source>
-        <translation>konec záznamu</translation>
-    </message>
-    <message>
         <source>ask for another bin instead: the %1. offered</source>
         <translation>žádat jiný bod: %1. nabízený</translation>
     </message>
@@ -1898,82 +2045,6 @@ Poslední deaktivace: %1</translation>
         <translation>Verze, oprávnění a rychlost konzole</translation>
     </message>
     <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
-        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
-    </message>
-    <message>
-        <source>%1
-%2 frames/s, %3
-%4 frames dropped by this computer, %5 error frames</source>
-        <translation>%1
-%2 rámců/s, %3
-%4 rámců ztratil tento počítač, %5 chybových rámců</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Teď</translation>
-    </message>
-    <message>
-        <source>age of the telemetry</source>
-        <translation>stáří telemetrie</translation>
-    </message>
-    <message>
-        <source>telemetry</source>
-        <translation>telemetrie</translation>
-    </message>
-    <message>
-        <source>CAN frames waiting</source>
-        <translation>čekající rámce CAN</translation>
-    </message>
-    <message>
-        <source>%1 now, %2 at most</source>
-        <translation>%1 teď, nejvýš %2</translation>
-    </message>
-    <message>
-        <source>estimator</source>
-        <translation>odhad</translation>
-    </message>
-    <message>
-        <source>one estimate under way</source>
-        <translation>jeden odhad běží</translation>
-    </message>
-    <message>
-        <source>idle</source>
-        <translation>nečinný</translation>
-    </message>
-    <message>
-        <source>memory</source>
-        <translation>paměť</translation>
-    </message>
-    <message>
-        <source>What it works with</source>
-        <translation>S čím pracuje</translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation>zdroj</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>robot</translation>
-    </message>
-    <message>
-        <source>facts of the robot</source>
-        <translation>údaje o robotu</translation>
-    </message>
-    <message>
-        <source>model</source>
-        <translation>model</translation>
-    </message>
-    <message>
-        <source>facts of the model</source>
-        <translation>údaje o modelu</translation>
-    </message>
-    <message>
-        <source> · %1 dropped</source>
-        <translation> · %1 ztraceno</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Nastavení</translation>
     </message>
@@ -2004,48 +2075,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>přebít, co je na průzkumu sporné</translation>
-    </message>
-    <message>
-        <source>✕ NOT
-RECORDED</source>
-        <translation>✕ BEZ
-ZÁZNAMU</translation>
-    </message>
-    <message>
-        <source>○ not
-recorded</source>
-        <translation>○ bez
-záznamu</translation>
-    </message>
-    <message>
-        <source>● REC
-mark K</source>
-        <translation>● REC
-značka K</translation>
-    </message>
-    <message>
-        <source>NOT RECORDED: %1</source>
-        <translation>NEZAZNAMENÁVÁ SE: %1</translation>
-    </message>
-    <message>
-        <source>Recorded: %1
-%2 frames, %3 MB; %4 frames found no room
-A click marks this moment (K)</source>
-        <translation>Zaznamenává se: %1
-%2 rámců, %3 MB; pro %4 rámců nebylo místo
-Kliknutí označí tento okamžik (K)</translation>
-    </message>
-    <message>
-        <source>Nothing is recorded</source>
-        <translation>Nic se nezaznamenává</translation>
-    </message>
-    <message>
-        <source>Not recorded</source>
-        <translation>Nezaznamenává se</translation>
-    </message>
-    <message>
-        <source>Recording; mark this moment</source>
-        <translation>Zaznamenává se; označit tento okamžik</translation>
     </message>
     <message>
         <source>marked in the recording</source>
@@ -4196,26 +4225,6 @@ vpředu</translation>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
-    <message>
-        <source>no live telemetry, the robot may have moved</source>
-        <translation>bez živé telemetrie, robot se mohl pohnout</translation>
-    </message>
-    <message>
-        <source>the chains have not converged</source>
-        <translation>řetězce nekonvergovaly</translation>
-    </message>
-    <message>
-        <source>the scene is unlike all training</source>
-        <translation>scéna se nepodobá ničemu z tréninku</translation>
-    </message>
-    <message>
-        <source>the robot rolls, left and right ground differ</source>
-        <translation>robot je nakloněn, terén vlevo a vpravo se liší</translation>
-    </message>
-    <message>
-        <source>the flippers differ, left and right ground differ</source>
-        <translation>flippery se liší, terén vlevo a vpravo se liší</translation>
-    </message>
     <message>
         <source>likeliest at %1 … %2 m (%3)</source>
         <translation>nejspíš v %1 … %2 m (%3)</translation>

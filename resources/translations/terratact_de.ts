@@ -116,6 +116,13 @@
     </message>
 </context>
 <context>
+    <name>ConsoleSights</name>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -124,6 +131,65 @@
     <message>
         <source>%1, held</source>
         <translation>%1, halten</translation>
+    </message>
+</context>
+<context>
+    <name>LinkStatus</name>
+    <message>
+        <source>END OF THE LOG</source>
+        <translation>ENDE DES LOGS</translation>
+    </message>
+    <message>
+        <source>LINK LOST · %1</source>
+        <translation>VERBINDUNG WEG · %1</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>noch keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>Link %1 Hz · ≤ %2</translation>
+    </message>
+    <message>
+        <source> · %1 dropped</source>
+        <translation> · %1 verloren</translation>
+    </message>
+    <message>
+        <source>%1
+%2 frames/s, %3
+%4 frames dropped by this computer, %5 error frames</source>
+        <translation>%1
+%2 Rahmen/s, %3
+%4 Rahmen von diesem Rechner verloren, %5 Fehlerrahmen</translation>
+    </message>
+    <message>
+        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
+        <translation>VERBINDUNG WEG seit %1 — nichts auf diesem Schirm ist aktuell%2</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>Verbindung steht</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>Ende des Logs</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>nicht freigegeben: %1</translation>
     </message>
 </context>
 <context>
@@ -181,6 +247,64 @@
     </message>
 </context>
 <context>
+    <name>PlanarGround</name>
+    <message>
+        <source>roll %1: left and right ground differ</source>
+        <translation>Rollen %1: Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>left and right flippers differ by %1</source>
+        <translation>linker und rechter Flipper weichen um %1 ab</translation>
+    </message>
+    <message>
+        <source>left and right agree, roll is small</source>
+        <translation>links und rechts gleich, Rollen klein</translation>
+    </message>
+</context>
+<context>
+    <name>Preconditions</name>
+    <message>
+        <source>telemetry is live</source>
+        <translation>Telemetrie läuft</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>das Log ist zu Ende</translation>
+    </message>
+    <message>
+        <source>no telemetry from the robot</source>
+        <translation>keine Telemetrie vom Roboter</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP ist nicht eingerastet</translation>
+    </message>
+    <message>
+        <source>STOP: release sent, not yet confirmed by the robot</source>
+        <translation>STOP: Lösen gesendet, vom Roboter noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP ist eingerastet</translation>
+    </message>
+    <message>
+        <source>the robot is armed</source>
+        <translation>der Roboter ist freigegeben</translation>
+    </message>
+    <message>
+        <source>no model: %1</source>
+        <translation>kein Modell: %1</translation>
+    </message>
+    <message>
+        <source>the model is being loaded</source>
+        <translation>das Modell wird geladen</translation>
+    </message>
+    <message>
+        <source>model %1 is ready</source>
+        <translation>Modell %1 ist bereit</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -225,6 +349,51 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Einstellungen: %1 ist nicht lesbar; das mitgelieferte Modell wird verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingDisplay</name>
+    <message>
+        <source>NOT RECORDED: %1</source>
+        <translation>NICHT AUFGEZEICHNET: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1
+%2 frames, %3 MB; %4 frames found no room
+A click marks this moment (K)</source>
+        <translation>Aufgezeichnet: %1
+%2 Rahmen, %3 MB; für %4 Rahmen war kein Platz
+Ein Klick markiert diesen Augenblick (K)</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Es wird nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>✕ NOT
+RECORDED</source>
+        <translation>✕ OHNE
+AUFZEICHN.</translation>
+    </message>
+    <message>
+        <source>○ not
+recorded</source>
+        <translation>○ ohne
+Aufzeichn.</translation>
+    </message>
+    <message>
+        <source>● REC
+mark K</source>
+        <translation>● REC
+Marke K</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Recording; mark this moment</source>
+        <translation>Aufzeichnung läuft; diesen Augenblick markieren</translation>
     </message>
 </context>
 <context>
@@ -491,20 +660,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>bei %1 m sind zwei Höhen wahrscheinlich: %2 m (%3 %) oder %4 m (%5 %)</translation>
     </message>
     <message>
-        <source>no live telemetry: the robot may have moved</source>
-        <translation>keine aktuelle Telemetrie: der Roboter kann sich bewegt haben</translation>
-    </message>
-    <message>
         <source>the scene is unlike all training</source>
         <translation>die Szene gleicht nichts aus dem Training</translation>
-    </message>
-    <message>
-        <source>the robot rolls: left and right ground differ</source>
-        <translation>der Roboter rollt: Boden links und rechts verschieden</translation>
-    </message>
-    <message>
-        <source>the flippers differ: left and right ground differ</source>
-        <translation>die Flipper weichen ab: Boden links und rechts verschieden</translation>
     </message>
     <message>
         <source>STOP is latched: release it first</source>
@@ -869,6 +1026,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>contact at x %1 m lies %2 mm above the robot&apos;s own lower edge</source>
         <translation>der Kontakt bei x %1 m liegt %2 mm über der Unterkante des Roboters</translation>
+    </message>
+    <message>
+        <source>no live telemetry, the robot may have moved</source>
+        <translation>keine aktuelle Telemetrie, der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>the robot rolls, left and right ground differ</source>
+        <translation>der Roboter rollt, Boden links und rechts verschieden</translation>
+    </message>
+    <message>
+        <source>the flippers differ, left and right ground differ</source>
+        <translation>die Flipper weichen ab, Boden links und rechts verschieden</translation>
     </message>
 </context>
 <context>
@@ -1316,6 +1485,66 @@ Zuletzt gesperrt: %1</translation>
         <source>All of this page, for a report</source>
         <translation>Die ganze Seite, für einen Bericht</translation>
     </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>age of the telemetry</source>
+        <translation>Alter der Telemetrie</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>Telemetrie</translation>
+    </message>
+    <message>
+        <source>CAN frames waiting</source>
+        <translation>wartende CAN-Rahmen</translation>
+    </message>
+    <message>
+        <source>%1 now, %2 at most</source>
+        <translation>%1 jetzt, höchstens %2</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>one estimate under way</source>
+        <translation>eine Schätzung läuft</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>untätig</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>What it works with</source>
+        <translation>Womit sie arbeitet</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>facts of the robot</source>
+        <translation>Angaben zum Roboter</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>facts of the model</source>
+        <translation>Angaben zum Modell</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>
@@ -1388,6 +1617,49 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::Estimation</name>
+    <message>
+        <source>model %1 loaded</source>
+        <translation>Modell %1 geladen</translation>
+    </message>
+    <message>
+        <source>model %1 stays in use: %2</source>
+        <translation>Modell %1 bleibt in Gebrauch: %2</translation>
+    </message>
+    <message>
+        <source>arm at %1: %2 m, %3 the band shown before</source>
+        <translation>Arm bei %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innerhalb</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>No live estimate: %1</source>
+        <translation>Keine laufende Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>no second estimate: %1</source>
+        <translation>keine zweite Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>estimate failed: %1</source>
+        <translation>Schätzung fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>estimate in %1 s</source>
+        <translation>Schätzung in %1 s</translation>
+    </message>
+    <message>
+        <source>No ghost: %1</source>
+        <translation>Kein Schatten: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::EventList</name>
     <message>
         <source>Last minutes</source>
@@ -1399,22 +1671,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>No estimate yet: explore the terrain (A)</source>
         <translation>Noch keine Schätzung: Gelände erkunden (A)</translation>
-    </message>
-    <message>
-        <source>model %1 loaded</source>
-        <translation>Modell %1 geladen</translation>
-    </message>
-    <message>
-        <source>estimate in %1 s</source>
-        <translation>Schätzung in %1 s</translation>
-    </message>
-    <message>
-        <source>No live estimate: %1</source>
-        <translation>Keine laufende Schätzung: %1</translation>
-    </message>
-    <message>
-        <source>estimate failed: %1</source>
-        <translation>Schätzung fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>STOP not sent: %1</source>
@@ -1493,18 +1749,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>arm at %1: %2 m, %3 the band shown before</source>
-        <translation>Arm bei %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>innerhalb</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außerhalb</translation>
-    </message>
-    <message>
         <source>STOP is latched: release it first</source>
         <translation>STOP ist eingerastet: erst lösen</translation>
     </message>
@@ -1517,58 +1761,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Keine Telemetrie vom Roboter</translation>
     </message>
     <message>
-        <source>the robot is armed</source>
-        <translation>der Roboter ist freigegeben</translation>
-    </message>
-    <message>
-        <source>telemetry is live</source>
-        <translation>Telemetrie läuft</translation>
-    </message>
-    <message>
-        <source>no telemetry from the robot</source>
-        <translation>keine Telemetrie vom Roboter</translation>
-    </message>
-    <message>
-        <source>STOP: release sent, not yet confirmed by the robot</source>
-        <translation>STOP: Lösen gesendet, vom Roboter noch nicht bestätigt</translation>
-    </message>
-    <message>
-        <source>STOP is latched</source>
-        <translation>STOP ist eingerastet</translation>
-    </message>
-    <message>
-        <source>STOP is not latched</source>
-        <translation>STOP ist nicht eingerastet</translation>
-    </message>
-    <message>
-        <source>no model: %1</source>
-        <translation>kein Modell: %1</translation>
-    </message>
-    <message>
-        <source>the model is being loaded</source>
-        <translation>das Modell wird geladen</translation>
-    </message>
-    <message>
-        <source>model %1 is ready</source>
-        <translation>Modell %1 ist bereit</translation>
-    </message>
-    <message>
-        <source>roll %1: left and right ground differ</source>
-        <translation>Rollen %1: Boden links und rechts verschieden</translation>
-    </message>
-    <message>
-        <source>left and right flippers differ by %1</source>
-        <translation>linker und rechter Flipper weichen um %1 ab</translation>
-    </message>
-    <message>
-        <source>left and right agree, roll is small</source>
-        <translation>links und rechts gleich, Rollen klein</translation>
-    </message>
-    <message>
-        <source>no second estimate: %1</source>
-        <translation>keine zweite Schätzung: %1</translation>
-    </message>
-    <message>
         <source>No estimate yet: it comes when the robot presses its flippers</source>
         <translation>Noch keine Schätzung: sie kommt, wenn der Roboter die Flipper andrückt</translation>
     </message>
@@ -1577,16 +1769,47 @@ Zuletzt gesperrt: %1</translation>
         <translation>Noch keine Schätzung: M drücken, dann M halten zum Freigeben; dann erkunden (A)</translation>
     </message>
     <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
-        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
-    </message>
-    <message>
         <source>probe asked for at %1 instead</source>
         <translation>stattdessen Sondierung bei %1 verlangt</translation>
     </message>
     <message>
+        <source>not armed: press M, then hold M</source>
+        <translation>nicht freigegeben: M drücken, dann M halten</translation>
+    </message>
+    <message>
+        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
+        <translation>nächste Schätzung: %1, %2 Ziehungen, Kontakte über %3 N</translation>
+    </message>
+    <message>
+        <source>the override has ended: left and right agree again</source>
+        <translation>Übergehen beendet: links und rechts stimmen wieder überein</translation>
+    </message>
+    <message>
+        <source>overridden by the operator: %1</source>
+        <translation>vom Bediener übergangen: %1</translation>
+    </message>
+    <message>
+        <source>No estimate yet: nothing is heard of the robot</source>
+        <translation>Noch keine Schätzung: vom Roboter ist nichts zu hören</translation>
+    </message>
+    <message>
+        <source>No estimate: there is no model</source>
+        <translation>Keine Schätzung: es gibt kein Modell</translation>
+    </message>
+    <message>
+        <source>No estimate yet: the model is being loaded</source>
+        <translation>Noch keine Schätzung: das Modell wird geladen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Following</name>
+    <message>
         <source>Following: the front flippers press down</source>
         <translation>Mitverfolgt: die vorderen Flipper drücken an</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzt …</translation>
     </message>
     <message>
         <source>following: the robot has pressed its flippers down</source>
@@ -1609,44 +1832,12 @@ Zuletzt gesperrt: %1</translation>
         <translation>mitverfolgt: keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>not armed: press M, then hold M</source>
-        <translation>nicht freigegeben: M drücken, dann M halten</translation>
+        <source>No estimate: %1</source>
+        <translation>Keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>the log has ended</source>
-        <translation>das Log ist zu Ende</translation>
-    </message>
-    <message>
-        <source>model %1 stays in use: %2</source>
-        <translation>Modell %1 bleibt in Gebrauch: %2</translation>
-    </message>
-    <message>
-        <source>the next estimate: %1, %2 draws, contacts above %3 N</source>
-        <translation>nächste Schätzung: %1, %2 Ziehungen, Kontakte über %3 N</translation>
-    </message>
-    <message>
-        <source>the override has ended: left and right agree again</source>
-        <translation>Übergehen beendet: links und rechts stimmen wieder überein</translation>
-    </message>
-    <message>
-        <source>overridden by the operator: %1</source>
-        <translation>vom Bediener übergangen: %1</translation>
-    </message>
-    <message>
-        <source>No ghost: %1</source>
-        <translation>Kein Schatten: %1</translation>
-    </message>
-    <message>
-        <source>No estimate yet: nothing is heard of the robot</source>
-        <translation>Noch keine Schätzung: vom Roboter ist nichts zu hören</translation>
-    </message>
-    <message>
-        <source>No estimate: there is no model</source>
-        <translation>Keine Schätzung: es gibt kein Modell</translation>
-    </message>
-    <message>
-        <source>No estimate yet: the model is being loaded</source>
-        <translation>Noch keine Schätzung: das Modell wird geladen</translation>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
     </message>
 </context>
 <context>
@@ -1742,42 +1933,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>STOP ist am Pult gedrückt: erst dort lösen</translation>
     </message>
     <message>
-        <source>LINK LOST · %1</source>
-        <translation>VERBINDUNG WEG · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry yet</source>
-        <translation>noch keine Telemetrie</translation>
-    </message>
-    <message>
-        <source>link %1 Hz · ≤ %2</source>
-        <translation>Link %1 Hz · ≤ %2</translation>
-    </message>
-    <message>
-        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
-        <translation>VERBINDUNG WEG seit %1 — nichts auf diesem Schirm ist aktuell%2</translation>
-    </message>
-    <message>
-        <source>link is up</source>
-        <translation>Verbindung steht</translation>
-    </message>
-    <message>
-        <source>link lost</source>
-        <translation>Verbindung verloren</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>Roboter: --</translation>
-    </message>
-    <message>
-        <source>the robot is armed</source>
-        <translation>der Roboter ist freigegeben</translation>
-    </message>
-    <message>
-        <source>not armed: %1</source>
-        <translation>nicht freigegeben: %1</translation>
-    </message>
-    <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
         <translation>Terratact %1. Beruht teilweise auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
     </message>
@@ -1850,14 +2005,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>keine</translation>
     </message>
     <message>
-        <source>END OF THE LOG</source>
-        <translation>ENDE DES LOGS</translation>
-    </message>
-    <message>
-        <source>end of the log</source>
-        <translation>Ende des Logs</translation>
-    </message>
-    <message>
         <source>ask for another bin instead: the %1. offered</source>
         <translation>ein anderes Feld verlangen: das %1. angebotene</translation>
     </message>
@@ -1898,82 +2045,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Versionen, Rechte und wie schnell die Konsole ist</translation>
     </message>
     <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
-        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
-    </message>
-    <message>
-        <source>%1
-%2 frames/s, %3
-%4 frames dropped by this computer, %5 error frames</source>
-        <translation>%1
-%2 Rahmen/s, %3
-%4 Rahmen von diesem Rechner verloren, %5 Fehlerrahmen</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
-        <source>age of the telemetry</source>
-        <translation>Alter der Telemetrie</translation>
-    </message>
-    <message>
-        <source>telemetry</source>
-        <translation>Telemetrie</translation>
-    </message>
-    <message>
-        <source>CAN frames waiting</source>
-        <translation>wartende CAN-Rahmen</translation>
-    </message>
-    <message>
-        <source>%1 now, %2 at most</source>
-        <translation>%1 jetzt, höchstens %2</translation>
-    </message>
-    <message>
-        <source>estimator</source>
-        <translation>Schätzer</translation>
-    </message>
-    <message>
-        <source>one estimate under way</source>
-        <translation>eine Schätzung läuft</translation>
-    </message>
-    <message>
-        <source>idle</source>
-        <translation>untätig</translation>
-    </message>
-    <message>
-        <source>memory</source>
-        <translation>Speicher</translation>
-    </message>
-    <message>
-        <source>What it works with</source>
-        <translation>Womit sie arbeitet</translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation>Quelle</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>facts of the robot</source>
-        <translation>Angaben zum Roboter</translation>
-    </message>
-    <message>
-        <source>model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>facts of the model</source>
-        <translation>Angaben zum Modell</translation>
-    </message>
-    <message>
-        <source> · %1 dropped</source>
-        <translation> · %1 verloren</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -2004,48 +2075,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>override what is doubtful about exploring</source>
         <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
-    </message>
-    <message>
-        <source>✕ NOT
-RECORDED</source>
-        <translation>✕ OHNE
-AUFZEICHN.</translation>
-    </message>
-    <message>
-        <source>○ not
-recorded</source>
-        <translation>○ ohne
-Aufzeichn.</translation>
-    </message>
-    <message>
-        <source>● REC
-mark K</source>
-        <translation>● REC
-Marke K</translation>
-    </message>
-    <message>
-        <source>NOT RECORDED: %1</source>
-        <translation>NICHT AUFGEZEICHNET: %1</translation>
-    </message>
-    <message>
-        <source>Recorded: %1
-%2 frames, %3 MB; %4 frames found no room
-A click marks this moment (K)</source>
-        <translation>Aufgezeichnet: %1
-%2 Rahmen, %3 MB; für %4 Rahmen war kein Platz
-Ein Klick markiert diesen Augenblick (K)</translation>
-    </message>
-    <message>
-        <source>Nothing is recorded</source>
-        <translation>Es wird nichts aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Not recorded</source>
-        <translation>Nicht aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Recording; mark this moment</source>
-        <translation>Aufzeichnung läuft; diesen Augenblick markieren</translation>
     </message>
     <message>
         <source>marked in the recording</source>
@@ -4196,26 +4225,6 @@ voraus</translation>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
-    <message>
-        <source>no live telemetry, the robot may have moved</source>
-        <translation>keine aktuelle Telemetrie, der Roboter kann sich bewegt haben</translation>
-    </message>
-    <message>
-        <source>the chains have not converged</source>
-        <translation>die Ketten sind nicht konvergiert</translation>
-    </message>
-    <message>
-        <source>the scene is unlike all training</source>
-        <translation>die Szene gleicht nichts aus dem Training</translation>
-    </message>
-    <message>
-        <source>the robot rolls, left and right ground differ</source>
-        <translation>der Roboter rollt, Boden links und rechts verschieden</translation>
-    </message>
-    <message>
-        <source>the flippers differ, left and right ground differ</source>
-        <translation>die Flipper weichen ab, Boden links und rechts verschieden</translation>
-    </message>
     <message>
         <source>likeliest at %1 … %2 m (%3)</source>
         <translation>am ehesten bei %1 … %2 m (%3)</translation>

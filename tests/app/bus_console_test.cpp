@@ -54,7 +54,7 @@ public:
     explicit Estimates(Exploration& exploration)
     {
         QObject::connect(&exploration, &Exploration::happened, [this, &exploration] {
-            const auto& now = exploration.estimate();
+            const auto& now = exploration.estimation().estimate();
             if (now && (all_.empty() || all_.back() != *now)) all_.push_back(*now);
         });
     }
@@ -364,7 +364,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     arm();
     exploreAndProbe();
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
-    const auto ledger = window->exploration().ledger().entries();
+    const auto ledger = window->exploration().estimation().ledger().entries();
     const TemporaryDirectory directory;
     const std::string log = directory.write("atem.log", candumpOf(*recorder));
     window.reset();
@@ -384,8 +384,8 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     EXPECT_EQ(heard.all(), made.all());
     EXPECT_EQ(replayed.all(), made.all());
     ASSERT_EQ(ledger.size(), 1U);
-    EXPECT_EQ(listener->exploration().ledger().entries(), ledger);
-    EXPECT_EQ(window->exploration().ledger().entries(), ledger);
+    EXPECT_EQ(listener->exploration().estimation().ledger().entries(), ledger);
+    EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
     EXPECT_EQ(listener->link()->view().frames.sent, 0U);
 }
 
@@ -409,7 +409,7 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
     EXPECT_FALSE(says("LINK LOST"));
     EXPECT_TRUE(says("the log has ended"));
     EXPECT_TRUE(says("Following"));
-    EXPECT_TRUE(window->exploration().estimate()) << "its press waited for the model";
+    EXPECT_TRUE(window->exploration().estimation().estimate()) << "its press waited for the model";
     EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
     picture("end-of-the-log");
 }

@@ -148,7 +148,7 @@ TEST_F(Bench, theWholeLoop)
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     ASSERT_TRUE(exploration->proposal());
     EXPECT_EQ(exploration->proposal()->bin, kBin06);
-    EXPECT_EQ(exploration->estimate()->settings.method, Method::Local);
+    EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Local);
     const int pressed = estimates;  // and the live ones while the flippers moved
 
     exploration->approve(exploration->proposal()->id);
@@ -162,18 +162,18 @@ TEST_F(Bench, theWholeLoop)
     telemetry.activity = RobotActivity::Pressed;
     telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(exploration->estimate()->origin[kBin06], Origin::Arm);
-    EXPECT_EQ(exploration->estimate()->settings.method, Method::Local);
+    EXPECT_EQ(exploration->estimation().estimate()->origin[kBin06], Origin::Arm);
+    EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Local);
     EXPECT_EQ(estimates, pressed + 1);
-    ASSERT_EQ(exploration->ledger().entries().size(), 1U);
-    EXPECT_TRUE(exploration->ledger().entries()[0].in80);
+    ASSERT_EQ(exploration->estimation().ledger().entries().size(), 1U);
+    EXPECT_TRUE(exploration->estimation().ledger().entries()[0].in80);
     EXPECT_TRUE(events.join('\n').contains("inside the band"));
 
     exploration->drive(+1);
     EXPECT_EQ(sent<DriveCommand>(), 1);
     telemetry.activity = RobotActivity::Driving;
     ASSERT_TRUE(reaches(AtemPhase::Idle));
-    EXPECT_FALSE(exploration->estimate()) << "it held for another place";
+    EXPECT_FALSE(exploration->estimation().estimate()) << "it held for another place";
 }
 
 /// A bench whose robot stands on an estimate and then drives.
@@ -197,27 +197,27 @@ TEST_F(DrivingOn, leavesAGhostThatMovesWithTheTracksAndGoes)
 {
     telemetry.travelled = 7.0;
     stand();
-    EXPECT_TRUE(exploration->estimate());
-    EXPECT_FALSE(exploration->ghost()) << "the estimate itself stands";
+    EXPECT_TRUE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().ghost()) << "the estimate itself stands";
     driveBy(0.1);
-    ASSERT_TRUE(exploration->ghost());
-    EXPECT_FALSE(exploration->estimate());
-    EXPECT_FALSE(exploration->verdict()) << "it decides nothing";
-    EXPECT_NEAR(exploration->ghost()->motion.forward, 0.1, 1e-9);
-    EXPECT_NEAR(exploration->ghost()->bin[6]->height, stepEstimate().height[7], 1e-9);
+    ASSERT_TRUE(exploration->estimation().ghost());
+    EXPECT_FALSE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().verdict()) << "it decides nothing";
+    EXPECT_NEAR(exploration->estimation().ghost()->motion.forward, 0.1, 1e-9);
+    EXPECT_NEAR(exploration->estimation().ghost()->bin[6]->height, stepEstimate().height[7], 1e-9);
     driveBy(0.3);
-    ASSERT_TRUE(exploration->ghost());
-    EXPECT_NEAR(exploration->ghost()->motion.way, 0.4, 1e-9);
-    EXPECT_NEAR(exploration->ghost()->bin[4]->height, stepEstimate().height[8], 1e-9);
-    EXPECT_TRUE(exploration->whyNoGhost().isEmpty());
+    ASSERT_TRUE(exploration->estimation().ghost());
+    EXPECT_NEAR(exploration->estimation().ghost()->motion.way, 0.4, 1e-9);
+    EXPECT_NEAR(exploration->estimation().ghost()->bin[4]->height, stepEstimate().height[8], 1e-9);
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty());
     driveBy(0.7);
-    EXPECT_FALSE(exploration->ghost());
-    EXPECT_TRUE(exploration->whyNoGhost().contains("too far"));
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("too far"));
     telemetry.activity = RobotActivity::Halted;
     press();
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    EXPECT_FALSE(exploration->ghost());
-    EXPECT_TRUE(exploration->whyNoGhost().isEmpty())
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty())
         << "of the last estimate, not of the one before";
 }
 
@@ -225,9 +225,9 @@ TEST_F(DrivingOn, leavesNoGhostWithoutOdometryAndSaysSo)
 {
     stand();
     driveBy(0.1);
-    EXPECT_FALSE(exploration->estimate());
-    EXPECT_FALSE(exploration->ghost());
-    EXPECT_TRUE(exploration->whyNoGhost().contains("no odometry"));
+    EXPECT_FALSE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("no odometry"));
 }
 
 TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
@@ -236,10 +236,10 @@ TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
     stand();
     driveBy(0.1);
     tickInSilence(10);
-    EXPECT_FALSE(exploration->ghost());
-    EXPECT_TRUE(exploration->whyNoGhost().contains("telemetry"));
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("telemetry"));
     tick();
-    EXPECT_TRUE(exploration->ghost());
+    EXPECT_TRUE(exploration->estimation().ghost());
 }
 
 TEST_F(DrivingOn, leavesNothingOfAnEstimateThatTheOperatorHasCleared)
@@ -249,34 +249,34 @@ TEST_F(DrivingOn, leavesNothingOfAnEstimateThatTheOperatorHasCleared)
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));
     driveBy(0.1);
-    EXPECT_FALSE(exploration->ghost());
-    EXPECT_TRUE(exploration->whyNoGhost().isEmpty());
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty());
 }
 
 TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
 {
     exploration->request();
     telemetry.activity = RobotActivity::Halted;
-    EXPECT_FALSE(exploration->live());
+    EXPECT_FALSE(exploration->estimation().live());
     ASSERT_TRUE(reaches(AtemPhase::Pressing));
     telemetry.activity = RobotActivity::Pressing;
     ASSERT_TRUE(gui::eventually([this] {
         tick();
         return estimates >= 5;
     }));
-    ASSERT_TRUE(exploration->live());
-    EXPECT_EQ(exploration->live()->settings.method, Method::Local);
-    EXPECT_FALSE(exploration->estimate());
+    ASSERT_TRUE(exploration->estimation().live());
+    EXPECT_EQ(exploration->estimation().live()->settings.method, Method::Local);
+    EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->proposal()) << "a preview proposes nothing";
 
     blocked = true;
     telemetry.activity = RobotActivity::Pressed;
     ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    EXPECT_TRUE(exploration->live()) << "stays until there is better";
+    EXPECT_TRUE(exploration->estimation().live()) << "stays until there is better";
     blocked = false;
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    EXPECT_TRUE(exploration->estimate());
-    EXPECT_FALSE(exploration->live());
+    EXPECT_TRUE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().live());
 }
 
 TEST_F(Bench, aLivePreviewEndsWithTheExploration)
@@ -287,17 +287,17 @@ TEST_F(Bench, aLivePreviewEndsWithTheExploration)
     telemetry.activity = RobotActivity::Pressing;
     ASSERT_TRUE(gui::eventually([this] {
         tick();
-        return exploration->live().has_value();
+        return exploration->estimation().live().has_value();
     }));
     blocked = true;
     tick();
     exploration->abort();
     tick();
     blocked = false;
-    EXPECT_FALSE(exploration->live());
+    EXPECT_FALSE(exploration->estimation().live());
     tick(3);
     QCoreApplication::processEvents();
-    EXPECT_FALSE(exploration->live()) << "a preview already on its way is not shown";
+    EXPECT_FALSE(exploration->estimation().live()) << "a preview already on its way is not shown";
 }
 
 TEST_F(Bench, telemetryFromBeforeACommandIsNoAnswer)
@@ -346,7 +346,7 @@ TEST_F(Bench, aRefusedProbeLeavesTheEstimate)
     exploration->refuse(exploration->proposal()->id);
     tick();
     EXPECT_EQ(phase(), AtemPhase::Presenting);
-    EXPECT_TRUE(exploration->estimate());
+    EXPECT_TRUE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->proposal());
     tick(5);
     EXPECT_EQ(sent<ProbeCommand>(), 0);
@@ -376,7 +376,7 @@ TEST_F(Bench, aMovedRobotEndsTheExplorationButOneOutlierDoesNot)
     tick(2);
     EXPECT_EQ(exploration->state().failure, AtemFailure::PoseChanged);
     tick();
-    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_EQ(sent<ProbeCommand>(), 0);
 }
 
@@ -474,7 +474,7 @@ TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
     blocked = false;
     QTest::qWait(50);
     tick(3);
-    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->proposal());
 }
 
@@ -494,7 +494,7 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
     tick();
     QTest::qWait(20);
     tick();
-    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->estimation().estimate());
 }
 
 TEST_F(Bench, anEstimateThatFailsIsToldInWords)
@@ -591,7 +591,7 @@ TEST_F(Bench, aSceneIsTheFirstLineOfThePressHoweverLateTheWindowLooks)
     line();
     tick();
     ASSERT_EQ(phase(), AtemPhase::Estimating);
-    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.011);
+    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.011);
 }
 
 TEST_F(Bench, aPressFromBeforeTheCommandIsNoScene)
@@ -603,7 +603,7 @@ TEST_F(Bench, aPressFromBeforeTheCommandIsNoScene)
     ASSERT_TRUE(reaches(AtemPhase::Pressing));
     telemetry.pitch = 0.012;
     ASSERT_TRUE(reaches(AtemPhase::Estimating)) << "it was pressed again between two lines";
-    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.012);
+    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.012);
 }
 
 /// The bus that a console only listens to.
@@ -639,16 +639,16 @@ TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
     telemetry.activity = RobotActivity::Pressing;
     ASSERT_TRUE(gui::eventually([this] {
         tick();
-        return exploration->live().has_value();
+        return exploration->estimation().live().has_value();
     })) << "a preview while the flippers move";
     telemetry.activity = RobotActivity::Pressed;
     telemetry.pitch = 0.011;
     line();
     telemetry.pitch = 0.012;
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.011) << "its first line";
-    EXPECT_TRUE(exploration->estimate());
-    EXPECT_FALSE(exploration->live());
+    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.011) << "its first line";
+    EXPECT_TRUE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().live());
     EXPECT_FALSE(exploration->proposal()) << "nobody here may approve it";
     const int once = estimates;
     tick(50);
@@ -670,15 +670,15 @@ TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
     robotPresses();
     const ArmReading reading{.bin = kBin06, .height = -0.04, .sd = 0.03};
     ASSERT_TRUE(probes(reading));
-    EXPECT_EQ(exploration->estimate()->origin[kBin06], Origin::Arm);
+    EXPECT_EQ(exploration->estimation().estimate()->origin[kBin06], Origin::Arm);
     EXPECT_EQ(lastAsked().arm, std::vector{reading});
     tick(20);
     EXPECT_EQ(phase(), AtemPhase::Presenting) << "the same reading is no news";
-    ASSERT_EQ(exploration->ledger().entries().size(), 1U);
+    ASSERT_EQ(exploration->estimation().ledger().entries().size(), 1U);
     const ArmReading second{.bin = kBin06 + 1, .height = -0.05, .sd = 0.03};
     ASSERT_TRUE(probes(second));
     EXPECT_EQ(lastAsked().arm, (std::vector{reading, second}));
-    EXPECT_EQ(exploration->ledger().entries().size(), 2U);
+    EXPECT_EQ(exploration->estimation().ledger().entries().size(), 2U);
 }
 
 TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
@@ -695,7 +695,8 @@ TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
     blocked = false;
     ASSERT_TRUE(reaches(AtemPhase::EstimatingAgain));
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(exploration->ledger().entries().size(), 1U) << "scored against the first";
+    EXPECT_EQ(exploration->estimation().ledger().entries().size(), 1U)
+        << "scored against the first";
 }
 
 TEST_F(FollowingBench, forgetsWhenTheRobotDrivesOnAndCapturesTheNextPress)
@@ -703,12 +704,12 @@ TEST_F(FollowingBench, forgetsWhenTheRobotDrivesOnAndCapturesTheNextPress)
     robotPresses();
     telemetry.activity = RobotActivity::Driving;
     ASSERT_TRUE(reaches(AtemPhase::Idle));
-    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_TRUE(exploration->whyNoEstimate().contains("has moved"))
         << exploration->whyNoEstimate().toStdString();
     telemetry.pitch = 0.05;
     robotPresses();
-    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.05);
+    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.05);
 }
 
 TEST_F(FollowingBench, clearsWhatItShowsUntilTheNextPress)
@@ -716,13 +717,13 @@ TEST_F(FollowingBench, clearsWhatItShowsUntilTheNextPress)
     robotPresses();
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));
-    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->estimation().estimate());
     const int before = estimates;
     tick(20);
     EXPECT_EQ(phase(), AtemPhase::Idle);
     EXPECT_EQ(estimates, before);
     robotPresses();
-    EXPECT_TRUE(exploration->estimate());
+    EXPECT_TRUE(exploration->estimation().estimate());
 }
 
 TEST_F(FollowingBench, trustsNothingFromBeforeALostLink)
@@ -730,10 +731,11 @@ TEST_F(FollowingBench, trustsNothingFromBeforeALostLink)
     robotPresses();
     tickInSilence(10);
     EXPECT_EQ(exploration->state().failure, AtemFailure::LinkLost);
-    EXPECT_FALSE(exploration->estimate());
+    EXPECT_FALSE(exploration->estimation().estimate());
     telemetry.pitch = 0.05;
     ASSERT_TRUE(reaches(AtemPhase::Presenting)) << "it is pressed, and that is news";
-    EXPECT_EQ(exploration->scene()->measurement.pitch, 0.05) << "not a line from before";
+    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.05)
+        << "not a line from before";
 }
 
 TEST_F(FollowingBench, showsAStopOfSomebodyElse)

@@ -24,10 +24,10 @@
 #include "app/steady_now.h"
 #include "core/learn/model_file.h"
 #include "core/sim/terrain_shapes.h"
-#include "drivers/sim_source.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
+#include "tests/support/sim_source.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_model.h"
 #include "widgets/atem_panel.h"
@@ -164,7 +164,7 @@ TEST_F(Console, theWholeLoopByKeyboard)
     ASSERT_TRUE(robotIs(RobotActivity::Probing));
     QTest::keyRelease(window.get(), Qt::Key_Space);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(window->exploration().estimate()->origin[9], Origin::Arm);
+    EXPECT_EQ(window->exploration().estimation().estimate()->origin[9], Origin::Arm);
     ASSERT_TRUE(eventually([&] { return window->terrain()->binText(9).endsWith("arm"); }));
 
     QTest::keyPress(window.get(), Qt::Key_Up);
@@ -257,12 +257,13 @@ TEST_F(Console, aSecondMethodIsEstimatedBesideTheFirst)
     open(fastRobot(robot, 2.1));
     window->exploration().setSecondMethod(Method::Pafc);
     proposeByKeyboard();
-    ASSERT_TRUE(eventually([&] { return window->exploration().second().has_value(); }));
-    EXPECT_EQ(window->exploration().second()->settings.method, Method::Pafc);
-    EXPECT_EQ(window->exploration().estimate()->settings.method, Method::Local);
+    ASSERT_TRUE(
+        eventually([&] { return window->exploration().estimation().second().has_value(); }));
+    EXPECT_EQ(window->exploration().estimation().second()->settings.method, Method::Pafc);
+    EXPECT_EQ(window->exploration().estimation().estimate()->settings.method, Method::Local);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
     window->exploration().setSecondMethod(std::nullopt);
-    EXPECT_FALSE(window->exploration().second());
+    EXPECT_FALSE(window->exploration().estimation().second());
 }
 
 TEST_F(Console, thePagesAreReachedByTheirKeys)

@@ -202,13 +202,14 @@ TEST_P(Screens, ofAWholeExploration)
     QTest::keyRelease(window.get(), Qt::Key_W);
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
     QTest::keyClick(window.get(), Qt::Key_A);
-    ASSERT_TRUE(eventually([&] { return window->exploration().live().has_value(); }));
+    ASSERT_TRUE(eventually([&] { return window->exploration().estimation().live().has_value(); }));
     picture("06_live_preview");
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     picture("07_probe_proposed");
     QTest::keyClick(window.get(), Qt::Key_D);
     window->exploration().setSecondMethod(Method::Pafc);
-    ASSERT_TRUE(eventually([&] { return window->exploration().second().has_value(); }, 60000));
+    ASSERT_TRUE(
+        eventually([&] { return window->exploration().estimation().second().has_value(); }, 60000));
     window->terrain()->inspect(8);
     picture("08_draws_second_method_and_a_bin_up_close");
     window->terrain()->inspect(std::nullopt);
@@ -236,11 +237,11 @@ TEST_P(Screens, ofAWholeExploration)
     QTest::keyPress(window.get(), Qt::Key_S);
     ASSERT_TRUE(eventually(
         [&] {
-            const auto ghost = window->exploration().ghost();
+            const auto ghost = window->exploration().estimation().ghost();
             return ghost && ghost->motion.way > 0.2;
         },
         60000))
-        << window->exploration().whyNoGhost().toStdString();
+        << window->exploration().estimation().whyNoGhost().toStdString();
     QTest::keyRelease(window.get(), Qt::Key_S);
     picture("16_ghost");
     const std::pair<ThemeName, const char*> themes[]{

@@ -9,10 +9,10 @@
 
 #include "app/main_window.h"
 #include "core/sim/terrain_shapes.h"
-#include "drivers/sim_source.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/sim_source.h"
 #include "widgets/look.h"
 #include "widgets/verdict_strip.h"
 

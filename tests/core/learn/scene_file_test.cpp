@@ -179,6 +179,25 @@ TEST_F(SceneFileTest, heightsMayBeMissing)
     EXPECT_EQ(read->scenes.at(0), sceneOf("r"));
 }
 
+TEST_F(SceneFileTest, leavesOutScenesOfWhichNoHeightIsKnown)
+{
+    const std::string unknown(19, ',');
+    const std::string blind = "r,0,0,0,0" + unknown + "\n";
+    const std::string oneHeight = "r,1,0,0,0" + unknown + "0.1\n";
+    const auto known =
+        readScenesWithTruth(dir.write("scenes.csv", kHeader + blind + oneHeight + blind));
+    ASSERT_TRUE(known) << known.error().text;
+    ASSERT_EQ(known->scenes.size(), 1U);
+    EXPECT_EQ(known->scenes[0].time, 1.0);
+    EXPECT_EQ(known->notices,
+              std::vector<std::string>{"2 scenes without any known height left out"});
+    const auto all = readScenesWithTruth(dir.write("scenes.csv", kHeader + oneHeight));
+    ASSERT_TRUE(all) << all.error().text;
+    EXPECT_TRUE(all->notices.empty());
+    EXPECT_TRUE(refused(readScenesWithTruth(dir.write("scenes.csv", kHeader + blind)),
+                        dir.file("scenes.csv"), {"no scene has a known height"}));
+}
+
 TEST_F(SceneFileTest, anEmptyFieldIsUnknownWhereThatIsAllowed)
 {
     for (const std::string& name : split(kHeader)) {

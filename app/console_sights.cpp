@@ -1,0 +1,113 @@
+#include "app/console_sights.h"
+
+#include "app/bus_words.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+template <class T>
+const T* pointer(const std::optional<T>& value)
+{
+    return value ? &*value : nullptr;
+}
+
+void addEstimation(TerrainSight& sight, const Estimation& estimation)
+{
+    if (const auto& scene = estimation.scene()) {
+        sight.scene = &scene->measurement;
+        sight.sceneTruth = &scene->truth;
+    }
+    sight.estimate = pointer(estimation.estimate());
+    sight.estimateSeconds = estimation.seconds();
+    sight.second = pointer(estimation.second());
+    if (sight.second) sight.secondName = words::text(name(sight.second->settings.method));
+    sight.live = pointer(estimation.live());
+    sight.ghost = estimation.ghost();
+    sight.whyNoGhost = estimation.whyNoGhost();
+    sight.verdict = estimation.verdict();
+}
+
+}  // namespace
+
+LinkSight ConsoleSights::link(double now, const std::optional<Received>& newest) const
+{
+    return {.now = now,
+            .newest = pointer(newest),
+            .alive = parts_.exploration.linkAlive(),
+            .ended = parts_.exploration.ended()};
+}
+
+AlarmSight ConsoleSights::alarms(double now, const std::optional<Received>& newest) const
+{
+    const Exploration& exploration = parts_.exploration;
+    AlarmSight sight;
+    if (newest) {
+        sight.telemetryAge = now - secondsOf(newest->arrived);
+        sight.isStopped = newest->sample.measurement.activity == RobotActivity::Stopped;
+    }
+    sight.linkAlive = exploration.linkAlive();
+    sight.sourceTrouble = troubleWords(parts_.link, parts_.acquisition.trouble());
+    if (CanSource* link = parts_.link) {
+        sight.bus = link->view();
+        sight.busName = link->busName();
+        sight.wrongChecksums =
+            link->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
+    }
+    sight.noModel = exploration.estimation().model().trouble;
+    if (parts_.recorder)
+        sight.notRecorded = QString::fromStdString(parts_.recorder->state().trouble);
+    if (parts_.panel && !parts_.panel->answers(now))
+        sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
+    const AtemState& state = exploration.state();
+    if (state.phase == AtemPhase::Failed)
+        sight.failedExploration = words::sentence(describe(state.failure));
+    return sight;
+}
+
+TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& newest)
+{
+    const Exploration& exploration = parts_.exploration;
+    TerrainSight sight{.now = now, .ended = exploration.ended()};
+    if (newest) {
+        sight.measurement = &newest->sample.measurement;
+        sight.age = now - secondsOf(newest->arrived);
+        sight.count = newest->count;
+        sight.forces = &forcesOf(*newest);
+        sight.truth = &newest->sample.truth;
+    }
+    addEstimation(sight, exploration.estimation());
+    sight.whyNoEstimate = exploration.whyNoEstimate();
+    sight.state = exploration.state();
+    sight.timeLeft = exploration.timeLeft();
+    sight.secondsInPhase = exploration.secondsInPhase();
+    sight.proposal = pointer(exploration.proposal());
+    sight.probingBin = exploration.probingBin();
+    sight.probeSeconds = exploration.options().probeSeconds;
+    // A preview takes a telemetry's time: its progress would only flicker.
+    if (exploration.estimating()) sight.progress = parts_.worker.progress();
+    sight.preconditions = exploration.preconditions();
+    if (parts_.panel) sight.preconditions << parts_.panel->precondition(now);
+    sight.whyNotDriving = exploration.whyNotDriving();
+    if (sight.whyNotDriving.isEmpty()) sight.whyNotDriving = panelForbids(now);
+    return sight;
+}
+
+QString ConsoleSights::panelForbids(double now) const
+{
+    if (!parts_.panel) return {};
+    const Precondition panel = parts_.panel->precondition(now);
+    return panel.level == Precondition::Level::Met ? QString() : panel.text;
+}
+
+const std::vector<ForceArray>& ConsoleSights::forcesOf(const Received& newest)
+{
+    if (newest.count == forcesCount_) return forces_;
+    forcesCount_ = newest.count;
+    const auto line = parts_.link ? parts_.link->view().line : std::nullopt;
+    const double threshold = parts_.exploration.options().settings.forceThreshold;
+    forces_ = forceArrays_.of(newest.sample.measurement, line, threshold);
+    return forces_;
+}
+
+}  // namespace terratact

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <optional>
+#include <vector>
+
+#include "app/acquisition.h"
+#include "app/console_alarms.h"
+#include "app/exploration.h"
+#include "app/force_arrays.h"
+#include "app/link_status.h"
+#include "app/panel_control.h"
+#include "app/session_recorder.h"
+#include "app/terrain_page.h"
+
+namespace terratact {
+
+/// Reads off what runs behind a console the plain values that its pages show.  GUI thread only.
+class ConsoleSights {
+    Q_DECLARE_TR_FUNCTIONS(ConsoleSights)
+public:
+    /// What runs; null: there is none.
+    struct Parts {
+        const Acquisition& acquisition;
+        const Exploration& exploration;
+        const EstimatorWorker& worker;
+        CanSource* link = nullptr;
+        const PanelControl* panel = nullptr;
+        const SessionRecorder* recorder = nullptr;
+    };
+    /// All parts must outlive it.
+    ConsoleSights(const Parts& parts, const RobotModel& robot) : parts_(parts), forceArrays_(robot)
+    {
+    }
+
+    // newest: the telemetry of the exploration's last tick.  now: [s] on the steady clock.
+    LinkSight link(double now, const std::optional<Received>& newest) const;
+    AlarmSight alarms(double now, const std::optional<Received>& newest) const;
+    TerrainSight terrain(double now, const std::optional<Received>& newest);
+    /// Why the panel lets nothing be set in motion; empty: it does.
+    QString panelForbids(double now) const;
+
+private:
+    const std::vector<ForceArray>& forcesOf(const Received& newest);
+
+    Parts parts_;
+    ForceArrays forceArrays_;
+    std::vector<ForceArray> forces_;
+    std::uint64_t forcesCount_ = 0;  ///< of the telemetry they are of
+};
+
+}  // namespace terratact

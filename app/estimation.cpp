@@ -1,0 +1,204 @@
+#include "app/estimation.h"
+
+#include "core/infer/estimate_words.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kLiveDraws = 200;  // enough for what a glance asks of a preview
+
+}  // namespace
+
+Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const Options& options)
+    : worker_(worker), robot_(robot), options_(options)
+{
+    listenToModels();
+    connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
+    connect(&worker_, &EstimatorWorker::failed, this, &Estimation::refuse);
+}
+
+void Estimation::listenToModels()
+{
+    connect(&worker_, &EstimatorWorker::modelLoaded, this,
+            [this](const QString& name, const QString& details) {
+                model_ = {.name = name, .details = details};
+                if (!estimate_) track_.reset();  // it rests on the model before
+                emit happened(tr("model %1 loaded").arg(name), Weight::Note);
+            });
+    connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
+        model_.trouble = why;
+        emit happened(why, Weight::Bad);
+    });
+    connect(&worker_, &EstimatorWorker::modelKept, this, [this](const QString& why) {
+        emit happened(tr("model %1 stays in use: %2").arg(model_.name, why), Weight::Bad);
+    });
+}
+
+void Estimation::look(const std::optional<Received>& latest, bool linkAlive)
+{
+    linkAlive_ = linkAlive;
+    if (!latest) return;
+    const Measurement& newest = latest->sample.measurement;
+    if (pose_) pose_->look(newest, latest->count);
+    if (latest->count == tracked_) return;
+    tracked_ = latest->count;
+    if (track_) track_->take(newest);
+}
+
+void Estimation::preview(const Received& latest)
+{
+    if (liveJob_ != 0 || model_.name.isEmpty() || latest.count == previewed_) return;
+    previewed_ = latest.count;
+    Settings settings = options_.settings;
+    settings.method = Method::Local;
+    settings.draws = kLiveDraws;
+    liveJob_ = worker_.request(
+        {.measurement = latest.sample.measurement, .arm = {}, .settings = settings});
+}
+
+void Estimation::begin(const Received& latest, std::uint64_t since)
+{
+    const bool isNew = latest.press && latest.press->count > since;
+    const Sample& sample = isNew ? latest.press->sample : latest.sample;
+    scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
+    pose_.emplace(sample.measurement);
+    readings_.clear();
+    emit captured(*scene_);
+    start();
+}
+
+void Estimation::take(const ArmReading& reading)
+{
+    const auto i = static_cast<std::size_t>(reading.bin);
+    const bool inside = estimate_->q10[i] <= reading.height && reading.height <= estimate_->q90[i];
+    emit happened(tr("arm at %1: %2 m, %3 the band shown before")
+                      .arg(words::binName(reading.bin), words::signedNumber(reading.height, 2),
+                           inside ? tr("inside") : tr("outside")),
+                  inside ? Weight::Note : Weight::Doubt);
+    ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
+    std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
+    readings_.push_back(reading);
+    start();
+}
+
+void Estimation::setSecondMethod(std::optional<Method> method)
+{
+    secondMethod_ = method;
+    second_.reset();
+    secondJob_ = 0;
+    startSecond();
+}
+
+void Estimation::cancel()
+{
+    worker_.cancel();
+    job_ = liveJob_ = secondJob_ = 0;  // a result already on its way is not ours any more
+}
+
+void Estimation::forget(const QString& why)
+{
+    if (estimate_) emit forgotten(why);
+    estimate_.reset();
+    second_.reset();
+    secondJob_ = 0;
+    scene_.reset();
+    pose_.reset();
+    whyNone_ = why;
+}
+
+EstimateRequest Estimation::requestFor(Method method) const
+{
+    Settings settings = options_.settings;
+    settings.method = !readings_.empty() && method == Method::Pafc ? Method::Pafac : method;
+    return {.measurement = scene_->measurement,
+            .arm = readings_,
+            .settings = settings,
+            .prober = {},
+            .stepLimit = options_.stepLimit};
+}
+
+void Estimation::start()
+{
+    liveJob_ = secondJob_ = 0;  // this request overtakes them
+    second_.reset();
+    EstimateRequest request = requestFor(options_.settings.method);
+    request.prober = robot_;
+    job_ = worker_.request(request);
+}
+
+void Estimation::startSecond()
+{
+    if (secondMethod_ && estimate_ && scene_)
+        secondJob_ = worker_.request(requestFor(*secondMethod_));
+}
+
+void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds,
+                        const ProbeAdvice& advice)
+{
+    if (job == liveJob_) {
+        liveJob_ = 0;
+        live_ = estimate;
+    }
+    if (job == secondJob_) {
+        second_ = estimate;
+        emit stands(true);
+    }
+    if (job != job_) return;
+    live_.reset();
+    estimate_ = estimate;
+    seconds_ = seconds;
+    advice_ = advice;
+    if (scene_) track_.emplace(robot_, estimate, scene_->measurement);
+    emit stands(false);
+    startSecond();
+    tellOf(estimate);
+}
+
+void Estimation::refuse(int job, const QString& why)
+{
+    if (job == liveJob_) {
+        liveJob_ = 0;
+        live_.reset();
+        whyNone_ = tr("No live estimate: %1").arg(why);
+    }
+    if (job == secondJob_) emit happened(tr("no second estimate: %1").arg(why), Weight::Doubt);
+    if (job != job_) return;
+    emit failed();
+    emit happened(tr("estimate failed: %1").arg(why), Weight::Bad);
+}
+
+void Estimation::tellOf(const TerrainEstimate& estimate)
+{
+    emit happened(tr("estimate in %1 s").arg(words::number(seconds_, 2)), Weight::Note);
+    for (const std::string& warning : estimate.warnings)
+        emit happened(words::sentence(warning), Weight::Doubt);
+    for (const std::string& sentence : hiddenByBands(estimate))
+        emit happened(words::sentence(sentence), Weight::Note);
+}
+
+std::optional<Verdict> Estimation::verdict() const
+{
+    if (!estimate_ || !scene_) return std::nullopt;
+    return verdictOf(*estimate_, scene_->measurement, linkAlive_, options_.stepLimit);
+}
+
+std::optional<NoGhost> Estimation::noGhost() const
+{
+    return linkAlive_ ? track_->why() : NoGhost::Unheard;
+}
+
+std::optional<Ghost> Estimation::ghost() const
+{
+    if (!wantsGhost() || noGhost()) return std::nullopt;
+    return track_->ghost();
+}
+
+QString Estimation::whyNoGhost() const
+{
+    if (!wantsGhost()) return {};
+    const auto why = noGhost();
+    return why ? tr("No ghost: %1").arg(words::sentence(describe(*why))) : QString();
+}
+
+}  // namespace terratact

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "app/acquisition.h"
+#include "app/estimator_worker.h"
+#include "core/atem/pose_watch.h"
+#include "core/eval/calibration_ledger.h"
+#include "core/infer/ghost_track.h"
+#include "core/infer/verdict.h"
+#include "core/robot/robot_model.h"
+#include "widgets/event_list.h"
+
+namespace terratact {
+
+/// The scene an estimate rests on.
+struct CapturedScene {
+    Measurement measurement;
+    std::optional<Heights> truth;
+};
+
+/// The model that the estimator works with, in words.
+struct ModelInUse {
+    QString name{}, details{};  ///< empty: none was loaded yet
+    QString trouble{};          ///< why there is none
+};
+
+/// What is estimated of the terrain: of the scene captured last and what the arm has measured there, by the method of
+/// the settings and by a second one beside it; before, of the flippers' way down, a preview; afterwards, where
+/// the last estimate lies now that the robot has moved on.  It is told what to estimate, lets the worker do it, and
+/// does not take an answer that something newer has overtaken.  GUI thread only.
+class Estimation final : public QObject {
+    Q_OBJECT
+public:
+    struct Options {
+        Settings settings;
+        double stepLimit = kStepLimit;  ///< [m] what counts as an obstacle
+    };
+
+    /// options: as they are whenever something is asked of them.  All three must outlive it.
+    Estimation(EstimatorWorker& worker, const RobotModel& robot, const Options& options);
+
+    // What to estimate.
+    /// The newest telemetry and whether it is fresh, every tick, before all else.
+    void look(const std::optional<Received>& latest, bool linkAlive);
+    /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until an estimate
+    /// stands or endPreview().
+    void preview(const Received& latest);
+    void endPreview() { live_.reset(); }
+    /// Captures a scene and estimates it: the first line of the press, so that everybody who sees it captures the
+    /// same; where that did not come after line `since`, the newest line.
+    void begin(const Received& latest, std::uint64_t since);
+    /// What the arm has measured in the scene of the estimate that stands: scores that, and estimates again.
+    void take(const ArmReading& reading);
+    void setSecondMethod(std::optional<Method> method);  ///< empty: none
+    void cancel();                                       ///< all that is under way
+    void forget(const QString& why);                     ///< the scene and all that rests on it
+    void forgetGhost() { track_.reset(); }
+
+    // What there is.
+    const std::optional<CapturedScene>& scene() const { return scene_; }
+    bool hasMoved() const { return pose_ && pose_->hasMoved(); }  ///< the robot, since scene()
+    const std::vector<ArmReading>& readings() const
+    {
+        return readings_;
+    }  ///< of the arm in scene()
+    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
+    double seconds() const { return seconds_; }  ///< that estimate() took
+    QString whyNone() const
+    {
+        return whyNone_;
+    }  ///< there is no estimate(); empty: there was none yet
+    const ProbeAdvice& advice() const { return advice_; }  ///< of estimate()
+    /// What estimate() says about driving on, for the limit of now; empty without an estimate.
+    std::optional<Verdict> verdict() const;
+    std::optional<Method> secondMethod() const { return secondMethod_; }
+    const std::optional<TerrainEstimate>& second() const { return second_; }
+    const std::optional<TerrainEstimate>& live() const { return live_; }  ///< the preview
+    /// Where the last estimate lies now, until there is a new one; it decides nothing.
+    std::optional<Ghost> ghost() const;
+    QString whyNoGhost() const;  ///< of the last estimate; empty: there is, or was none
+    /// Every probe beside the band shown before it, since the console started.
+    const CalibrationLedger& ledger() const { return ledger_; }
+    const ModelInUse& model() const { return model_; }
+
+signals:
+    void happened(const QString& text, terratact::Weight weight);
+    void captured(const terratact::CapturedScene& scene);
+    void stands(bool second);            ///< an estimate, of the second method or not
+    void failed();                       ///< the estimate of scene()
+    void forgotten(const QString& why);  ///< the estimate that stood
+
+private:
+    void listenToModels();
+    void accept(int job, const TerrainEstimate& estimate, double seconds,
+                const ProbeAdvice& advice);
+    void refuse(int job, const QString& why);
+    void start();
+    void startSecond();
+    EstimateRequest requestFor(Method method) const;
+    void tellOf(const TerrainEstimate& estimate);
+    bool wantsGhost() const { return track_ && !estimate_ && !live_; }
+    std::optional<NoGhost> noGhost() const;
+
+    EstimatorWorker& worker_;
+    const RobotModel& robot_;
+    const Options& options_;
+    ModelInUse model_;
+    bool linkAlive_ = false;
+
+    std::optional<CapturedScene> scene_;
+    std::optional<PoseWatch> pose_;  ///< of scene_
+    std::vector<ArmReading> readings_;
+
+    // Of the worker's jobs; 0: none is under way.
+    int job_ = 0, secondJob_ = 0, liveJob_ = 0;
+    std::optional<TerrainEstimate> estimate_, second_, live_;
+    double seconds_ = 0.0;
+    ProbeAdvice advice_;
+    QString whyNone_;
+    std::optional<Method> secondMethod_;
+    std::uint64_t previewed_ = 0;  ///< count of the telemetry that the newest preview is about
+
+    CalibrationLedger ledger_;
+    std::optional<GhostTrack> track_;  ///< of the last estimate
+    std::uint64_t tracked_ = 0;        ///< count of the telemetry it has taken last
+};
+
+}  // namespace terratact

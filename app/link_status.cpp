@@ -1,0 +1,127 @@
+#include "app/link_status.h"
+
+#include <QLabel>
+#include <QTime>
+#include <algorithm>
+
+#include "app/bus_words.h"
+#include "app/robot_words.h"
+#include "app/signals_page.h"
+#include "widgets/arming_control.h"
+#include "widgets/event_list.h"
+#include "widgets/robot_readout.h"
+#include "widgets/status_header.h"
+#include "widgets/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kRateEvery = 0.5;  // [s] the rate of telemetry is shown anew
+
+}  // namespace
+
+LinkStatus::LinkStatus(StatusHeader& header, QLabel& banner, EventList& events,
+                       const Acquisition& acquisition, CanSource* link)
+    : header_(header), banner_(banner), events_(events), acquisition_(acquisition), link_(link)
+{
+    header_.arming()->setVisible(link_ != nullptr);
+    banner_.setVisible(false);
+}
+
+void LinkStatus::show(const LinkSight& sight)
+{
+    const double age = sight.newest ? sight.now - secondsOf(sight.newest->arrived) : 0.0;
+    worstAge_ = std::max(worstAge_, age);
+    showLink(sight, age);
+    showBanner(sight, age);
+    tellChange(sight);
+    showRobot(sight.newest, age);
+}
+
+void LinkStatus::showLink(const LinkSight& sight, double age)
+{
+    if (sight.alive && !sight.ended) {
+        if (sight.now - rateShownAt_ >= kRateEvery) showRate(sight.now);
+        return;
+    }
+    const QString bus = link_ ? details(link_->view()) : QString();
+    if (sight.ended) return header_.setLink(tr("END OF THE LOG"), Tone::Doubt, bus);
+    header_.setLink(sight.newest ? tr("LINK LOST · %1").arg(words::age(age))
+                                 : tr("no telemetry yet"),
+                    Tone::Bad, bus);
+    rateShownAt_ = 0.0;
+}
+
+void LinkStatus::showRate(double now)
+{
+    const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
+    const std::uint64_t dropped = view ? view->frames.dropped : 0;
+    QString text =
+        tr("link %1 Hz · ≤ %2").arg(words::number(acquisition_.rate(), 0), words::age(worstAge_));
+    if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
+    const bool isGood =
+        worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && dropped == 0;
+    header_.setLink(text, isGood ? Tone::Good : Tone::Doubt, view ? details(*view) : QString());
+    rateShownAt_ = now;
+    worstAge_ = 0.0;
+}
+
+QString LinkStatus::details(const CanView& view) const
+{
+    const BusLoad load = link_->tap().load();
+    return tr("%1\n%2 frames/s, %3\n%4 frames dropped by this computer, %5 error frames")
+        .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
+             loadWords(load, link_->bitrate()), QString::number(view.frames.dropped),
+             QString::number(view.frames.errorFrames));
+}
+
+void LinkStatus::showBanner(const LinkSight& sight, double age)
+{
+    banner_.setVisible(sight.newest && !sight.alive && !sight.ended);
+    if (!banner_.isVisible()) return;
+    const QString trouble = troubleWords(link_, acquisition_.trouble());
+    banner_.setText(
+        tr("LINK LOST for %1 — nothing on this screen is live%2")
+            .arg(words::age(age), trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble));
+}
+
+void LinkStatus::tellChange(const LinkSight& sight)
+{
+    const bool alive = sight.alive && !sight.ended;
+    if (sight.newest && alive != wasAlive_)
+        events_.add(alive         ? tr("link is up")
+                    : sight.ended ? tr("end of the log")
+                                  : tr("link lost"),
+                    alive || sight.ended ? Weight::Note : Weight::Bad, QTime::currentTime());
+    wasAlive_ = alive;
+}
+
+void LinkStatus::showRobot(const Received* newest, double age)
+{
+    if (!newest) return header_.setRobot(tr("robot: --"), Tone::Plain);
+    const RobotActivity activity = newest->sample.measurement.activity;
+    if (age <= kStaleAfter)
+        header_.setRobot(glance(activity), toneOf(activity));
+    else
+        header_.setRobot(tr("robot: --"), Tone::Doubt);
+}
+
+void LinkStatus::showArming(const QString& forbidden)
+{
+    if (!link_) return;
+    const CanView view = link_->view();
+    if (!view.transmits) return header_.arming()->setListening(whyFollowing(link_));
+    const QString whyNot = words::sentence(whyNotArming(view));
+    const ArmingState& state = view.link.arming;
+    header_.arming()->setState(state, whyNot.isEmpty() ? forbidden : whyNot);
+    if (state.phase == armingWas_) return;
+    armingWas_ = state.phase;
+    if (state.phase == ArmingPhase::Armed)
+        events_.add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
+    if (state.phase == ArmingPhase::Disarmed)
+        events_.add(tr("not armed: %1").arg(words::sentence(describe(state.cause))),
+                    state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
+                    QTime::currentTime());
+}
+
+}  // namespace terratact

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <optional>
+
+#include "app/acquisition.h"
+#include "app/can_source.h"
+
+class QLabel;
+
+namespace terratact {
+
+class EventList;
+class StatusHeader;
+
+/// What a window knows of the robot's telemetry at one time.
+struct LinkSight {
+    double now = 0.0;                  ///< [s] on the steady clock
+    const Received* newest = nullptr;  ///< null: none came yet
+    bool alive = false;                ///< it is fresh enough
+    bool ended = false;                ///< a log that is replayed
+};
+
+/// Says how the link is and what the robot at its other end does: in the header, in a banner over the whole width
+/// where nothing on the screen is live, and in the list of events when that changes.  GUI thread only.
+class LinkStatus {
+    Q_DECLARE_TR_FUNCTIONS(LinkStatus)
+public:
+    /// link: the source where it is a bus; else null.  All must outlive it.
+    LinkStatus(StatusHeader& header, QLabel& banner, EventList& events,
+               const Acquisition& acquisition, CanSource* link);
+
+    /// To be called whenever the window is drawn.
+    void show(const LinkSight& sight);
+    /// Likewise.  forbidden: why nothing may be set in motion; empty: it may.
+    void showArming(const QString& forbidden);
+
+private:
+    void showLink(const LinkSight& sight, double age);
+    void showRate(double now);
+    void showBanner(const LinkSight& sight, double age);
+    void tellChange(const LinkSight& sight);
+    void showRobot(const Received* newest, double age);
+    QString details(const CanView& view) const;
+
+    StatusHeader& header_;
+    QLabel& banner_;
+    EventList& events_;
+    const Acquisition& acquisition_;
+    CanSource* link_;
+    bool wasAlive_ = false;
+    ArmingPhase armingWas_ = ArmingPhase::Disarmed;
+    double rateShownAt_ = 0.0;  ///< [s]; 0: the link was lost since
+    double worstAge_ = 0.0;     ///< [s] of telemetry, since then
+};
+
+}  // namespace terratact

@@ -1,0 +1,73 @@
+#include "app/probe_proposals.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/atem/probe_grounds.h"
+
+namespace terratact {
+namespace {
+
+ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
+{
+    return {.bin = gain.bin,
+            .varianceShare = std::clamp(gain.varianceReduction / before.variance, 0.0, 1.0),
+            .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2};
+}
+
+}  // namespace
+
+ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
+                               double seconds)
+    : estimation_(estimation), robot_(robot), seconds_(seconds)
+{
+}
+
+void ProbeProposals::propose(int bin)
+{
+    const TerrainEstimate& estimate = *estimation_.estimate();
+    const ProbeAdvice& advice = estimation_.advice();
+    const auto i = static_cast<std::size_t>(bin);
+    current_ = ProbeProposal{.id = ++last_,
+                             .bin = bin,
+                             .height = estimate.height[i],
+                             .q10 = estimate.q10[i],
+                             .q90 = estimate.q90[i],
+                             .sd = estimate.sd[i],
+                             .limit = estimate.settings.probeAbove,
+                             .armSd = robot_.armSd,
+                             .seconds = seconds_,
+                             .stepLimit = advice.stepLimit,
+                             .bitsBefore = advice.before.entropy / std::numbers::ln2,
+                             .worth = {},
+                             .others = {}};
+    for (const ProbeGain& gain : advice.gains) {
+        const ProbeWorth worth = worthOf(gain, advice.before);
+        if (gain.bin == bin)
+            current_->worth = worth;
+        else
+            current_->others.push_back(worth);
+    }
+    proposedOn_ = grounds();
+}
+
+bool ProbeProposals::mayPropose(int bin) const
+{
+    return std::ranges::any_of(estimation_.advice().gains,
+                               [bin](const ProbeGain& gain) { return gain.bin == bin; });
+}
+
+std::string ProbeProposals::grounds() const
+{
+    const auto& scene = estimation_.scene();
+    const auto& estimate = estimation_.estimate();
+    if (!scene || !estimate || !current_) return {};
+    const ModelInUse& model = estimation_.model();
+    return fingerprint({.scene = scene->measurement,
+                        .readings = estimation_.readings(),
+                        .settings = estimate->settings,
+                        .model = (model.name + model.details).toStdString(),
+                        .bin = current_->bin});
+}
+
+}  // namespace terratact

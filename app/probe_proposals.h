@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/estimation.h"
+#include "core/robot/robot_model.h"
+#include "widgets/probe_card.h"
+
+namespace terratact {
+
+/// The probes that are put to the operator, one at a time, each with an id of its own: what the estimate says of a
+/// bin, what touching it buys, and what the other bins of the advice would.
+class ProbeProposals {
+public:
+    /// seconds: a probe takes.  The others must outlive it.
+    ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds);
+
+    /// By the estimate that stands, which there is; in place of the one before.
+    void propose(int bin);
+    void withdraw() { current_.reset(); }
+
+    const std::optional<ProbeProposal>& current() const { return current_; }
+    bool isCurrent(quint64 id) const { return current_ && current_->id == id; }
+    bool mayPropose(int bin) const;  ///< the advice ranks it
+    /// Fingerprint of what current() rested on when it was proposed.
+    const std::string& proposedOn() const { return proposedOn_; }
+    /// Of what it rests on now; empty where nothing is proposed or estimated.
+    std::string grounds() const;
+
+private:
+    const Estimation& estimation_;
+    const RobotModel& robot_;
+    double seconds_;
+    std::optional<ProbeProposal> current_;
+    std::string proposedOn_;
+    quint64 last_ = 0;  ///< id
+};
+
+}  // namespace terratact
