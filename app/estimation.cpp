@@ -24,6 +24,7 @@ void Estimation::listenToModels()
             [this](const QString& name, const QString& details) {
                 model_ = {.name = name, .details = details};
                 if (!estimate_) track_.reset();  // it rests on the model before
+                emit modelChanged();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
             });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
@@ -101,9 +102,10 @@ void Estimation::forget(const QString& why)
     if (estimate_) emit forgotten(why);
     estimate_.reset();
     second_.reset();
-    secondJob_ = 0;
+    job_ = secondJob_ = 0;
     scene_.reset();
     pose_.reset();
+    readings_.clear();
     whyNone_ = why;
 }
 
@@ -129,7 +131,7 @@ void Estimation::start()
 
 void Estimation::startSecond()
 {
-    if (secondMethod_ && estimate_ && scene_)
+    if (secondMethod_ && estimate_ && scene_ && job_ == 0)  // it would overtake that one
         secondJob_ = worker_.request(requestFor(*secondMethod_));
 }
 
@@ -141,15 +143,17 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
         live_ = estimate;
     }
     if (job == secondJob_) {
+        secondJob_ = 0;
         second_ = estimate;
         emit stands(true);
     }
     if (job != job_) return;
+    job_ = 0;
     live_.reset();
     estimate_ = estimate;
     seconds_ = seconds;
     advice_ = advice;
-    if (scene_) track_.emplace(robot_, estimate, scene_->measurement);
+    track_.emplace(robot_, estimate, scene_->measurement);
     emit stands(false);
     startSecond();
     tellOf(estimate);
@@ -162,8 +166,12 @@ void Estimation::refuse(int job, const QString& why)
         live_.reset();
         whyNone_ = tr("No live estimate: %1").arg(why);
     }
-    if (job == secondJob_) emit happened(tr("no second estimate: %1").arg(why), Weight::Doubt);
+    if (job == secondJob_) {
+        secondJob_ = 0;
+        emit happened(tr("no second estimate: %1").arg(why), Weight::Doubt);
+    }
     if (job != job_) return;
+    job_ = 0;
     emit failed();
     emit happened(tr("estimate failed: %1").arg(why), Weight::Bad);
 }

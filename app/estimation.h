@@ -46,8 +46,8 @@ public:
     // What to estimate.
     /// The newest telemetry and whether it is fresh, every tick, before all else.
     void look(const std::optional<Received>& latest, bool linkAlive);
-    /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until an estimate
-    /// stands or endPreview().
+    /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until one fails, an
+    /// estimate stands, or endPreview().
     void preview(const Received& latest);
     void endPreview() { live_.reset(); }
     /// Captures a scene and estimates it: the first line of the press, so that everybody who sees it captures the
@@ -57,7 +57,8 @@ public:
     void take(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< all that is under way
-    void forget(const QString& why);                     ///< the scene and all that rests on it
+    /// The scene, its readings and estimates, and an answer that is still to come; not the ghost, nor a preview.
+    void forget(const QString& why);
     void forgetGhost() { track_.reset(); }
 
     // What there is.
@@ -69,10 +70,8 @@ public:
     }  ///< of the arm in scene()
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     double seconds() const { return seconds_; }  ///< that estimate() took
-    QString whyNone() const
-    {
-        return whyNone_;
-    }  ///< there is no estimate(); empty: there was none yet
+    /// Why there was no estimate() when that was last asked for; empty: no reason of a scene's.
+    QString whyNone() const { return whyNone_; }
     const ProbeAdvice& advice() const { return advice_; }  ///< of estimate()
     /// What estimate() says about driving on, for the limit of now; empty without an estimate.
     std::optional<Verdict> verdict() const;
@@ -88,6 +87,7 @@ public:
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
+    void modelChanged();  ///< an estimate that stands rests on the one before
     void captured(const terratact::CapturedScene& scene);
     void stands(bool second);            ///< an estimate, of the second method or not
     void failed();                       ///< the estimate of scene()

@@ -29,7 +29,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
         if (!second) takeAdvice();
     });
     connect(&estimation_, &Estimation::failed, this, [this] { pending_.estimateFailed = true; });
-    connect(&worker, &EstimatorWorker::modelLoaded, this, [this] {
+    connect(&estimation_, &Estimation::modelChanged, this, [this] {
         // What is shown rests on the model before.
         if (estimation_.estimate() && !exploring(state_.phase)) pending_.aborted = true;
     });

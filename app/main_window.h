@@ -128,12 +128,12 @@ private:
     std::unique_ptr<Exploration> exploration_;
     std::unique_ptr<ModelChoice> models_;
     std::unique_ptr<PanelControl> panel_;  ///< may be null
-    std::unique_ptr<ConsoleSights> sights_;
     std::unique_ptr<LinkStatus> linkStatus_;
     std::unique_ptr<RecordingDisplay> recordingDisplay_;
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
     std::unique_ptr<SessionScribe> scribe_;      ///< likewise
+    std::unique_ptr<ConsoleSights> sights_;
     LoopMeter meter_;
     double prepared_ = 0.0;   ///< [s] the frame that is to be painted took to prepare
     double newestIn_ = -1.0;  ///< [s] when the telemetry in it came, where that is new

@@ -21,20 +21,37 @@ QString preferredModel(const Preferences& preferences)
 
 ModelChoice::ModelChoice(EstimatorWorker& worker, PreferenceStore& preferences,
                          const RobotModel& robot, QString inUse)
-    : worker_(worker), preferences_(preferences), robot_(robot), inUse_(std::move(inUse))
+    : worker_(worker), preferences_(preferences), robot_(robot), inUse_(std::move(inUse)),
+      wanted_(inUse_)
 {
     connect(&worker_, &EstimatorWorker::modelLoaded, this, [this] {
-        if (!wanted_.isEmpty()) inUse_ = std::exchange(wanted_, QString());
+        if (!wanted_.isEmpty()) inUse_ = wanted_;
         emit loaded();
         preferInUse();
+        end();
     });
     connect(&worker_, &EstimatorWorker::modelKept, this, [this] {
-        wanted_.clear();
         preferInUse();
+        end();
     });
+    connect(&worker_, &EstimatorWorker::modelFailed, this, &ModelChoice::end);
 }
 
 void ModelChoice::load(const QString& path)
+{
+    if (wanted_.isEmpty())
+        begin(path);
+    else
+        next_ = path;
+}
+
+void ModelChoice::end()
+{
+    wanted_.clear();
+    if (!next_.isEmpty()) begin(std::exchange(next_, QString()));
+}
+
+void ModelChoice::begin(const QString& path)
 {
     wanted_ = path;
     worker_.load(modelFileLoader(path.toStdString(), robot_));

@@ -9,8 +9,8 @@
 
 namespace terratact {
 
-/// Which model file the estimator works with.  A model is preferred once it is in use; one that cannot be loaded is
-/// not preferred any more.
+/// Which model file the estimator works with.  A model is preferred once it is in use; one that cannot be loaded while
+/// another is in use is not preferred any more.
 class ModelChoice final : public QObject {
     Q_OBJECT
 public:
@@ -19,14 +19,17 @@ public:
                 QString inUse);
 
     const QString& inUse() const { return inUse_; }
-    void
-    load(const QString& path);  ///< ends in loaded(), or in the worker's modelKept or modelFailed
-    void loadPreferred();       ///< where that is another than inUse()
+    /// Ends in loaded(), or in the worker's modelKept or modelFailed.  While one is being loaded the next one waits, of
+    /// which the last is loaded.
+    void load(const QString& path);
+    void loadPreferred();  ///< where that is another than inUse()
 
 signals:
     void loaded();  ///< inUse()
 
 private:
+    void begin(const QString& path);
+    void end();
     void preferInUse();
 
     EstimatorWorker& worker_;
@@ -34,6 +37,7 @@ private:
     const RobotModel& robot_;
     QString inUse_;
     QString wanted_;  ///< being loaded; empty: none
+    QString next_;    ///< waits for that; empty: none
 };
 
 }  // namespace terratact

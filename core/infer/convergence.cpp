@@ -43,15 +43,21 @@ Eigen::MatrixXd halves(const Draws& x)
 /// Ranks 1 … S over the whole matrix; equal values share their average rank.
 Eigen::MatrixXd ranks(const Eigen::MatrixXd& x)
 {
-    std::vector<Index> order(static_cast<std::size_t>(x.size()));
-    std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return x(a) < x(b); });
+    struct Placed {
+        double value;
+        Index at;
+    };
+    std::vector<Placed> order;
+    order.reserve(static_cast<std::size_t>(x.size()));
+    for (Index at = 0; at < x.size(); ++at) order.push_back({x(at), at});
+    std::sort(order.begin(), order.end(),
+              [](const Placed& a, const Placed& b) { return a.value < b.value; });
 
     Eigen::MatrixXd rank(x.rows(), x.cols());
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        while (end < order.size() && x(order[end]) == x(order[begin])) ++end;
+        while (end < order.size() && order[end].value == order[begin].value) ++end;
         const double shared = 0.5 * static_cast<double>(begin + 1 + end);
-        for (std::size_t i = begin; i < end; ++i) rank(order[i]) = shared;
+        for (std::size_t i = begin; i < end; ++i) rank(order[i].at) = shared;
     }
     return rank;
 }
@@ -147,24 +153,32 @@ void makeMonotone(std::vector<double>& rho)
 
 }  // namespace
 
-double rankNormalisedRhat(const Eigen::Ref<const Eigen::MatrixXd>& draws)
+RankedDraws::RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws) : draws_(draws)
 {
     require(draws);
-    if (allEqual(draws)) return 1.0;
-    if (draws.rows() < 4) return kRhatNever;
-    const Eigen::MatrixXd folded = (draws.array() - median(draws)).abs();
-    return std::max(splitRhat(normalScores(halves(draws))),
-                    splitRhat(normalScores(halves(folded))));
 }
 
-double bulkEss(const Eigen::Ref<const Eigen::MatrixXd>& draws)
+const Eigen::MatrixXd& RankedDraws::scores()
 {
-    require(draws);
-    if (allEqual(draws)) return static_cast<double>(draws.size());
-    if (draws.rows() < 6) return static_cast<double>(draws.cols());
-    const Eigen::MatrixXd z = normalScores(halves(draws));
-    if (allEqual(z)) return static_cast<double>(draws.size());
-    if (columnsConstant(z)) return static_cast<double>(draws.cols());
+    if (scores_.size() == 0) scores_ = normalScores(halves(draws_));
+    return scores_;
+}
+
+double RankedDraws::rhat()
+{
+    if (allEqual(draws_)) return 1.0;
+    if (draws_.rows() < 4) return kRhatNever;
+    const Eigen::MatrixXd folded = (draws_.array() - median(draws_)).abs();
+    return std::max(splitRhat(scores()), splitRhat(normalScores(halves(folded))));
+}
+
+double RankedDraws::ess()
+{
+    if (allEqual(draws_)) return static_cast<double>(draws_.size());
+    if (draws_.rows() < 6) return static_cast<double>(draws_.cols());
+    const Eigen::MatrixXd& z = scores();
+    if (allEqual(z)) return static_cast<double>(draws_.size());
+    if (columnsConstant(z)) return static_cast<double>(draws_.cols());
 
     std::vector<double> rho = positiveSequence(z);
     makeMonotone(rho);

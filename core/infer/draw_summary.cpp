@@ -53,8 +53,9 @@ void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& d
     estimate.q10[i] = quantile(all, 0.1);
     estimate.q90[i] = quantile(all, 0.9);
     estimate.origin[i] = origin;
-    estimate.rhat[i] = rankNormalisedRhat(draws);
-    estimate.ess[i] = bulkEss(draws);
+    RankedDraws ranked(draws);
+    estimate.rhat[i] = ranked.rhat();
+    estimate.ess[i] = ranked.ess();
 }
 
 void fixBin(TerrainEstimate& estimate, int bin, const MeasuredHeight& measured)

@@ -61,8 +61,8 @@ public:
     {
         for (std::size_t k = 0; k < draws.size(); ++k) {
             const std::size_t bin = (doubtful_ + k) % draws.size();
-            if (bulkEss(draws[bin]) >= kEssLimit && rankNormalisedRhat(draws[bin]) <= kRhatLimit)
-                continue;
+            RankedDraws ranked(draws[bin]);
+            if (ranked.ess() >= kEssLimit && ranked.rhat() <= kRhatLimit) continue;
             doubtful_ = bin;
             return false;
         }

@@ -681,6 +681,25 @@ TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
     EXPECT_EQ(exploration->estimation().ledger().entries().size(), 2U);
 }
 
+TEST_F(FollowingBench, secondMethodChosenDuringAnEstimateDoesNotOvertakeIt)
+{
+    robotPresses();
+    blocked = true;
+    telemetry.activity = RobotActivity::Probing;
+    ASSERT_TRUE(reaches(AtemPhase::Probing));
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
+    ASSERT_TRUE(reaches(AtemPhase::EstimatingAgain));
+    exploration->setSecondMethod(Method::Joint);
+    tick(3);
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().second().has_value();
+    }));
+}
+
 TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
 {
     blocked = true;

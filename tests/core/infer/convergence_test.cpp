@@ -50,7 +50,7 @@ TEST(RankNormalisedRhat, equalsThePosteriorPackage)
     const auto references = readReference();
     ASSERT_EQ(references.size(), 20U);
     for (const Reference& r : references)
-        EXPECT_NEAR(rankNormalisedRhat(r.draws), r.rhat, 1e-10 * r.rhat) << r.name;
+        EXPECT_NEAR(RankedDraws(r.draws).rhat(), r.rhat, 1e-10 * r.rhat) << r.name;
 }
 
 TEST(BulkEss, equalsThePosteriorPackage)
@@ -58,45 +58,45 @@ TEST(BulkEss, equalsThePosteriorPackage)
     const auto references = readReference();
     ASSERT_EQ(references.size(), 20U);
     for (const Reference& r : references)
-        EXPECT_NEAR(bulkEss(r.draws), r.ess, 1e-10 * r.ess) << r.name;
+        EXPECT_NEAR(RankedDraws(r.draws).ess(), r.ess, 1e-10 * r.ess) << r.name;
 }
 
 TEST(Convergence, ofOneHeightEverywhereIsPerfect)
 {
     const Eigen::MatrixXd fixed = Eigen::MatrixXd::Constant(250, 4, -0.137);
-    EXPECT_EQ(rankNormalisedRhat(fixed), 1.0);
-    EXPECT_EQ(bulkEss(fixed), 1000.0);
-    EXPECT_EQ(rankNormalisedRhat(fixed.topLeftCorner(3, 2)), 1.0);
-    EXPECT_EQ(bulkEss(fixed.topLeftCorner(3, 2)), 6.0);
+    EXPECT_EQ(RankedDraws(fixed).rhat(), 1.0);
+    EXPECT_EQ(RankedDraws(fixed).ess(), 1000.0);
+    EXPECT_EQ(RankedDraws(fixed.topLeftCorner(3, 2)).rhat(), 1.0);
+    EXPECT_EQ(RankedDraws(fixed.topLeftCorner(3, 2)).ess(), 6.0);
     Eigen::MatrixXd middle = fixed.topLeftCorner(7, 2);
     middle.row(3).setZero();  // belongs to neither half
-    EXPECT_EQ(rankNormalisedRhat(middle), 1.0);
-    EXPECT_EQ(bulkEss(middle), 14.0);
+    EXPECT_EQ(RankedDraws(middle).rhat(), 1.0);
+    EXPECT_EQ(RankedDraws(middle).ess(), 14.0);
 }
 
 TEST(Convergence, ofChainsFrozenAtDifferentHeightsIsNone)
 {
     Eigen::MatrixXd frozen(250, 4);
     for (Eigen::Index c = 0; c < 4; ++c) frozen.col(c).setConstant(0.01 * static_cast<double>(c));
-    EXPECT_EQ(rankNormalisedRhat(frozen), kRhatNever);
-    EXPECT_EQ(bulkEss(frozen), 4.0);
+    EXPECT_EQ(RankedDraws(frozen).rhat(), kRhatNever);
+    EXPECT_EQ(RankedDraws(frozen).ess(), 4.0);
 }
 
 TEST(Convergence, ofTwoHeightsInTurnIsJudgedThoughTheFoldedDrawsAreOneValue)
 {
     Eigen::MatrixXd turns(100, 2);
     for (Eigen::Index i = 0; i < turns.size(); ++i) turns(i) = (i * 7 % 10) < 5 ? 0.0 : 1.0;
-    EXPECT_NEAR(rankNormalisedRhat(turns), 1.0, 0.05);
-    EXPECT_GT(bulkEss(turns), 100.0);
+    EXPECT_NEAR(RankedDraws(turns).rhat(), 1.0, 0.05);
+    EXPECT_GT(RankedDraws(turns).ess(), 100.0);
 }
 
 TEST(Convergence, ofTooFewDrawsIsNotClaimed)
 {
     for (Eigen::Index n = 1; n < 6; ++n) {
         const Eigen::MatrixXd few = Eigen::MatrixXd::Random(n, 3);
-        EXPECT_EQ(bulkEss(few), 3.0) << n;
+        EXPECT_EQ(RankedDraws(few).ess(), 3.0) << n;
         if (n < 4) {
-            EXPECT_EQ(rankNormalisedRhat(few), kRhatNever) << n;
+            EXPECT_EQ(RankedDraws(few).rhat(), kRhatNever) << n;
         }
     }
 }
@@ -108,9 +108,9 @@ TEST(Convergence, isFiniteForEveryShapeAndManyTies)
             for (const double levels : {1.0, 2.0, 1e6}) {
                 const Eigen::MatrixXd x =
                     (Eigen::MatrixXd::Random(n, chains) * levels).array().round();
-                ASSERT_TRUE(std::isfinite(rankNormalisedRhat(x))) << n << " × " << chains;
-                ASSERT_TRUE(std::isfinite(bulkEss(x))) << n << " × " << chains;
-                ASSERT_GT(bulkEss(x), 0.0) << n << " × " << chains;
+                ASSERT_TRUE(std::isfinite(RankedDraws(x).rhat())) << n << " × " << chains;
+                ASSERT_TRUE(std::isfinite(RankedDraws(x).ess())) << n << " × " << chains;
+                ASSERT_GT(RankedDraws(x).ess(), 0.0) << n << " × " << chains;
             }
 }
 
@@ -118,10 +118,10 @@ TEST(Convergence, ofNothingOrOfNotANumberIsRefused)
 {
     Eigen::MatrixXd x = Eigen::MatrixXd::Random(10, 2);
     x(3, 1) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(rankNormalisedRhat(x), std::invalid_argument);
-    EXPECT_THROW(bulkEss(x), std::invalid_argument);
-    EXPECT_THROW(rankNormalisedRhat(Eigen::MatrixXd()), std::invalid_argument);
-    EXPECT_THROW(bulkEss(Eigen::MatrixXd(0, 4)), std::invalid_argument);
+    EXPECT_THROW(RankedDraws(x).rhat(), std::invalid_argument);
+    EXPECT_THROW(RankedDraws(x).ess(), std::invalid_argument);
+    EXPECT_THROW(RankedDraws(Eigen::MatrixXd()).rhat(), std::invalid_argument);
+    EXPECT_THROW(RankedDraws(Eigen::MatrixXd(0, 4)).ess(), std::invalid_argument);
 }
 
 }  // namespace

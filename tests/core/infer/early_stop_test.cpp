@@ -77,7 +77,7 @@ Watch inThreads()
 
 bool withinLimits(const Eigen::MatrixXd& draws)
 {
-    return rankNormalisedRhat(draws) <= kRhatLimit && bulkEss(draws) >= kEssLimit;
+    return RankedDraws(draws).rhat() <= kRhatLimit && RankedDraws(draws).ess() >= kEssLimit;
 }
 
 void expectFirstRows(const GibbsDraws& few, const GibbsDraws& all)
@@ -135,7 +135,7 @@ TEST(EarlyStop, drawsTheWholeBudgetWhereChainsNeverMix)
     const GibbsDraws draws = sampleStates(stuck(), problem);
     EXPECT_EQ(draws.ending, Ending::Sweeps);
     EXPECT_EQ(draws.draws[0].rows(), 301);
-    EXPECT_GT(rankNormalisedRhat(draws.draws[0]), kRhatLimit);
+    EXPECT_GT(RankedDraws(draws.draws[0]).rhat(), kRhatLimit);
 }
 
 TEST(EarlyStop, alsoJudgesTheLastSweepOfTheBudget)

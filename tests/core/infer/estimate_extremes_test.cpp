@@ -304,8 +304,8 @@ TEST(Sampler, clampedFarBelowStandsStillWhichConvergenceCallsPerfect)
     const GibbsDraws draws = sampleHeights(models().paf, paperProblem(-10.0, CeilingRule::Clamp));
     for (const Eigen::MatrixXd& bin : draws.draws) {
         EXPECT_EQ(bin.minCoeff(), -10.0);
-        EXPECT_EQ(rankNormalisedRhat(bin), 1.0);
-        EXPECT_EQ(bulkEss(bin), 100.0);
+        EXPECT_EQ(RankedDraws(bin).rhat(), 1.0);
+        EXPECT_EQ(RankedDraws(bin).ess(), 100.0);
     }
 }
 
