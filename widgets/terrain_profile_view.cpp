@@ -131,14 +131,16 @@ public:
     }
 };
 
-/// The legend, which makes room for the terrain in a view that is low.
+/// The legend, which makes room for the terrain in a view that is low, or where it would take much of it.
 class Key final : public QwtLegend {
 public:
     explicit Key(const QWidget& view) : view_(view) {}
     bool isEmpty() const override
     {
         constexpr int kLow = 160;  // [px] at 100 %
-        return view_.height() < scaled(kLow) || QwtLegend::isEmpty();
+        constexpr int kMost = 6;   // of its parts
+        return view_.height() < scaled(kLow)
+            || heightForWidth(view_.width()) * kMost > view_.height() || QwtLegend::isEmpty();
     }
 
 private:
@@ -261,6 +263,8 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
 {
     setAccessibleName(tr("Terrain profile"));
     setAutoReplot(false);
+    setSizePolicy(QSizePolicy::Expanding,
+                  QSizePolicy::Expanding);  // Qwt's would take sizeHint() for the least
     auto* frame = new QwtPlotCanvas(this);
     frame->setFrameStyle(QFrame::NoFrame);
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
