@@ -201,6 +201,7 @@ void ConsoleWindow::fitLetters()
     const int percent = lettersThatFit(wanted_, room(), needsWith);
     setMinimumSize(needsWith(percent).boundedTo(room()).expandedTo(kLeast));
     fits_ = true;
+    arrange();
     keepOnScreen();
 }
 
@@ -223,11 +224,13 @@ bool ConsoleWindow::event(QEvent* event)
     const bool done = QWidget::event(event);
     if (event->type() != QEvent::LayoutRequest || !fits_) return done;
     const QSize needed = needs();
+    if (needed.expandedTo(size()) == size()) return done;
+    // More than was foreseen.
     const bool isSmallest = lookInForce().fontScale <= kSmallestFont;
     if (needed.expandedTo(room()) != room() && !isSmallest)
         fitLetters();
     else
-        setMinimumSize(needed.boundedTo(room()).expandedTo(kLeast));
+        setMinimumSize(needed.boundedTo(room()).expandedTo(minimumSize()));
     return done;
 }
 

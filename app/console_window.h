@@ -58,8 +58,9 @@ protected:
 
     /// The look from now on; wanted: letters [%].
     void setLook(ThemeName theme, int wanted);
-    /// Lays out anew what depends on the letters in force.
+    /// Lays out anew what depends on the letters in force, and as for the smallest window while it is measured.
     virtual void arrange() {}
+    bool isMeasured() const { return !fits_; }
 
     bool event(QEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;

@@ -528,7 +528,8 @@ void ReviewWindow::place()
     note_->setMinimumSize(scaled(90), scaled(kTarget));
     note_->setMaximumWidth(scaled(220));
     constexpr int kHigh = 800, kWide = 1180;  // [px] at 100 %
-    const bool isLow = height() < scaled(kHigh), isNarrow = width() < scaled(kWide);
+    const bool isLow = isMeasured() || height() < scaled(kHigh);
+    const bool isNarrow = isMeasured() || width() < scaled(kWide);
     auto* robot = qobject_cast<QBoxLayout*>(robotPage_->widget()->layout());
     timeline()->setDense(isLow);
     terrain_->setVerdictBeside(isNarrow ? 290 : 404);

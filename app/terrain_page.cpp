@@ -185,6 +185,7 @@ void TerrainPage::addTerrainTool(QWidget* tool)
 void TerrainPage::allowTight()
 {
     mayTighten_ = true;
+    terrain_->setMinimumSize(420, 230);
     arrange(layout_, fontScale_);
 }
 
@@ -242,6 +243,7 @@ void TerrainPage::fit()
     if (tight == tight_ && (rows_->indexOf(lowerPanel_) < 0) == tight) return;
     setTight(tight);
     emit tightened(tight);
+    rows_->activate();
 }
 
 void TerrainPage::setTight(bool tight)

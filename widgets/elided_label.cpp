@@ -10,6 +10,7 @@ namespace terratact {
 
 void ElidedLabel::setUsual(const QStringList& texts)
 {
+    if (texts == usual_) return;
     usual_ = texts;
     updateGeometry();
 }

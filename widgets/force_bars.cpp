@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kGroup = 0.76;   // of an element's width
 constexpr double kGap = 0.06;     // between the bars of a group
-constexpr double kBetween = 6.0;  // [px] between the labels of two elements
+constexpr double kLabelGap = 6.0;  // [px] between the labels of two elements
 
 struct Span {
     double left, right;  // on the axis of the elements
@@ -449,7 +449,7 @@ QString ForceBars::labelText(int element) const
     const QFontMetricsF metrics(labelFont(touching(element)));
     const QString row = numbers.join(QStringLiteral("  "));
     const auto fits = [&](const QString& line) {
-        return metrics.horizontalAdvance(line) + kBetween <= groupWidth();
+        return metrics.horizontalAdvance(line) + kLabelGap <= groupWidth();
     };
     QString text = fits(row) ? row : numbers.join(QLatin1Char('\n'));
     const QString mark = tr("▲ sat.");

@@ -66,6 +66,7 @@ void NavigationRail::setDense(bool dense)
         button->style()->unpolish(button);
         button->style()->polish(button);
     }
+    column_->activate();  // in the height there is now
 }
 
 int NavigationRail::heightNeeded(bool dense) const

@@ -26,6 +26,7 @@ ScrollColumn::ScrollColumn(int leastLines, QWidget* parent)
 
 void ScrollColumn::setLeastLines(int lines)
 {
+    if (lines == leastLines_) return;
     leastLines_ = lines;
     updateGeometry();
 }

@@ -192,6 +192,7 @@ void StatusHeader::setLines(int lines)
     add(below, lower());
     below->addStretch(1);
     add(below, last());
+    layout()->activate();
 }
 
 void StatusHeader::keepRoom()

@@ -148,7 +148,9 @@ inline std::vector<std::string> scrolledText(const QWidget& window)
 /// Whether a widget's parts are laid out by somebody else than us: Qt's and Qwt's own, of which some lie upon others.
 inline bool hasPartsOfItsOwn(const QWidget& widget)
 {
-    for (const char* kind : {"QwtPlot", "QAbstractScrollArea", "QAbstractSpinBox", "QComboBox"})
+    for (const QWidget* at = &widget; at; at = at->parentWidget())
+        if (at->inherits("QwtPlot")) return true;
+    for (const char* kind : {"QAbstractScrollArea", "QAbstractSpinBox", "QComboBox"})
         if (widget.inherits(kind)) return true;
     return false;
 }
@@ -172,7 +174,8 @@ inline std::vector<std::string> overlaps(const QWidget& window)
         for (const QWidget* child :
              parent->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
             if (!child->isVisible() || child->isWindow()) continue;
-            if (!parent->rect().contains(child->geometry()))
+            const bool scrolls = parent->objectName() == QLatin1String("qt_scrollarea_viewport");
+            if (!scrolls && !parent->rect().contains(child->geometry()))
                 found.push_back(nameOf(*child) + " reaches beyond " + nameOf(*parent));
             for (const QWidget* other : std::as_const(seen))
                 if (child->geometry().intersects(other->geometry()))

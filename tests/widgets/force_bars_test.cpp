@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <qwt_plot_marker.h>
+#include <qwt_text.h>
 
 #include <QApplication>
 
@@ -82,7 +83,8 @@ TEST_F(Forces, noLabelTouchesAnother)
             const QString text = marker->label().text();
             const double line = size.height() / static_cast<double>(text.count('\n') + 1);
             labels.emplace_back(foot.x() - size.width() / 2.0, foot.y() - size.height(),
-                                size.width(), line * (text.trimmed().count('\n') + 1));
+                                size.width(),
+                                line * static_cast<double>(text.trimmed().count('\n') + 1));
         }
         EXPECT_EQ(labels.size(), 8U) << "six elements, two groups in contact";
         for (std::size_t i = 0; i < labels.size(); ++i)
