@@ -24,6 +24,7 @@ namespace terratact {
 namespace {
 
 constexpr int kBetween = 10;                       // [px] cards
+constexpr int kToSpare = 12;                       // [px] before cards have to leave
 constexpr int kColumn = 404, kNarrowColumn = 300;  // [px] of the decisions, at 100 %
 
 // What the probe's card says where nobody asks this operator.
@@ -94,6 +95,8 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     ground_->addWidget(terrainCard_, 1);
     upper_->addLayout(ground_, 1);
     upper_->addLayout(column_);
+    question_ = new QSpacerItem(0, 0);
+    upper_->addItem(question_);
     lowerPanel_ = new QWidget(this);
     lower_ = new QHBoxLayout(lowerPanel_);
     lower_->setContentsMargins(0, 0, 0, 0);
@@ -221,7 +224,7 @@ QSize TerrainPage::needs(bool tight)
         size = {std::max(size.width(), part.width()), size.height() + kBetween + part.height()};
     };
     if (rows_->indexOf(verdict_) >= 0) below(verdict_->minimumSizeHint());
-    if (!tight) below(lowerPanel_->minimumSizeHint());
+    if (!tight) below(lowerPanel_->minimumSizeHint() + QSize(0, kToSpare));
     return size.grownBy(margins);
 }
 
@@ -262,8 +265,8 @@ void TerrainPage::setTight(bool tight)
     else
         robotCard_->body()->addWidget(drive_);
     // Room for the question is kept, so that nothing moves when it comes.
-    decisions_->setMinimumHeight(
-        verdictBeside_ ? 0 : atem_->leastHeight() + kBetween + probe_->leastHeight());
+    question_->changeSize(
+        0, verdictBeside_ ? 0 : atem_->leastHeight() + kBetween + probe_->leastHeight());
     placeVerdict();
     share();
 }

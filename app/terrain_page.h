@@ -18,6 +18,7 @@
 class QBoxLayout;
 class QLabel;
 class QPushButton;
+class QSpacerItem;
 
 namespace terratact {
 
@@ -159,10 +160,11 @@ private:
     QLabel* robotAge_ = nullptr;
     DrivePad* drive_ = nullptr;
     EventList* events_ = nullptr;
-    QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
-    QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
-    QBoxLayout* upper_ = nullptr;   ///< the terrain and the decisions
-    QBoxLayout* column_ = nullptr;  ///< of the decisions
+    QBoxLayout* ground_ = nullptr;     ///< verdict and terrain
+    QBoxLayout* rows_ = nullptr;       ///< terrain and decisions, the cards below
+    QBoxLayout* upper_ = nullptr;      ///< the terrain and the decisions
+    QBoxLayout* column_ = nullptr;     ///< of the decisions
+    QSpacerItem* question_ = nullptr;  ///< the height that a probe's question needs, beside them
     QWidget* decisions_ = nullptr;
     QBoxLayout* decide_ = nullptr;  ///< of them
     QWidget* lowerPanel_ = nullptr;
