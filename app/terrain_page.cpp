@@ -79,8 +79,13 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     eventCard->body()->addWidget(events_, 1);
 
     decisions_ = new QWidget(this);
-    decide_ = new QVBoxLayout(decisions_);
-    decide_->setContentsMargins(0, 0, 0, 0);
+    auto* reserved = new QHBoxLayout(decisions_);
+    reserved->setContentsMargins(0, 0, 0, 0);
+    reserved->setSpacing(0);
+    question_ = new QSpacerItem(0, 0);
+    decide_ = new QVBoxLayout;
+    reserved->addLayout(decide_);
+    reserved->addItem(question_);
     decide_->setSpacing(kBetween);
     decide_->addWidget(atem_);
     decide_->addWidget(probe_, 1);
@@ -95,8 +100,6 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     ground_->addWidget(terrainCard_, 1);
     upper_->addLayout(ground_, 1);
     upper_->addLayout(column_);
-    question_ = new QSpacerItem(0, 0);
-    upper_->addItem(question_);
     lowerPanel_ = new QWidget(this);
     lower_ = new QHBoxLayout(lowerPanel_);
     lower_->setContentsMargins(0, 0, 0, 0);

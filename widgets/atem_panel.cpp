@@ -45,7 +45,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     stateText_->setAccessibleName(tr("State of the exploration"));
     timeText_ = note();
     list_ = new QGridLayout;
-    list_->setContentsMargins(0, 2, 0, 2);
+    list_->setContentsMargins(0, 0, 0, 0);
     list_->setHorizontalSpacing(8);
     list_->setVerticalSpacing(2);
     list_->setColumnStretch(1, 1);
@@ -182,12 +182,12 @@ void AtemPanel::arrange()
 
 int AtemPanel::leastHeight() const
 {
-    const int lines = kLinesBusy * (fontMetrics().lineSpacing() + texts_->column()->spacing());
+    const int lines = kLinesBusy * (fontMetrics().lineSpacing() + texts_->column()->spacing()) + 4;
     const int button = abort_->sizeHint().height();
     const QMargins margins = body()->contentsMargins();
     if (narrow_)
-        return margins.top() + margins.bottom() + body()->spacing() + std::max(lines, button) + 4;
-    return frameHeight() + lines + parts_->spacing() + button + 4;
+        return margins.top() + margins.bottom() + body()->spacing() + std::max(lines, button);
+    return frameHeight() + lines + parts_->spacing() + button;
 }
 
 void AtemPanel::showButtons()

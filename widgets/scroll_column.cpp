@@ -18,7 +18,7 @@ ScrollColumn::ScrollColumn(int leastLines, QWidget* parent)
     auto* inside = new QWidget(this);
     column_ = new QVBoxLayout(inside);
     column_->setContentsMargins(0, 0, 0, 0);
-    column_->setSpacing(2);
+    column_->setSpacing(1);
     setWidget(inside);
     for (QWidget* ground : {inside, viewport()}) ground->setAutoFillBackground(false);
     connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &ScrollColumn::settle);
@@ -55,7 +55,7 @@ QSize ScrollColumn::minimumSizeHint() const
 {
     const int frame = 2 * frameWidth();
     return {column_->totalMinimumSize().width() + frame,
-            leastLines_ * (fontMetrics().lineSpacing() + column_->spacing()) + frame};
+            leastLines_ * (fontMetrics().lineSpacing() + column_->spacing()) + 2 + frame};
 }
 
 bool ScrollColumn::eventFilter(QObject* object, QEvent* event)

@@ -84,7 +84,7 @@ QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill
 /// Words at the top of the canvas.
 void setLabel(QwtPlotTextLabel& label, QwtText words)
 {
-    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
+    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap);
     QColor behind = theme().card;
     behind.setAlpha(0xe0);
     words.setBackgroundBrush(behind);
@@ -145,6 +145,16 @@ public:
 
 private:
     const QWidget& view_;
+};
+
+/// A text at the upper edge of the plot, on as many lines as it needs.
+class Note final : public QwtPlotTextLabel {
+    QRectF textRect(const QRectF& plot, const QSizeF& oneLine) const override
+    {
+        const double width = std::min(oneLine.width(), plot.width());
+        return {plot.center().x() - width / 2.0, plot.top(), width,
+                text().heightForWidth(width, text().font())};
+    }
 };
 
 /// Says in the legend what the bars are; draws nothing itself.
@@ -352,7 +362,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     frame->setMouseTracking(true);
 
     const auto label = [this] {
-        auto* item = new QwtPlotTextLabel;
+        auto* item = new Note;
         item->setItemAttribute(QwtPlotItem::Legend, false);
         item->setZ(40.0);
         item->attach(this);
