@@ -227,7 +227,8 @@ void ProbeCard::showOthers()
 
 void ProbeCard::setTimeLeft(double seconds)
 {
-    note()->setText(asks() ? tr("%1 left, then no").arg(words::countdown(seconds)) : QString());
+    const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then no");
+    note()->setText(asks() ? left.arg(words::countdown(seconds)) : QString());
     setTone(*note(), seconds < 10.0 ? Tone::Bad : Tone::Accent);
 }
 
