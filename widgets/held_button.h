@@ -62,6 +62,7 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+
 private:
     void advance();
     QFont boldFont() const;
