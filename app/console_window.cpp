@@ -3,20 +3,34 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QShowEvent>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <QWindow>
+#include <algorithm>
 
+#include "app/letters.h"
 #include "app/view_menu.h"
+#include "widgets/elided_label.h"
+#include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 #include "widgets/status_header.h"
 
 namespace terratact {
+namespace {
 
-ConsoleWindow::ConsoleWindow()
+const QString kPageArea = QStringLiteral("pageArea");
+
+}  // namespace
+
+ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForce().fontScale)
 {
     setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
     resize(1440, 900);
-    setMinimumSize(1200, 680);
+    setMinimumSize(kLeast);
     header_ = new StatusHeader(this);
     rail_ = new NavigationRail(this);
     pages_ = new QStackedWidget(this);
@@ -32,6 +46,9 @@ ConsoleWindow::ConsoleWindow()
     below->addLayout(right_, 1);
     strips_ = new QVBoxLayout;
     strips_->setSpacing(0);
+    banners_ = new QHBoxLayout;
+    banners_->setSpacing(0);
+    strips_->addLayout(banners_);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(0);
@@ -49,10 +66,38 @@ QLabel* ConsoleWindow::addStrip(const QString& look)
     return strip;
 }
 
+ElidedLabel* ConsoleWindow::addBanner()
+{
+    auto* banner = new ElidedLabel(this);
+    banner->setObjectName(QStringLiteral("banner"));
+    banner->hide();
+    banners_->addWidget(banner, 1);
+    return banner;
+}
+
 void ConsoleWindow::addPage(QWidget* page, const QString& name, Qt::Key key, const QString& tip)
 {
     pages_->addWidget(page);
     rail_->addPage(name, key, tip);
+}
+
+void ConsoleWindow::addScrolledPage(QWidget* page, const QString& name, Qt::Key key,
+                                    const QString& tip)
+{
+    auto* area = new QScrollArea(this);
+    area->setObjectName(kPageArea);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(page);
+    addPage(area, name, key, tip);
+}
+
+QWidget* ConsoleWindow::currentPage() const
+{
+    QWidget* const shown = pages_->currentWidget();
+    const auto* const area = qobject_cast<QScrollArea*>(shown);
+    return area && area->objectName() == kPageArea ? area->widget() : shown;
 }
 
 QPushButton* ConsoleWindow::addTool(const QString& text, const QString& tip)
@@ -85,7 +130,10 @@ void ConsoleWindow::addPageKeys()
     for (int page = 0; page < rail_->pages(); ++page)
         keys_.add({{static_cast<Qt::Key>(rail_->keyOf(page))},
                    rail_->button(page)->accessibleName(),
-                   [this, page] { rail_->choose(page); }});
+                   [this, page] {
+                       // What has no page of its own now is on the first.
+                       rail_->choose(rail_->button(page)->isHidden() ? 0 : page);
+                   }});
 }
 
 void ConsoleWindow::addHelpKey(const QString& footer)
@@ -106,6 +154,101 @@ void ConsoleWindow::showHelp()
     help_->resize(help_->sizeHint());  // adjustSize() ends at two thirds of the screen and cuts
     help_->show();
     help_->raise();
+}
+
+void ConsoleWindow::setRoom(QSize room)
+{
+    room_ = room;
+    fitLetters();
+}
+
+void ConsoleWindow::setLook(ThemeName theme, int wanted)
+{
+    if (theme == theme_ && wanted == wanted_) return arrange();
+    theme_ = theme;
+    wanted_ = wanted;
+    fitLetters();
+}
+
+QSize ConsoleWindow::room() const
+{
+    const QSize frame = frameGeometry().size() - size();
+    const QSize here = room_.isValid() ? room_ : screen()->availableSize() - frame;
+    return here.expandedTo(kLeast);
+}
+
+QSize ConsoleWindow::needs() const
+{
+    const QSize now = layout()->totalMinimumSize();
+    int height =
+        now.height() + header_->heightFor(room().width()) - header_->minimumSizeHint().height();
+    if (banners_->isEmpty() && banners_->count() > 0)
+        height += banners_->itemAt(0)->widget()->sizeHint().height();
+    return {now.width(), height};
+}
+
+void ConsoleWindow::fitLetters()
+{
+    const auto needsWith = [this](int percent) {
+        if (percent != lookInForce().fontScale || theme_ != lookInForce().theme)
+            applyLook(*qApp, theme_, percent);
+        arrange();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        forgetSizes(*this);
+        return needs();
+    };
+    fits_ = false;  // in the making
+    const int percent = lettersThatFit(wanted_, room(), needsWith);
+    setMinimumSize(needsWith(percent).boundedTo(room()).expandedTo(kLeast));
+    fits_ = true;
+    arrange();
+    keepOnScreen();
+}
+
+/// A window that had to grow may have grown over the edge.
+void ConsoleWindow::keepOnScreen()
+{
+    if (!isVisible() || isMaximized() || isFullScreen()) return;
+    const QRect screenArea = screen()->availableGeometry();
+    QRect frame = frameGeometry();
+    if (frame.width() > screenArea.width() || frame.height() > screenArea.height()) return;
+    frame.moveRight(std::min(frame.right(), screenArea.right()));
+    frame.moveBottom(std::min(frame.bottom(), screenArea.bottom()));
+    frame.moveLeft(std::max(frame.left(), screenArea.left()));
+    frame.moveTop(std::max(frame.top(), screenArea.top()));
+    if (frame.topLeft() != frameGeometry().topLeft()) move(frame.topLeft());
+}
+
+bool ConsoleWindow::event(QEvent* event)
+{
+    const bool done = QWidget::event(event);
+    if (event->type() != QEvent::LayoutRequest || !fits_) return done;
+    const QSize needed = needs();
+    if (needed.expandedTo(size()) == size()) return done;
+    // More than was foreseen.
+    const bool isSmallest = lookInForce().fontScale <= kSmallestFont;
+    if (needed.expandedTo(room()) != room() && !isSmallest)
+        fitLetters();
+    else
+        setMinimumSize(needed.boundedTo(room()).expandedTo(minimumSize()));
+    return done;
+}
+
+void ConsoleWindow::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (event->spontaneous() || fits_) return;
+    const auto refit = [this] { QTimer::singleShot(0, this, &ConsoleWindow::fitLetters); };
+    const auto watch = [this, refit](const QScreen* screen) {
+        connect(screen, &QScreen::availableGeometryChanged, this, refit);
+    };
+    connect(windowHandle(), &QWindow::screenChanged, this, [watch, refit](const QScreen* screen) {
+        watch(screen);
+        refit();
+    });
+    watch(screen());
+    fitLetters();
+    refit();  // once the frame around it is known
 }
 
 bool ConsoleWindow::eventFilter(QObject* object, QEvent* event)

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QSize>
 #include <QWidget>
 
 #include "app/key_table.h"
+#include "widgets/palette.h"
 
 class QBoxLayout;
 class QLabel;
@@ -11,12 +13,16 @@ class QStackedWidget;
 
 namespace terratact {
 
+class ElidedLabel;
 class NavigationRail;
 class PreferenceStore;
 class StatusHeader;
 
 /// The frame of the program's windows: the header, strips below it, and the rail beside the pages, of which one
 /// is seen.  Keys do what the table of the window says, which F1 shows.
+///
+/// It is never smaller than what it shows needs, and never larger than its screen: there the letters are as large as
+/// they can be, which may be smaller than the wanted ones.
 class ConsoleWindow : public QWidget {
     Q_OBJECT
 public:
@@ -24,12 +30,21 @@ public:
     NavigationRail* rail() const { return rail_; }
     const KeyTable& keys() const { return keys_; }
 
+    /// Room for the window [px] instead of its screen's, for a picture that needs no screen.
+    void setRoom(QSize room);
+    static constexpr QSize kLeast{1200, 680};  ///< [px] of any window, and of any room
+
 protected:
     ConsoleWindow();
 
     /// A line over the whole width, below those added before.  look: its name in the style sheet.
     QLabel* addStrip(const QString& look);
+    /// A line that comes and goes; those that are there at once share one.
+    ElidedLabel* addBanner();
     void addPage(QWidget* page, const QString& name, Qt::Key key, const QString& tip);
+    /// One that large letters may make larger than its room: then it scrolls.
+    void addScrolledPage(QWidget* page, const QString& name, Qt::Key key, const QString& tip);
+    QWidget* currentPage() const;                                   ///< as it was added
     QPushButton* addTool(const QString& text, const QString& tip);  ///< to the rail
     void addViewTool(PreferenceStore& preferences);
     void addHelpTool();
@@ -41,18 +56,35 @@ protected:
     /// F1 and ? show the sheet of the keys, with this below; HTML.
     void addHelpKey(const QString& footer = {});
 
+    /// The look from now on; wanted: letters [%].
+    void setLook(ThemeName theme, int wanted);
+    /// Lays out anew what depends on the letters in force, and as for the smallest window while it is measured.
+    virtual void arrange() {}
+    bool isMeasured() const { return !fits_; }
+
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void showHelp();
+    QSize room() const;
+    QSize needs() const;  ///< [px] with a banner, whether there is one or not
+    void fitLetters();
+    void keepOnScreen();
 
     KeyTable keys_;
     QString footer_;
+    ThemeName theme_;
+    int wanted_;         ///< letters [%]
+    QSize room_;         ///< invalid: the screen's
+    bool fits_ = false;  ///< the letters have been fitted
 
     // Qt's parents own the widgets.
     StatusHeader* header_ = nullptr;
     NavigationRail* rail_ = nullptr;
     QStackedWidget* pages_ = nullptr;
+    QBoxLayout* banners_ = nullptr;  ///< side by side
     QBoxLayout* strips_ = nullptr;
     QBoxLayout* right_ = nullptr;
     QLabel* help_ = nullptr;

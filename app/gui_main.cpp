@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QIcon>
+#include <QScreen>
 #include <QSocketNotifier>
 #include <QTimer>
 #include <csignal>
@@ -135,8 +136,9 @@ void addArguments(CLI::App& app, Arguments& arguments)
     app.add_option("--size", arguments.size, "Size of the window (default: as it was left)")
         ->check([](const std::string& text) {
             const QSize size = sizeFrom(text);
-            const bool good = size.width() >= 1200 && size.height() >= 680 && size.width() <= 10000
-                           && size.height() <= 10000;
+            const QSize least = ConsoleWindow::kLeast;
+            const bool good =
+                size.expandedTo(least) == size && size.width() <= 10000 && size.height() <= 10000;
             return good ? std::string()
                         : "expected WIDTHxHEIGHT, from 1200x680 to 10000x10000, not " + text;
         });
@@ -352,12 +354,15 @@ std::string modelFor(const Arguments& arguments, LoadedPreferences& loaded)
     return resourcePath("models/default.ttm");
 }
 
-void setSize(QWidget& window, const QByteArray& left, const Arguments& arguments)
+void setSize(ConsoleWindow& window, const QByteArray& left, const Arguments& arguments)
 {
+    const bool isPicture = !arguments.screenshot.empty();
     if (!arguments.size.empty())
         window.resize(sizeFrom(arguments.size));
     else if (left.isEmpty() || !window.restoreGeometry(left))
-        window.resize(kDefaultSize);
+        window.resize(isPicture ? kDefaultSize
+                                : kDefaultSize.boundedTo(window.screen()->availableSize()));
+    if (isPicture) window.setRoom(window.size());
 }
 
 int endingPipe[2] = {-1, -1};
@@ -400,7 +405,8 @@ Status startApplication(int& argc, char** argv, bool pictures, const Preferences
 }
 
 /// Shows a window of a file until it is closed, or saves it as it is once `isReady`.
-int showFile(QWidget& window, const Arguments& arguments, const std::function<bool()>& isReady)
+int showFile(ConsoleWindow& window, const Arguments& arguments,
+             const std::function<bool()>& isReady)
 {
     setSize(window, {}, arguments);
     closeOnSignals(window);

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTime>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -25,6 +26,7 @@
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
+#include "widgets/elided_label.h"
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/held_button.h"
@@ -96,8 +98,8 @@ void MainWindow::build(const Options& options)
 {
     header()->setSource(QString::fromStdString(source_->name()));
     header()->setModel(tr("model loading …"), Tone::Doubt);
-    QLabel& banner = *addStrip(QStringLiteral("banner"));
-    QLabel& notRecorded = *addStrip(QStringLiteral("banner"));
+    QLabel& banner = *addBanner();
+    QLabel& notRecorded = *addBanner();
     addPages(options);
     linkStatus_ = std::make_unique<LinkStatus>(*header(), banner, *events(), *acquisition_, link_);
     recording_ = addTool({}, {});
@@ -126,22 +128,43 @@ void MainWindow::addPages(const Options& options)
                                 exploration_->options().stepLimit};
         },
         this);
-    addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
+    addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
     alarms_->setSoundOn(preferences_->current().sound);
     alarmsPage_ = new AlarmsPage(*alarms_, this);
     connect(alarmsPage_->table(), &AlarmTable::soundWanted, this,
             [this](bool on) { preferences_->change([on](Preferences& p) { p.sound = on; }); });
-    addPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
-            tr("What is wrong, and what was and has not been seen"));
+    addScrolledPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
+                    tr("What is wrong, and what was and has not been seen"));
     signalsPage_ = new SignalsPage(*acquisition_, link_, this);
-    addPage(signalsPage_, tr("Signals"), Qt::Key_F5,
-            tr("Every signal on the bus, and its newest frames"));
+    addScrolledPage(signalsPage_, tr("Signals"), Qt::Key_F5,
+                    tr("Every signal on the bus, and its newest frames"));
     addTraining(options);
     settings_ = new SettingsPage(*preferences_, presets_, this);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
             tr("Versions, permissions and how fast the console is"));
+    cardsPage_ = new QWidget(this);
+    auto* cards = new QVBoxLayout(cardsPage_);
+    cards->setContentsMargins(12, 10, 12, 10);
+    addScrolledPage(cardsPage_, tr("Robot"), Qt::Key_F9,
+                    tr("Forces, attitude and the last events"));
+    connect(terrainPage_, &TerrainPage::tightened, this, &MainWindow::placeCards);
+    terrainPage_->allowTight();
+    placeCards();
+}
+
+void MainWindow::placeCards()
+{
+    const int page = rail()->pageOf(Qt::Key_F9);
+    const bool apart = terrainPage_->isTight();
+    rail()->setOffered(page, apart);
+    if (apart)
+        cardsPage_->layout()->addWidget(terrainPage_->lower());
+    else
+        terrainPage_->placeLower();
+    terrainPage_->lower()->show();
+    if (!apart && rail()->chosen() == page) rail()->choose(0);
 }
 
 void MainWindow::addTraining(const Options& options)
@@ -151,8 +174,8 @@ void MainWindow::addTraining(const Options& options)
                                   .model = QString::fromStdString(options.modelPath),
                                   .load = options.training},
                                  this);
-    addPage(training_, tr("Training"), Qt::Key_F6,
-            tr("Train a model, compare it with the one in use, adopt it"));
+    addScrolledPage(training_, tr("Training"), Qt::Key_F6,
+                    tr("Train a model, compare it with the one in use, adopt it"));
     models_ = std::make_unique<ModelChoice>(*worker_, *preferences_, robot_,
                                             QString::fromStdString(options.modelPath));
     connect(models_.get(), &ModelChoice::loaded, this,
@@ -189,14 +212,12 @@ void MainWindow::arrange()
 {
     const Preferences& preferences = preferences_->current();
     terrainPage_->setThreshold(exploration_->options().settings.forceThreshold);
-    terrainPage_->arrange(preferences.layout, preferences.fontScale);
+    terrainPage_->arrange(preferences.layout, lookInForce().fontScale);
 }
 
 void MainWindow::applyPreferences(const Preferences& before)
 {
     const Preferences& now = preferences_->current();
-    if (now.theme != before.theme || now.fontScale != before.fontScale)
-        applyLook(*qApp, now.theme, now.fontScale);
     const Settings& set = exploration_->options().settings;
     if (const Settings wanted = withPreferences(set, now); wanted != set) {
         exploration_->setSettings(wanted);
@@ -216,7 +237,7 @@ void MainWindow::applyPreferences(const Preferences& before)
         exploration_->setStepLimit(now.obstacleLimit);
         verdict()->setLimit(now.obstacleLimit);
     }
-    arrange();
+    setLook(now.theme, now.fontScale);
 }
 
 void MainWindow::showCards()
@@ -327,7 +348,7 @@ void MainWindow::redraw(double now)
     header()->setLatched(exploration_->state().phase == AtemPhase::Stopped);
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
-    if (auto* page = qobject_cast<Page*>(pages()->currentWidget())) page->refresh(now);
+    if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
 
     prepared_ = steadyNow() - now;
     if (latest_ && latest_->count != paintedCount_) {

@@ -113,7 +113,10 @@ private:
     void open();
     void defineKeys();
     void applyPreferences(const Preferences& before);
-    void arrange();    ///< the terrain page in the layout in force, at the font scale in force
+    void
+    arrange() override;  ///< the terrain page in the layout in force, at the font scale in force
+    void
+    placeCards();  ///< forces, robot and events: on the page of the terrain, or on one of their own
     void showCards();  ///< of model and robot, on the page of the settings
     void offerQualities();
 
@@ -143,6 +146,7 @@ private:
     double redrawn_ = 0.0;  ///< [s] steady clock
 
     // Qt's parents own the widgets.
+    QWidget* cardsPage_ = nullptr;
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;

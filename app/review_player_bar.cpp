@@ -153,6 +153,12 @@ void ReviewPlayerBar::addTool(QWidget* tool)
     row_->addWidget(tool, 1);
 }
 
+QSize ReviewPlayerBar::minimumSizeHint() const
+{
+    const int spare = of_->isHidden() ? 0 : of_->sizeHint().width() + row_->spacing();
+    return QWidget::minimumSizeHint() - QSize(spare, 0);
+}
+
 /// The end and the clock are told where there is room for them.
 void ReviewPlayerBar::showClock()
 {

@@ -40,6 +40,8 @@ public:
     QLabel* differenceLabel() const { return difference_; }
     QLineEdit* positionEdit() const { return position_; }
 
+    QSize minimumSizeHint() const override;  ///< without the end and the clock
+
 signals:
     void moved();
     void started();  ///< to play

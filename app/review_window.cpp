@@ -33,6 +33,7 @@
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/held_button.h"
+#include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 #include "widgets/numbers_table.h"
 #include "widgets/probe_card.h"
@@ -124,7 +125,7 @@ void ReviewWindow::buildHeader()
 void ReviewWindow::addPages(QStringList models)
 {
     terrain_ = new TerrainPage(robot_, this);
-    terrain_->arrange(Layout::Review, preferences_->current().fontScale);
+    terrain_->arrange(Layout::Review, lookInForce().fontScale);
     terrain_->viewButton()->hide();
     terrain_->atemPanel()->forbidCommands();
     addPage(terrain_, tr("Terrain"), Qt::Key_F2, tr("What the operator saw at this time"));
@@ -136,9 +137,9 @@ void ReviewWindow::addPages(QStringList models)
                 limit_.value_or(moment_.estimate ? moment_.estimate->stepLimit : kStepLimit)};
         },
         this);
-    addPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
+    addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
     events_ = new ReviewEventsPage(session_, this);
-    addPage(events_, tr("Events"), Qt::Key_F4, tr("Everything the session tells of"));
+    addScrolledPage(events_, tr("Events"), Qt::Key_F4, tr("Everything the session tells of"));
     robotPage_ = new QScrollArea(this);  // large letters may not all find room
     robotPage_->setFrameShape(QFrame::NoFrame);
     robotPage_->setWidgetResizable(true);
@@ -149,8 +150,8 @@ void ReviewWindow::addPages(QStringList models)
     robot->setSpacing(10);
     addPage(robotPage_, tr("Robot"), Qt::Key_F5, tr("Forces, attitude and the last events"));
     whatIf_ = new WhatIfPage(robot_, std::move(models), this);
-    addPage(whatIf_, tr("What if"), Qt::Key_F6,
-            tr("Estimate the recorded scene with other settings"));
+    addScrolledPage(whatIf_, tr("What if"), Qt::Key_F6,
+                    tr("Estimate the recorded scene with other settings"));
 }
 
 void ReviewWindow::addTools()
@@ -210,7 +211,7 @@ void ReviewWindow::look(double elapsed)
         followSession();
     }
     player_->advance(elapsed);
-    if (pages()->currentWidget() == whatIf_) whatIf_->refresh(0.0);
+    if (currentPage() == whatIf_) whatIf_->refresh(0.0);
 }
 
 /// Takes what the file and its survey have more of.
@@ -255,7 +256,7 @@ void ReviewWindow::showMoment()
     whatIf_->setRecorded(moment_.estimate, moment_.scene, moment_.model);
     events_->setMoment(moment_);
     showEvents();
-    if (pages()->currentWidget() == numbers_) numbers_->refresh(0.0);
+    if (currentPage() == numbers_) numbers_->refresh(0.0);
     damage_->setVisible(moment_.damage.has_value());
     if (moment_.damage)
         damage_->setText(tr("DAMAGED from %1 to %2, nothing of it is shown: %3")
@@ -452,9 +453,7 @@ void ReviewWindow::applyPreferences(const Preferences& before)
 {
     const Preferences& now = preferences_->current();
     if (now.theme != before.theme || now.fontScale != before.fontScale)
-        applyLook(*qApp, now.theme, now.fontScale);
-    terrain_->arrange(Layout::Review, now.fontScale);
-    place();
+        setLook(now.theme, now.fontScale);
     showMoment();
 }
 
@@ -518,12 +517,19 @@ void ReviewWindow::showEvents()
     }
 }
 
+void ReviewWindow::arrange()
+{
+    terrain_->arrange(Layout::Review, lookInForce().fontScale);
+    place();
+}
+
 void ReviewWindow::place()
 {
     note_->setMinimumSize(scaled(90), scaled(kTarget));
     note_->setMaximumWidth(scaled(220));
     constexpr int kHigh = 800, kWide = 1180;  // [px] at 100 %
-    const bool isLow = height() < scaled(kHigh), isNarrow = width() < scaled(kWide);
+    const bool isLow = isMeasured() || height() < scaled(kHigh);
+    const bool isNarrow = isMeasured() || width() < scaled(kWide);
     auto* robot = qobject_cast<QBoxLayout*>(robotPage_->widget()->layout());
     timeline()->setDense(isLow);
     terrain_->setVerdictBeside(isNarrow ? 290 : 404);
@@ -532,7 +538,7 @@ void ReviewWindow::place()
     else
         terrain_->placeDecisions();
     terrain_->decisions()->show();
-    if (isLow || pages()->currentWidget() == robotPage_)
+    if (isLow || currentPage() == robotPage_)
         robot->addWidget(terrain_->lower(), 1);
     else
         terrain_->placeLower();

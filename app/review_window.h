@@ -67,6 +67,7 @@ public:
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void arrange() override;
 
 private:
     void buildHeader();

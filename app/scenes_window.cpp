@@ -62,7 +62,7 @@ ScenesWindow::ScenesWindow(Options options)
         unused->hide();
     state_ = addStrip(QStringLiteral("reviewStrip"));
     page_ = new TerrainPage(options_.robot, this);
-    page_->arrange(Layout::Review, 100);
+    page_->arrange(Layout::Review, lookInForce().fontScale);
     page_->setVerdictBeside(404);
     page_->viewButton()->hide();
     page_->events()->parentWidget()->hide();

@@ -15,6 +15,7 @@
 #include <array>
 #include <numbers>
 
+#include "app/letters.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
@@ -178,6 +179,11 @@ void SettingsPage::buildLook(QFormLayout* form)
     fontScale_->setToolTip(tr("Ctrl + and Ctrl −"));
     form->addRow(tr("Size of text"), fontScale_);
     connect(fontScale_, &QSpinBox::valueChanged, this, &SettingsPage::take);
+    lettersNote_ = new QLabel(this);
+    setTone(*lettersNote_, Tone::Doubt);
+    lettersNote_->setWordWrap(true);
+    lettersNote_->hide();
+    form->addRow(QString(), lettersNote_);
     language_ = choice(form, tr("Language"),
                        {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
                         QStringLiteral("Deutsch")},
@@ -355,6 +361,8 @@ QString SettingsPage::modelCard() const
 void SettingsPage::refresh(double /*now*/)
 {
     shippedModel_->setEnabled(!store_.current().model.isEmpty());
+    lettersNote_->setText(terratact::lettersNote(store_.current().fontScale));
+    lettersNote_->setVisible(!lettersNote_->text().isEmpty());
 }
 
 }  // namespace terratact

@@ -32,6 +32,7 @@ public:
     QComboBox* themeBox() const { return theme_; }
     QDoubleSpinBox* thresholdBox() const { return threshold_; }
     QDoubleSpinBox* obstacleBox() const { return obstacle_; }
+    QLabel* lettersNote() const { return lettersNote_; }
     QCheckBox* recordBox() const { return record_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
@@ -65,6 +66,7 @@ private:
     QDoubleSpinBox* asymmetry_ = nullptr;
     QComboBox* theme_ = nullptr;
     QSpinBox* fontScale_ = nullptr;
+    QLabel* lettersNote_ = nullptr;
     QComboBox* language_ = nullptr;
     QComboBox* layout_ = nullptr;
     QCheckBox* sound_ = nullptr;

@@ -4,8 +4,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
+#include "app/letters.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/outline.h"
 #include "widgets/card.h"
@@ -20,6 +22,10 @@
 
 namespace terratact {
 namespace {
+
+constexpr int kBetween = 10;                       // [px] cards
+constexpr int kToSpare = 12;                       // [px] before cards have to leave
+constexpr int kColumn = 404, kNarrowColumn = 300;  // [px] of the decisions, at 100 %
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)
@@ -67,24 +73,29 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     atem_ = new AtemPanel(this);
     probe_ = new ProbeCard(this);
     Card* const forces = forceCard();
-    Card* const robotState = robotCard();
+    robotCard_ = robotCard();
     auto* eventCard = new Card(tr("Last minutes"), this);
     events_ = new EventList(eventCard);
     eventCard->body()->addWidget(events_, 1);
 
     decisions_ = new QWidget(this);
-    auto* decide = new QVBoxLayout(decisions_);
-    decide->setContentsMargins(0, 0, 0, 0);
-    decide->setSpacing(10);
-    decide->addWidget(atem_);
-    decide->addWidget(probe_, 1);
+    auto* reserved = new QHBoxLayout(decisions_);
+    reserved->setContentsMargins(0, 0, 0, 0);
+    reserved->setSpacing(0);
+    question_ = new QSpacerItem(0, 0);
+    decide_ = new QVBoxLayout;
+    reserved->addLayout(decide_);
+    reserved->addItem(question_);
+    decide_->setSpacing(kBetween);
+    decide_->addWidget(atem_);
+    decide_->addWidget(probe_, 1);
     column_ = new QVBoxLayout;
-    column_->setSpacing(10);
+    column_->setSpacing(kBetween);
     column_->addWidget(decisions_, 1);
     upper_ = new QHBoxLayout;
-    upper_->setSpacing(10);
+    upper_->setSpacing(kBetween);
     ground_ = new QVBoxLayout;
-    ground_->setSpacing(10);
+    ground_->setSpacing(kBetween);
     ground_->addWidget(verdict_);
     ground_->addWidget(terrainCard_, 1);
     upper_->addLayout(ground_, 1);
@@ -92,13 +103,12 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     lowerPanel_ = new QWidget(this);
     lower_ = new QHBoxLayout(lowerPanel_);
     lower_->setContentsMargins(0, 0, 0, 0);
-    lower_->setSpacing(10);
-    for (QWidget* card : std::initializer_list<QWidget*>{forces, robotState, eventCard})
+    lower_->setSpacing(kBetween);
+    for (QWidget* card : std::initializer_list<QWidget*>{forces, robotCard_, eventCard})
         lower_->addWidget(card);
 
     rows_ = new QVBoxLayout(this);
-    rows_->setContentsMargins(12, 10, 12, 10);
-    rows_->setSpacing(10);
+    rows_->setSpacing(kBetween);
     rows_->addLayout(upper_);
     rows_->addWidget(lowerPanel_);
 }
@@ -157,7 +167,7 @@ Card* TerrainPage::robotCard()
 void TerrainPage::placeLower()
 {
     if (rows_->indexOf(lowerPanel_) < 0) rows_->addWidget(lowerPanel_);
-    arrange(layout_, fontScale_);
+    share();
 }
 
 void TerrainPage::placeDecisions()
@@ -178,15 +188,97 @@ void TerrainPage::addTerrainTool(QWidget* tool)
     terrainCard_->titleRow()->addWidget(tool);
 }
 
+void TerrainPage::allowTight()
+{
+    mayTighten_ = true;
+    terrain_->setMinimumSize(420, 230);
+    arrange(layout_, fontScale_);
+}
+
 void TerrainPage::arrange(Layout layout, int fontScale)
 {
+    const bool isMeasured = roomyNeeds_.isValid() && layout == layout_ && fontScale == fontScale_;
     layout_ = layout;
     fontScale_ = fontScale;
+    if (isMeasured) return;
+    if (mayTighten_) {
+        const bool tight = tight_;
+        measures_ = true;
+        tightNeeds_ = needs(true);
+        roomyNeeds_ = needs(false);
+        setTight(tight);
+        measures_ = false;
+        fit();
+    } else {
+        setTight(false);
+    }
+    showThreshold();
+}
+
+/// [px] of the page, arranged like that.
+QSize TerrainPage::needs(bool tight)
+{
+    setTight(tight);
+    forgetSizes(*this);
+    forgetSizes(*lowerPanel_);  // it may be elsewhere
+    const QMargins margins = rows_->contentsMargins();
+    QSize size = upper_->minimumSize();
+    const auto below = [&size](const QSize& part) {
+        size = {std::max(size.width(), part.width()), size.height() + kBetween + part.height()};
+    };
+    if (rows_->indexOf(verdict_) >= 0) below(verdict_->minimumSizeHint());
+    if (!tight) below(lowerPanel_->minimumSizeHint() + QSize(0, kToSpare));
+    return size.grownBy(margins);
+}
+
+QSize TerrainPage::minimumSizeHint() const
+{
+    return mayTighten_ ? tightNeeds_ : QWidget::minimumSizeHint();
+}
+
+void TerrainPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void TerrainPage::fit()
+{
+    if (!mayTighten_ || measures_) return;
+    const bool tight = size() != size().expandedTo(roomyNeeds_);
+    if (tight == tight_ && (rows_->indexOf(lowerPanel_) < 0) == tight) return;
+    setTight(tight);
+    emit tightened(tight);
+    rows_->activate();
+}
+
+void TerrainPage::setTight(bool tight)
+{
+    tight_ = tight;
+    const int margin = tight ? 6 : 10;
+    rows_->setContentsMargins(12, margin, 12, margin);
+    atem_->setNarrow(tight);
+    probe_->setNarrow(tight);
     for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
-        card->setFixedWidth(scaled(404));
+        card->setFixedWidth(scaled(tight ? kNarrowColumn : kColumn));
+    terrainCard_->setMinimumWidth(tight ? scaled(kNarrowColumn) : 0);  // it is the largest part
+    // Driving is needed at any time; the rest of its card is looked up.
+    if (tight)
+        decide_->addWidget(drive_);
+    else
+        robotCard_->body()->addWidget(drive_);
+    // Room for the question is kept, so that nothing moves when it comes.
+    question_->changeSize(
+        0, verdictBeside_ ? 0 : atem_->leastHeight() + kBetween + probe_->leastHeight());
+    placeVerdict();
+    share();
+}
+
+void TerrainPage::placeVerdict()
+{
     // Large letters leave no room for the result beside the card's title; a review's page has its name already.
     QBoxLayout *beside = terrainCard_->titleRow(), *below = terrainCard_->body();
-    const bool large = fontScale > 100, apart = large && !verdictBeside_;
+    const bool large = fontScale_ > 100 || tight_, apart = large && !verdictBeside_;
     for (QBoxLayout* row : {beside, below}) row->removeWidget(strip_);
     (apart ? below : beside)->insertWidget(apart ? 1 : 2, strip_, apart ? 0 : 1);
     beside->setStretch(0, apart ? 1 : 0);
@@ -196,23 +288,25 @@ void TerrainPage::arrange(Layout layout, int fontScale)
     (verdictBeside_ ? column_ : large ? rows_ : ground_)->insertWidget(0, verdict_);
     verdict_->setStacked(verdictBeside_);
     if (verdictBeside_) verdict_->setFixedWidth(scaled(columnWidth_));
+}
 
+void TerrainPage::share()
+{
     struct Shares {
         int upper, lower, forces, robot, events;
     };
-    const Shares shares = verdictBeside_           ? Shares{17, 6, 9, 8, 16}
-                        : layout == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
-                        : layout == Layout::Review ? Shares{13, 9, 9, 8, 16}
-                                                   : Shares{17, 6, 10, 9, 10};
-    rows_->setStretchFactor(upper_, shares.upper + (large ? 4 : 0));
+    const Shares shares = verdictBeside_            ? Shares{17, 6, 9, 8, 16}
+                        : layout_ == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
+                        : layout_ == Layout::Review ? Shares{13, 9, 9, 8, 16}
+                                                    : Shares{17, 6, 10, 9, 10};
+    rows_->setStretchFactor(upper_, shares.upper + (fontScale_ > 100 ? 4 : 0));
     rows_->setStretchFactor(lowerPanel_, shares.lower);
     lower_->setStretch(0, shares.forces);
     lower_->setStretch(1, shares.robot);
     lower_->setStretch(2, shares.events);
     lower_->itemAt(2)->widget()->setVisible(shares.events > 0);
-    drive_->setProminent(layout == Layout::Drive);
-    drive_->setVisible(layout != Layout::Review);
-    showThreshold();
+    drive_->setProminent(layout_ == Layout::Drive);
+    drive_->setVisible(layout_ != Layout::Review);
 }
 
 void TerrainPage::setThreshold(double newtons)
@@ -334,9 +428,11 @@ void TerrainPage::showProbe(const TerrainSight& sight)
 {
     const bool asking = sight.proposal && sight.state.phase == AtemPhase::ProposingProbe;
     // What asks or moves is shown in every layout.
-    probe_->setVisible(layout_ == Layout::Probe || asking || sight.probingBin);
+    const bool needed = asking || sight.probingBin;
+    probe_->setVisible((layout_ == Layout::Probe && !tight_) || needed);
+    drive_->setVisible(layout_ != Layout::Review && !(tight_ && needed));
     // In large letters the question needs the room; the robot stands still while it is asked.
-    readout_->setVisible(!asking || fontScale_ <= 120);
+    readout_->setVisible(!asking || fontScale_ <= 120 || tight_);
     terrain_->setProposedProbe(asking ? std::optional(sight.proposal->bin) : sight.probingBin);
     if (asking) {
         probe_->setProposal(*sight.proposal);

@@ -18,6 +18,7 @@
 class QBoxLayout;
 class QLabel;
 class QPushButton;
+class QSpacerItem;
 
 namespace terratact {
 
@@ -75,8 +76,9 @@ public:
     explicit TerrainPage(RobotModel robot, QWidget* parent = nullptr);
 
     void setSight(const TerrainSight& sight);
-    void arrange(Layout layout, int fontScale);  ///< fontScale: [%]
-    void setThreshold(double newtons);           ///< of contact
+    /// fontScale: [%] of the letters in force.
+    void arrange(Layout layout, int fontScale);
+    void setThreshold(double newtons);  ///< of contact
     /// Forces, robot and events, below the terrain; whoever takes them into a layout of its own gives them back so.
     QWidget* lower() const { return lowerPanel_; }
     void placeLower();
@@ -86,6 +88,13 @@ public:
     /// Verdict and decisions in a column beside the terrain, which gets all the height; columnWidth: at 100 %.
     void setVerdictBeside(int columnWidth);
     void addTerrainTool(QWidget* tool);  ///< to the terrain's title
+    /// From now on, where there is no room for the cards below the terrain, they leave it for somebody else's place
+    /// (tightened()), and what is to be decided stands in a narrow column.
+    void allowTight();
+    bool isTight() const { return tight_; }
+
+    QSize
+    minimumSizeHint() const override;  ///< whatever is shown, so that no text moves the window
 
     /// True once what was last shown includes the standing estimate.
     bool showsEstimate() const { return shownEstimate_; }
@@ -102,6 +111,12 @@ public:
     VerdictStrip* verdict() const { return verdict_; }
     QPushButton* viewButton() const { return view_; }
 
+signals:
+    void tightened(bool tight);  ///< lower() has to leave, or may come back: placeLower()
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     Card* terrainCard();
     Card* forceCard();
@@ -112,17 +127,26 @@ private:
     void showVerdict(const TerrainSight& sight);
     void showProbe(const TerrainSight& sight);
     void showThreshold();
+    void fit();
+    void setTight(bool tight);
+    void placeVerdict();
+    void share();
+    QSize needs(bool tight);
 
     RobotModel robot_;
     Layout layout_ = Layout::Probe;
     int fontScale_ = 100;
     bool verdictBeside_ = false;
-    int columnWidth_ = 404;  ///< [px] at 100 %
+    bool mayTighten_ = false, tight_ = false;
+    bool measures_ = false;          ///< arranged for a moment only
+    QSize roomyNeeds_, tightNeeds_;  ///< [px]
+    int columnWidth_ = 404;          ///< [px] at 100 %
     double threshold_ = 0.0;
 
     // Qt's parents own the widgets.
     VerdictStrip* verdict_ = nullptr;
     Card* terrainCard_ = nullptr;
+    Card* robotCard_ = nullptr;
     QPushButton* view_ = nullptr;
     EstimateStrip* strip_ = nullptr;
     TerrainProfileView* terrain_ = nullptr;
@@ -136,11 +160,13 @@ private:
     QLabel* robotAge_ = nullptr;
     DrivePad* drive_ = nullptr;
     EventList* events_ = nullptr;
-    QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
-    QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
-    QBoxLayout* upper_ = nullptr;   ///< the terrain and the decisions
-    QBoxLayout* column_ = nullptr;  ///< of the decisions
+    QBoxLayout* ground_ = nullptr;     ///< verdict and terrain
+    QBoxLayout* rows_ = nullptr;       ///< terrain and decisions, the cards below
+    QBoxLayout* upper_ = nullptr;      ///< the terrain and the decisions
+    QBoxLayout* column_ = nullptr;     ///< of the decisions
+    QSpacerItem* question_ = nullptr;  ///< the height that a probe's question needs, beside them
     QWidget* decisions_ = nullptr;
+    QBoxLayout* decide_ = nullptr;  ///< of them
     QWidget* lowerPanel_ = nullptr;
     QBoxLayout* lower_ = nullptr;  ///< forces, robot, events
 

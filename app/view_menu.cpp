@@ -4,10 +4,11 @@
 #include <QKeySequence>
 #include <algorithm>
 
+#include "app/letters.h"
+#include "widgets/look.h"
+
 namespace terratact {
 namespace {
-
-constexpr int kFontStep = 10;  // [%]
 
 ViewChoice layoutChoice(const QString& name, int key, Layout layout)
 {
@@ -38,7 +39,10 @@ ViewChoice fontStep(const QString& name, QList<QKeyCombination> keys, int step)
     return {name,
             std::move(keys),
             [step](Preferences& p) {
-                p.fontScale = std::clamp(p.fontScale + step, kSmallestFont, kLargestFont);
+                // What does not fit the screen is smaller already.
+                const int from =
+                    step < 0 ? std::min(p.fontScale, lookInForce().fontScale) : p.fontScale;
+                p.fontScale = std::clamp(from + step, kSmallestFont, kLargestFont);
             },
             {}};
 }
@@ -69,9 +73,9 @@ QList<ViewChoice> viewChoices()
         fontStep(
             ViewMenu::tr("larger letters"),
             {QKeyCombination(Qt::CTRL, Qt::Key_Plus), QKeyCombination(Qt::CTRL, Qt::Key_Equal)},
-            +kFontStep),
+            +kLetterStep),
         fontStep(ViewMenu::tr("smaller letters"), {QKeyCombination(Qt::CTRL, Qt::Key_Minus)},
-                 -kFontStep),
+                 -kLetterStep),
         {ViewMenu::tr("letters of normal size"),
          {QKeyCombination(Qt::CTRL, Qt::Key_0)},
          normal,
@@ -103,6 +107,12 @@ ViewMenu::ViewMenu(PreferenceStore& preferences, QWidget* parent) : QMenu(parent
             action->setChecked(choice.chosen(preferences.current()));
         });
     }
+    QAction* note = addAction(QString());
+    note->setEnabled(false);
+    connect(this, &QMenu::aboutToShow, note, [&preferences, note] {
+        note->setText(lettersNote(preferences.current().fontScale));
+        note->setVisible(!note->text().isEmpty());
+    });
 }
 
 }  // namespace terratact

@@ -8,6 +8,24 @@
 #include "widgets/words.h"
 
 namespace terratact {
+namespace {
+
+QString disarmedText()
+{
+    return ArmingControl::tr("DISARMED · arm (M)");
+}
+
+QString armedText()
+{
+    return ArmingControl::tr("ARMED · disarm (M)");
+}
+
+QString requestedText()
+{
+    return ArmingControl::tr("arming … cancel (M)");
+}
+
+}  // namespace
 
 ArmingControl::ArmingControl(QWidget* parent) : QWidget(parent)
 {
@@ -40,23 +58,40 @@ void ArmingControl::setState(const ArmingState& state, const QString& whyNot)
     QString tip = whyNot.isEmpty() ? tr("Asks for a second action within 5 s") : whyNot;
     if (off && state.cause != DisarmCause::None)
         tip += tr("\nLast disarmed: %1").arg(words::sentence(describe(state.cause)));
-    arm_->setText(tr("DISARMED · arm (M)"));
+    listens_ = false;
+    arm_->setText(disarmedText());
     arm_->setVisible(off);
     arm_->setEnabled(whyNot.isEmpty());
     arm_->setToolTip(tip);
     confirm_->setVisible(state.phase == ArmingPhase::Confirming);
-    disarm_->setText(on ? tr("ARMED · disarm (M)") : tr("arming … cancel (M)"));
+    disarm_->setText(on ? armedText() : requestedText());
     disarm_->setVisible(on || state.phase == ArmingPhase::Requested);
 }
 
 void ArmingControl::setListening(const QString& why)
 {
+    listens_ = true;
     arm_->setText(tr("NO COMMANDS"));
     arm_->setVisible(true);
     arm_->setEnabled(false);
     arm_->setToolTip(why);
     confirm_->setVisible(false);
     disarm_->setVisible(false);
+}
+
+QSize ArmingControl::sizeHint() const
+{
+    if (listens_) return arm_->sizeHint();
+    QSize size = confirm_->sizeHint();
+    const auto take = [&size](const QPushButton& button, const QString& text) {
+        const QSize hint = button.sizeHint();  // the font is the style sheet's from now on
+        const QFontMetrics metrics = button.fontMetrics();
+        const int frame = hint.width() - metrics.horizontalAdvance(button.text());
+        size = size.expandedTo({metrics.horizontalAdvance(text) + frame, hint.height()});
+    };
+    take(*arm_, disarmedText());
+    for (const QString& text : {armedText(), requestedText()}) take(*disarm_, text);
+    return size;
 }
 
 void ArmingControl::pressKey()

@@ -32,6 +32,10 @@ public:
     void pressKey();
     void releaseKey();
 
+    QSize
+    sizeHint() const override;  ///< that of the widest button there may be: nothing beside it moves
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
 signals:
     void armingWanted();
     void armingConfirmed();
@@ -42,6 +46,7 @@ private:
     HoldToConfirmButton* confirm_ = nullptr;
     QPushButton* disarm_ = nullptr;
     QElapsedTimer released_;
+    bool listens_ = false;
 };
 
 }  // namespace terratact

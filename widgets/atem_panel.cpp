@@ -11,10 +11,13 @@
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/scroll_column.h"
 #include "widgets/words.h"
 
 namespace terratact {
 namespace {
+
+constexpr int kLines = 3, kLinesBusy = 2;  // of the texts, seen in any case
 
 Tone toneOf(AtemPhase phase)
 {
@@ -42,7 +45,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     stateText_->setAccessibleName(tr("State of the exploration"));
     timeText_ = note();
     list_ = new QGridLayout;
-    list_->setContentsMargins(0, 2, 0, 2);
+    list_->setContentsMargins(0, 0, 0, 0);
     list_->setHorizontalSpacing(8);
     list_->setVerticalSpacing(2);
     list_->setColumnStretch(1, 1);
@@ -56,21 +59,29 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     release_->setAccessibleName(tr("Hold to release STOP"));
     release_->setToolTip(tr("Lets commands through again; the robot does not move by itself"));
 
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(8);
     override_ = new QPushButton(tr("Override (O)"), this);
     override_->setFocusPolicy(Qt::TabFocus);
     override_->setToolTip(
         tr("Explore in spite of what is doubtful; it is noted, and stays on the screen"));
     connect(override_, &QPushButton::clicked, this, &AtemPanel::overrideWanted);
-    buttons->addWidget(request_, 2);
-    buttons->addWidget(override_, 1);
-    buttons->addWidget(abort_, 1);
-    buttons->addWidget(release_, 1);
-    body()->addWidget(stateText_);
-    body()->addLayout(list_);
-    body()->addStretch(1);
-    body()->addLayout(buttons);
+    texts_ = new ScrollColumn(kLines, this);
+    texts_->setAccessibleName(tr("Exploration (ATEM)"));
+    texts_->column()->addWidget(stateText_);
+    texts_->column()->addLayout(list_);
+    texts_->column()->addStretch(1);
+    auto* others = new QHBoxLayout;
+    others->setSpacing(8);
+    for (QPushButton* button : std::initializer_list<QPushButton*>{override_, abort_, release_})
+        others->addWidget(button, 1);
+    buttons_ = new QHBoxLayout;
+    buttons_->setSpacing(8);
+    buttons_->addWidget(request_, 1);
+    buttons_->addLayout(others, 1);
+    parts_ = new QVBoxLayout;
+    parts_->setSpacing(body()->spacing());
+    parts_->addWidget(texts_, 1);
+    parts_->addLayout(buttons_);
+    body()->addLayout(parts_, 1);
 
     connect(request_, &QPushButton::clicked, this, &AtemPanel::requested);
     connect(abort_, &QPushButton::clicked, this, &AtemPanel::aborted);
@@ -95,6 +106,7 @@ void AtemPanel::setState(const AtemState& state, std::optional<double> timeLeft)
     setTone(*stateText_, toneOf(state.phase));
     timeText_->setText(timeLeft ? tr("%1 left").arg(words::countdown(*timeLeft)) : QString());
     setTone(*timeText_, Tone::Strong);
+    arrange();
     showList();
     showButtons();
 }
@@ -151,6 +163,33 @@ void AtemPanel::forbidCommands()
     showButtons();
 }
 
+void AtemPanel::setNarrow(bool narrow)
+{
+    narrow_ = narrow;
+    arrange();
+    showButtons();
+}
+
+void AtemPanel::arrange()
+{
+    const bool busy = exploring(state_.phase);
+    const bool brief = narrow_ && busy && !onlyShows_;
+    setTitleShown(!brief);
+    parts_->setDirection(brief ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    buttons_->setDirection(narrow_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    texts_->setLeastLines(busy ? kLinesBusy : kLines);
+}
+
+int AtemPanel::leastHeight() const
+{
+    const int lines = kLinesBusy * (fontMetrics().lineSpacing() + texts_->column()->spacing()) + 4;
+    const int button = abort_->sizeHint().height();
+    const QMargins margins = body()->contentsMargins();
+    if (narrow_)
+        return margins.top() + margins.bottom() + body()->spacing() + std::max(lines, button);
+    return frameHeight() + lines + parts_->spacing() + button;
+}
+
 void AtemPanel::showButtons()
 {
     if (onlyShows_) {
@@ -170,7 +209,7 @@ void AtemPanel::showButtons()
     const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
     const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting;
 
-    request_->setVisible(!stopped);
+    request_->setVisible(!stopped && !(narrow_ && busy));
     abort_->setVisible(!stopped);
     release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());

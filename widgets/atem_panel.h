@@ -6,6 +6,7 @@
 #include "core/atem/atem_machine.h"
 #include "widgets/card.h"
 
+class QBoxLayout;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -13,6 +14,7 @@ class QPushButton;
 namespace terratact {
 
 class HoldToConfirmButton;
+class ScrollColumn;
 
 /// One condition of a command, with its reason in words.
 struct Precondition {
@@ -38,6 +40,10 @@ public:
 
     /// From now on it only shows: no button is seen.
     void forbidCommands();
+    /// Little room: the buttons below each other, and while an exploration runs only the state with the button that
+    /// ends it.
+    void setNarrow(bool narrow);
+    int leastHeight() const;  ///< [px] while an exploration runs
 
     QPushButton* requestButton() const { return request_; }
     QPushButton* abortButton() const { return abort_; }
@@ -53,13 +59,18 @@ signals:
 private:
     void showList();
     void showButtons();
+    void arrange();
 
     AtemState state_;
     bool onlyShows_ = false;
+    bool narrow_ = false;
     QList<Precondition> preconditions_, shown_;
     QLabel* stateText_ = nullptr;
     QLabel* timeText_ = nullptr;
     QGridLayout* list_ = nullptr;
+    ScrollColumn* texts_ = nullptr;
+    QBoxLayout* parts_ = nullptr;    ///< texts and buttons
+    QBoxLayout* buttons_ = nullptr;  ///< the request and the others
     QPushButton* request_ = nullptr;
     QPushButton* abort_ = nullptr;
     QPushButton* override_ = nullptr;

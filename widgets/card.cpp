@@ -17,14 +17,27 @@ Card::Card(const QString& title, QWidget* parent) : QFrame(parent)
     body_->setSpacing(5);
     titleRow_ = new QHBoxLayout;
     titleRow_->setSpacing(12);
-    auto* heading = new QLabel(title, this);
-    heading->setProperty("heading", true);
+    heading_ = new QLabel(title, this);
+    heading_->setProperty("heading", true);
     note_ = new QLabel(this);
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setTone(*note_, Tone::Muted);
-    titleRow_->addWidget(heading);
+    titleRow_->addWidget(heading_);
     titleRow_->addWidget(note_, 1);
     body_->addLayout(titleRow_);
+}
+
+void Card::setTitleShown(bool shown)
+{
+    heading_->setVisible(shown);
+    note_->setVisible(shown);
+}
+
+int Card::frameHeight() const
+{
+    const QMargins margins = body_->contentsMargins();
+    const int title = titleRow_->minimumSize().height();
+    return margins.top() + margins.bottom() + title + (title > 0 ? body_->spacing() : 0);
 }
 
 }  // namespace terratact

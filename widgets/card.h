@@ -20,8 +20,11 @@ public:
         return titleRow_;
     }  ///< for controls that belong beside the title
     QLabel* note() const { return note_; }
+    void setTitleShown(bool shown);  ///< with its note
+    int frameHeight() const;         ///< [px] above and below the body, with the title
 
 private:
+    QLabel* heading_ = nullptr;
     QHBoxLayout* titleRow_ = nullptr;
     QVBoxLayout* body_ = nullptr;
     QLabel* note_ = nullptr;

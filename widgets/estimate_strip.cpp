@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/infer/estimate.h"
+#include "widgets/elided_label.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
 #include "widgets/words.h"
@@ -34,7 +35,7 @@ QString methodName(Method method)
 
 EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
 {
-    headline_ = new QLabel(this);
+    headline_ = new ElidedLabel(this);
     headline_->setAccessibleName(tr("Result"));
     headline_->setProperty("headline", true);
     details_ = new QLabel(this);
@@ -68,7 +69,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
 void EstimateStrip::resizeToFont()
 {
     setFixedHeight(scaled(kTarget));
-    progress_->setFixedWidth(scaled(180));
+    progress_->setMaximumWidth(scaled(180));
     arrange();
 }
 

@@ -25,8 +25,9 @@
 namespace terratact {
 namespace {
 
-constexpr double kGroup = 0.76;  // of an element's width
-constexpr double kGap = 0.06;    // between the bars of a group
+constexpr double kGroup = 0.76;   // of an element's width
+constexpr double kGap = 0.06;     // between the bars of a group
+constexpr double kLabelGap = 6.0;  // [px] between the labels of two elements
 
 struct Span {
     double left, right;  // on the axis of the elements
@@ -200,6 +201,8 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
 {
     setAccessibleName(tr("Forces on the front flippers"));
     setAutoReplot(false);
+    setSizePolicy(QSizePolicy::Expanding,
+                  QSizePolicy::Expanding);  // Qwt's would take sizeHint() for the least
     auto* frame = new QwtPlotCanvas(this);
     frame->setFrameStyle(QFrame::NoFrame);
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
@@ -229,13 +232,16 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
     thresholdLine_->setZ(20.0);
     thresholdLine_->attach(this);
 
-    for (std::size_t i = 0; i < kForceElements; ++i) {
-        numbers_[i] = new QwtPlotMarker;
-        numbers_[i]->setLabelAlignment(Qt::AlignTop | Qt::AlignHCenter);
-        numbers_[i]->setSpacing(2);
-        numbers_[i]->setZ(30.0);
-        numbers_[i]->attach(this);
-    }
+    const auto label = [this](double z) {
+        auto* made = new QwtPlotMarker;
+        made->setLabelAlignment(Qt::AlignTop | Qt::AlignHCenter);
+        made->setSpacing(2);
+        made->setZ(z);
+        made->attach(this);
+        return made;
+    };
+    for (QwtPlotMarker*& number : numbers_) number = label(30.0);
+    for (QwtPlotMarker*& contact : contacts_) contact = label(31.0);
     restyle();
 }
 
@@ -442,12 +448,12 @@ QString ForceBars::labelText(int element) const
     }
     const QFontMetricsF metrics(labelFont(touching(element)));
     const QString row = numbers.join(QStringLiteral("  "));
-    const bool fits = metrics.horizontalAdvance(row) < groupWidth();
-    QString text = fits ? row : numbers.join(QLatin1Char('\n'));
-    if (saturated)
-        text += QLatin1Char('\n') + tr("▲ sat.");
-    else if (touching(element))
-        text += QLatin1Char('\n') + tr("contact");
+    const auto fits = [&](const QString& line) {
+        return metrics.horizontalAdvance(line) + kLabelGap <= groupWidth();
+    };
+    QString text = fits(row) ? row : numbers.join(QLatin1Char('\n'));
+    const QString mark = tr("▲ sat.");
+    if (saturated) text += QLatin1Char('\n') + (fits(mark) ? mark : mark.left(1));
     return text;
 }
 
@@ -474,7 +480,7 @@ void ForceBars::fitScale()
     const double height = std::max(1, canvas()->height());
     double needed = 0.0;
     for (int element = 0; element < kForceElements; ++element) {
-        const auto rows = labelText(element).count(QLatin1Char('\n')) + 1;
+        const auto rows = labelText(element).count(QLatin1Char('\n')) + (touching(element) ? 2 : 1);
         const double share =
             std::clamp(1.0 - (4.0 + line * static_cast<double>(rows)) / height, 0.3, 0.8);
         needed = std::max(needed, top(element) / share);
@@ -525,6 +531,31 @@ void ForceBars::showNumbers()
     }
 }
 
+// One word over all neighbours that touch: over each it would touch the next.
+void ForceBars::showContacts()
+{
+    std::size_t used = 0;
+    for (int first = 0; first < kForceElements; ++first) {
+        int last = first;
+        double highest = 0.0;
+        qsizetype rows = 0;
+        for (; last < kForceElements && touching(last); ++last) {
+            highest = std::max(highest, top(last));
+            rows = std::max(rows, labelText(last).count(QLatin1Char('\n')) + 1);
+        }
+        if (last == first) continue;
+        QwtText label(tr("contact") + QString(rows, QLatin1Char('\n')));  // above the numbers
+        label.setFont(labelFont(true));
+        label.setColor(theme().contact);
+        QwtPlotMarker& marker = *contacts_.at(used++);
+        marker.setValue((first + last - 1) / 2.0, highest);
+        marker.setLabel(label);
+        marker.show();
+        first = last;
+    }
+    for (; used < contacts_.size(); ++used) contacts_[used]->hide();
+}
+
 void ForceBars::showDrifts()
 {
     const QFontMetricsF metrics(axisFont(QwtPlot::xBottom));
@@ -554,6 +585,7 @@ void ForceBars::show()
     fitScale();
     showBars();
     showNumbers();
+    showContacts();
     thresholdLine_->setYValue(threshold_);
     thresholdLine_->setVisible(unit_ == Unit::Newtons);
     QStringList lines;

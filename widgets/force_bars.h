@@ -58,7 +58,7 @@ private:
 
 /// The forces of every array as six groups of live bars with their numbers, calibrated [N] or raw [V].
 /// A bar of the first array is solid, of the second outlined.  An element whose mean over the arrays is
-/// above the threshold is in contact, as for the estimate: blue and hatched, and it says so.  A saturated
+/// above the threshold is in contact, as for the estimate: blue and hatched, and it says so, once for neighbours.  A saturated
 /// element reads ">19" and wears a triangle; a thin line stands at each bar's peak of the last 3 s; a bias
 /// that drifted by more than ForceDrift::kNotable stands below its element.  No value reads "--".
 class ForceBars final : public QwtPlot {
@@ -109,6 +109,7 @@ private:
     void show();
     void showBars();
     void showNumbers();
+    void showContacts();
     void showDrifts();
     void fitScale();
     const ForceElement& at(int element, int array) const;
@@ -131,6 +132,7 @@ private:
     QwtPlotGrid* grid_ = nullptr;
     QwtPlotMarker* thresholdLine_ = nullptr;
     std::array<QwtPlotMarker*, kForceElements> numbers_{};
+    std::array<QwtPlotMarker*, kForceElements / 2> contacts_{};  ///< of neighbours that touch
 };
 
 }  // namespace terratact

@@ -9,6 +9,11 @@
 #include "widgets/palette.h"
 
 namespace terratact {
+namespace {
+
+constexpr int kFrame = 6;  // [px] between the edge and the text
+
+}  // namespace
 
 HeldButton::HeldButton(const QString& text, QWidget* parent) : QPushButton(text, parent)
 {
@@ -139,6 +144,23 @@ QSize HoldToConfirmButton::sizeHint() const
     return {fontMetrics().horizontalAdvance(text()) + scaled(36), scaled(40)};
 }
 
+QSize HoldToConfirmButton::minimumSizeHint() const
+{
+    const QFontMetrics metrics(boldFont());
+    int width = metrics.horizontalAdvance(text());
+    for (qsizetype space = text().indexOf(u' '); space > 0; space = text().indexOf(u' ', space + 1))
+        width = std::min(width, std::max(metrics.horizontalAdvance(text().left(space)),
+                                         metrics.horizontalAdvance(text().mid(space + 1))));
+    return {width + 2 * kFrame, std::max(scaled(40), 2 * metrics.lineSpacing() + kFrame)};
+}
+
+QFont HoldToConfirmButton::boldFont() const
+{
+    QFont bold = font();
+    bold.setBold(true);
+    return bold;
+}
+
 void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
@@ -161,10 +183,9 @@ void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
     painter.setPen(QPen(hasFocus() ? theme().text : edge, hasFocus() ? 2.5 : 1.0));
     painter.drawPath(shape);
     painter.setPen(fill.text);
-    QFont bold = font();
-    bold.setBold(isEnabled());
-    painter.setFont(bold);
-    painter.drawText(rect(), Qt::AlignCenter, text());
+    painter.setFont(isEnabled() ? boldFont() : font());
+    painter.drawText(rect().adjusted(kFrame, 0, -kFrame, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                     text());
 }
 
 }  // namespace terratact

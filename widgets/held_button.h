@@ -54,15 +54,18 @@ public:
     void setHoldTime(int milliseconds) { holdTime_ = milliseconds; }
     double share() const;  ///< 0 … 1 of the time held
 
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;  ///< with the text on two lines
+
 signals:
     void confirmed();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    QSize sizeHint() const override;
 
 private:
     void advance();
+    QFont boldFont() const;
 
     Fill Theme::*fill_;
     int holdTime_ = 1500;  // [ms]

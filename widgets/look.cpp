@@ -16,9 +16,8 @@
 namespace terratact {
 namespace {
 
-/// The font scale [%] and the theme in use.
-int scalePercent = 100;
-Theme current;
+LookInForce inForce;
+Theme current;  ///< of it
 
 QColor mixed(const QColor& a, const QColor& b, double shareOfB)
 {
@@ -74,6 +73,7 @@ QPushButton[role="small"] { padding: 5px 4px; min-width: @26px; font-size: @18px
 QFrame#navigationRail { background: @header; }
 QFrame#navigationRail QPushButton { background: transparent; color: @headerText; border: none; padding: 4px 6px;
                                     min-width: @78px; min-height: @40px; }
+QFrame#navigationRail[dense="true"] QPushButton { min-height: 26px; }
 QFrame#navigationRail QPushButton:hover { background: @chipHover; }
 QFrame#navigationRail QPushButton:checked { background: @chipArea; color: @source; border-left: 4px solid @source;
                                             padding-left: 2px; }
@@ -93,6 +93,8 @@ QFrame#statusHeader QLabel[chip="true"][tone="good"] { background: @chipGoodArea
 QFrame#statusHeader QLabel[chip="true"][tone="doubt"] { background: @chipDoubtArea; color: @chipDoubtText; }
 QFrame#statusHeader QLabel[chip="true"][tone="bad"] { background: @chipBadArea; color: @chipBadText; }
 QFrame#statusHeader QLabel[chip="true"][tone="accent"] { background: @chipAccentArea; color: @chipAccentText; }
+QScrollArea#scrollColumn { border: 1px solid transparent; }
+QScrollArea#scrollColumn:focus { border: 1px solid @focus; }
 QLabel#banner { background: @bannerArea; color: @bannerText; font-weight: bold; padding: 7px 16px; }
 QLabel#reviewStrip { background: @cautionArea; color: @cautionText; font-weight: bold; padding: 5px 12px; }
 
@@ -203,13 +205,18 @@ const Theme& theme()
 
 int scaled(int pixels)
 {
-    return (pixels * scalePercent + 50) / 100;
+    return (pixels * inForce.fontScale + 50) / 100;
+}
+
+LookInForce lookInForce()
+{
+    return inForce;
 }
 
 void applyLook(QApplication& application, ThemeName name, int fontScale)
 {
     current = themeOf(name);
-    scalePercent = fontScale;
+    inForce = {name, fontScale};
     // A style sheet wraps the style and would wrap a second one, too.
     if (application.styleSheet().isEmpty())
         QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

@@ -11,6 +11,13 @@ namespace terratact {
 /// every window there is, each of whose widgets receives a QEvent::StyleChange.  fontScale: [%].
 void applyLook(QApplication& application, ThemeName name = ThemeName::Day, int fontScale = 100);
 
+/// What was applied last.
+struct LookInForce {
+    ThemeName theme = ThemeName::Day;
+    int fontScale = 100;  ///< [%]
+};
+LookInForce lookInForce();
+
 /// What a label says, as weight and colour.
 enum class Tone { Plain, Muted, Strong, Good, Doubt, Bad, Accent };
 

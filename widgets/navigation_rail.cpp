@@ -1,10 +1,28 @@
 #include "widgets/navigation_rail.h"
 
+#include <QApplication>
+#include <QEvent>
+#include <QFontMetrics>
 #include <QKeySequence>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/palette.h"
 
 namespace terratact {
+namespace {
+
+constexpr int kSpacing = 6, kDenseSpacing = 3;                // [px] between two buttons
+constexpr int kHeight = 40, kDenseHeight = 26, kPadding = 8;  // [px] of one, as in the style sheet
+
+QString keyText(Qt::Key key)
+{
+    return QKeySequence(key).toString(QKeySequence::NativeText);
+}
+
+}  // namespace
 
 NavigationRail::NavigationRail(QWidget* parent) : QFrame(parent)
 {
@@ -13,25 +31,87 @@ NavigationRail::NavigationRail(QWidget* parent) : QFrame(parent)
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);  // the longest name fits
     column_ = new QVBoxLayout(this);
     column_->setContentsMargins(6, 10, 6, 10);
-    column_->setSpacing(6);
+    column_->setSpacing(kSpacing);
     column_->addStretch(1);
 }
 
 void NavigationRail::addPage(const QString& name, Qt::Key key, const QString& tip)
 {
     const int page = pages();
-    const QString keyName = QKeySequence(key).toString(QKeySequence::NativeText);
-    auto* button = new QPushButton(name + QLatin1Char('\n') + keyName, this);
+    auto* button = new QPushButton(this);
     button->setProperty("role", "page");
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(name);
-    button->setToolTip(tip);
+    button->setToolTip(QStringLiteral("%1 (%2)").arg(tip, keyText(key)));
     column_->insertWidget(page, button);
     buttons_ << button;
     keys_ << key;
     connect(button, &QPushButton::clicked, this, [this, page] { choose(page); });
+    setDense(dense_);
     if (chosen_ < 0) choose(page);
+}
+
+void NavigationRail::setDense(bool dense)
+{
+    for (int page = 0; page < pages(); ++page) {
+        const QString name = button(page)->accessibleName();
+        button(page)->setText(dense ? name : name + QLatin1Char('\n') + keyText(keyOf(page)));
+    }
+    if (dense == dense_) return;
+    dense_ = dense;
+    setProperty("dense", dense);
+    column_->setSpacing(dense ? kDenseSpacing : kSpacing);
+    for (QPushButton* button : buttons_ + tools_) {
+        button->style()->unpolish(button);
+        button->style()->polish(button);
+    }
+    column_->activate();  // in the height there is now
+}
+
+int NavigationRail::heightNeeded(bool dense) const
+{
+    const QMargins margins = column_->contentsMargins();
+    int height = margins.top() + margins.bottom();
+    const auto add = [&](int lines) {
+        // As the style sheet says.
+        const int least = dense ? kDenseHeight : scaled(kHeight);
+        height += std::max(least, lines * QFontMetrics(QApplication::font()).lineSpacing())
+                + kPadding + (dense ? kDenseSpacing : kSpacing);
+    };
+    for (const QPushButton* page : buttons_)
+        if (dense || !page->isHidden()) add(dense ? 1 : 2);
+    for (const QPushButton* tool : tools_)
+        if (!tool->isHidden()) add(static_cast<int>(tool->text().count(QLatin1Char('\n'))) + 1);
+    return height;
+}
+
+QSize NavigationRail::minimumSizeHint() const
+{
+    return {QFrame::minimumSizeHint().width(), heightNeeded(true)};
+}
+
+void NavigationRail::fit()
+{
+    setDense(heightNeeded(false) > height());
+}
+
+void NavigationRail::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    fit();
+}
+
+bool NavigationRail::event(QEvent* event)
+{
+    const bool handled = QFrame::event(event);
+    if (event->type() == QEvent::LayoutRequest) fit();
+    return handled;
+}
+
+void NavigationRail::setOffered(int page, bool offered)
+{
+    button(page)->setVisible(offered);
 }
 
 void NavigationRail::choose(int page)
@@ -48,6 +128,7 @@ void NavigationRail::addTool(QPushButton* button)
     button->setParent(this);
     button->setFocusPolicy(Qt::TabFocus);
     column_->addWidget(button);
+    tools_ << button;
 }
 
 int NavigationRail::pageOf(int key) const

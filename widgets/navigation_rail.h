@@ -9,7 +9,7 @@ class QVBoxLayout;
 namespace terratact {
 
 /// The pages of the console, one button each, at the left edge.  Exactly one is chosen, by click or by its key,
-/// which stands below its name.
+/// which stands below its name where there is the height, and else in its tip.
 class NavigationRail final : public QFrame {
     Q_OBJECT
 public:
@@ -25,14 +25,27 @@ public:
     QPushButton* button(int page) const { return buttons_.at(page); }
     /// Puts a button at the lower end, below those put there before.
     void addTool(QPushButton* button);
+    /// A page that is not there for the time being is not offered.
+    void setOffered(int page, bool offered);
+
+    QSize minimumSizeHint() const override;  ///< with room for every page
 
 signals:
     void pageChosen(int page);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
+
 private:
+    void fit();
+    void setDense(bool dense);
+    int heightNeeded(bool dense) const;
+
     QVBoxLayout* column_ = nullptr;
-    QList<QPushButton*> buttons_;
+    QList<QPushButton*> buttons_, tools_;
     QList<int> keys_;
+    bool dense_ = false;
     int chosen_ = -1;
 };
 

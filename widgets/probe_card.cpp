@@ -12,12 +12,19 @@
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/scroll_column.h"
 #include "widgets/words.h"
 
 namespace terratact {
 namespace {
 
 enum Page { kNothing, kQuestion, kProbing };
+constexpr int kFacts = 6, kFactsNarrow = 4;  // lines seen in any case
+
+QString percent(double share)
+{
+    return words::number(-100.0 * share, 0);
+}
 
 }  // namespace
 
@@ -32,33 +39,56 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     setTone(*nothing_, Tone::Muted);
     pages_->addWidget(nothing_);
 
+    asking_ = questionPage();
+    pages_->addWidget(asking_);
+    pages_->addWidget(probingPage());
+    connect(approve_, &HoldToConfirmButton::confirmed, this, [this] {
+        if (asks()) emit approved(proposal_->id);
+    });
+    connect(refuse_, &QPushButton::clicked, this, [this] {
+        if (asks()) emit refused(proposal_->id);
+    });
+    setNarrow(false);
+    setNothing(QString());
+}
+
+QLabel* ProbeCard::fact(QGridLayout& rows, const QString& name, Tone tone)
+{
+    auto* key = new QLabel(name, this);
+    setTone(*key, Tone::Muted);
+    key->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* value = new QLabel(this);
+    setTone(*value, tone);
+    value->setAccessibleName(name);
+    value->setWordWrap(true);
+    keys_ << key;
+    const int at = rows.rowCount();
+    rows.addWidget(key, at, 0);
+    rows.addWidget(value, at, 1);
+    return value;
+}
+
+QWidget* ProbeCard::questionPage()
+{
     auto* question = new QWidget(this);
-    auto* rows = new QGridLayout(question);
-    rows->setContentsMargins(0, 0, 0, 0);
+    facts_ = new ScrollColumn(kFacts, question);
+    facts_->setAccessibleName(tr("What the probe is expected to buy"));
+    auto* rows = new QGridLayout;
     rows->setHorizontalSpacing(14);
     rows->setVerticalSpacing(1);
     rows->setColumnStretch(1, 1);
-    const auto row = [&](const QString& name, Tone tone) {
-        auto* key = new QLabel(name, question);
-        setTone(*key, Tone::Muted);
-        auto* value = new QLabel(question);
-        setTone(*value, tone);
-        value->setAccessibleName(name);
-        const int at = rows->rowCount();
-        rows->addWidget(key, at, 0);
-        questionKey_ = key;
-        rows->addWidget(value, at, 1);
-        return value;
-    };
-    where_ = row(tr("where"), Tone::Accent);
-    predicted_ = row(tr("predicted"), Tone::Strong);
-    band_ = row(tr("80 % band"), Tone::Strong);
-    variance_ = row(tr("all bins"), Tone::Strong);
-    cost_ = row(tr("costs"), Tone::Strong);
-    question_ = row(tr("step ahead"), Tone::Strong);
+    where_ = fact(*rows, tr("where"), Tone::Accent);
+    predicted_ = fact(*rows, tr("predicted"), Tone::Strong);
+    band_ = fact(*rows, tr("80 % band"), Tone::Strong);
+    variance_ = fact(*rows, tr("all bins"), Tone::Strong);
+    cost_ = fact(*rows, tr("costs"), Tone::Strong);
+    question_ = fact(*rows, tr("step ahead"), Tone::Strong);
+    questionKey_ = keys_.last();
+    facts_->column()->addLayout(rows);
     // Room to spare goes between the lines: what is to be decided is read at a glance.
-    for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 2);
-    rows->setRowStretch(rows->rowCount(), 1);
+    for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
+    facts_->column()->addStretch(1);
+
     auto* instead = new QHBoxLayout;
     instead->setSpacing(6);
     for (std::size_t i = 0; i < kOthers; ++i) {
@@ -71,19 +101,24 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
                 emit otherChosen(proposal_->id, proposal_->others[i].bin);
         });
     }
-    rows->addLayout(instead, rows->rowCount(), 0, 1, 2);
-    rows->setRowMinimumHeight(rows->rowCount(), 4);
     approve_ = new HoldToConfirmButton(QString(), &Theme::decide, question);
     approve_->setToolTip(
         tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing"));
-    refuse_ = new QPushButton(tr("Do not probe: 0 s, the estimate stays (N)"), question);
+    refuse_ = new QPushButton(question);
     refuse_->setFocusPolicy(Qt::TabFocus);
     refuse_->setToolTip(tr("Refuses the arm; as good an answer as any other"));
-    rows->addWidget(approve_, rows->rowCount(), 0, 1, 2);
-    rows->setRowMinimumHeight(rows->rowCount(), 4);
-    rows->addWidget(refuse_, rows->rowCount(), 0, 1, 2);
-    pages_->addWidget(question);
+    auto* column = new QVBoxLayout(question);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addWidget(facts_, 1);
+    column->addLayout(instead);
+    column->addWidget(approve_);
+    column->addWidget(refuse_);
+    return question;
+}
 
+QWidget* ProbeCard::probingPage()
+{
     auto* probing = new QWidget(this);
     auto* column = new QVBoxLayout(probing);
     column->setContentsMargins(0, 0, 0, 0);
@@ -96,15 +131,23 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     column->addWidget(probingText_);
     column->addWidget(probingBar_);
     column->addStretch(1);
-    pages_->addWidget(probing);
+    return probing;
+}
 
-    connect(approve_, &HoldToConfirmButton::confirmed, this, [this] {
-        if (asks()) emit approved(proposal_->id);
-    });
-    connect(refuse_, &QPushButton::clicked, this, [this] {
-        if (asks()) emit refused(proposal_->id);
-    });
-    setNothing(QString());
+void ProbeCard::setNarrow(bool narrow)
+{
+    narrow_ = narrow;
+    facts_->setLeastLines(narrow ? kFactsNarrow : kFacts);
+    for (QLabel* label : {where_, band_}) label->setVisible(!narrow);
+    for (QLabel* key : std::as_const(keys_)) key->setVisible(!narrow);
+    refuse_->setText(narrow ? tr("Do not probe (N)")
+                            : tr("Do not probe: 0 s, the estimate stays (N)"));
+    if (proposal_) showWorth();
+}
+
+int ProbeCard::leastHeight() const
+{
+    return frameHeight() + asking_->layout()->totalMinimumSize().height();
 }
 
 void ProbeCard::showPage(int page)
@@ -127,9 +170,6 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     approve_->letGo();  // a hold begun on another question does not count for this one
     proposal_ = proposal;
     where_->setText(tr("bin %1").arg(words::binName(proposal.bin)));
-    predicted_->setText(
-        tr("%1 m ± %2 m (sd)")
-            .arg(words::signedNumber(proposal.height, 2), words::number(proposal.sd, 2)));
     band_->setText(
         tr("%1 … %2 m")
             .arg(words::signedNumber(proposal.q10, 2), words::signedNumber(proposal.q90, 2)));
@@ -143,26 +183,40 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
 void ProbeCard::showWorth()
 {
     const ProbeProposal& p = *proposal_;
-    const auto percent = [](double share) { return words::number(-100.0 * share, 0); };
+    const QString height = words::signedNumber(p.height, 2), sd = words::number(p.sd, 2);
+    predicted_->setText(narrow_ ? tr("predicted %1 ± %2 m").arg(height, sd)
+                                : tr("%1 m ± %2 m (sd)").arg(height, sd));
     questionKey_->setText(tr("step > %1 m").arg(words::number(p.stepLimit, 2)));
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(words::number(p.seconds, 0)));
     if (p.worth) {
         const double bits = p.bitsBefore - p.worth->bitsAfter;
         variance_->setText(tr("total variance %1 %").arg(percent(p.worth->varianceShare)));
-        question_->setText(tr("%1 → %2 bit: %3 a minute")
-                               .arg(words::number(p.bitsBefore, 2),
-                                    words::number(p.worth->bitsAfter, 2),
-                                    words::number(60.0 * bits / p.seconds, 2)));
+        const QString before = words::number(p.bitsBefore, 2);
+        const QString after = words::number(p.worth->bitsAfter, 2);
+        question_->setText(
+            narrow_ ? tr("step ahead: %1 → %2 bit").arg(before, after)
+                    : tr("%1 → %2 bit: %3 a minute")
+                          .arg(before, after, words::number(60.0 * bits / p.seconds, 2)));
     } else {
         variance_->setText(tr("this bin to ± %1 m").arg(words::number(p.armSd, 2)));
-        question_->setText(tr("not known for this method"));
+        question_->setText(narrow_ ? tr("step ahead: not known for this method")
+                                   : tr("not known for this method"));
     }
+    showOthers();
+}
+
+void ProbeCard::showOthers()
+{
+    const std::vector<ProbeWorth> offered =
+        proposal_ ? proposal_->others : std::vector<ProbeWorth>();
     for (std::size_t i = 0; i < kOthers; ++i) {
-        others_[i]->setVisible(i < p.others.size());
-        if (i >= p.others.size()) continue;
-        const ProbeWorth& other = p.others[i];
+        others_[i]->setVisible(i < offered.size());
+        if (i >= offered.size()) continue;
+        const ProbeWorth& other = offered[i];
         const QString bin = words::binName(other.bin);
-        others_[i]->setText(tr("%1: %2, %3 %").arg(i + 1).arg(bin, percent(other.varianceShare)));
+        others_[i]->setText(
+            narrow_ ? QStringLiteral("%1: %2").arg(i + 1).arg(bin)
+                    : tr("%1: %2, %3 %").arg(i + 1).arg(bin, percent(other.varianceShare)));
         const QString all =
             tr("Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit")
                 .arg(bin, percent(other.varianceShare), words::number(other.bitsAfter, 2));
@@ -173,7 +227,8 @@ void ProbeCard::showWorth()
 
 void ProbeCard::setTimeLeft(double seconds)
 {
-    note()->setText(asks() ? tr("%1 left, then no").arg(words::countdown(seconds)) : QString());
+    const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then no");
+    note()->setText(asks() ? left.arg(words::countdown(seconds)) : QString());
     setTone(*note(), seconds < 10.0 ? Tone::Bad : Tone::Accent);
 }
 

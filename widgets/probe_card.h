@@ -1,11 +1,13 @@
 #pragma once
 
+#include <QList>
 #include <array>
 #include <optional>
 #include <vector>
 
 #include "widgets/card.h"
 
+class QGridLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -14,6 +16,8 @@ class QStackedLayout;
 namespace terratact {
 
 class HoldToConfirmButton;
+class ScrollColumn;
+enum class Tone;
 
 /// What touching one bin is expected to buy.
 struct ProbeWorth {
@@ -52,6 +56,10 @@ public:
     void setProbing(int bin, double elapsed, double expected);
     void setNothing(const QString& why);
 
+    /// Little room: leaves out what the button and the terrain say as well.
+    void setNarrow(bool narrow);
+    int leastHeight() const;  ///< [px] of a question, asked or not
+
     bool asks() const;  ///< a proposal is on the screen
     HoldToConfirmButton* approveButton() const { return approve_; }
     QPushButton* refuseButton() const { return refuse_; }
@@ -64,7 +72,11 @@ signals:
     void otherChosen(quint64 id, int bin);
 
 private:
+    QLabel* fact(QGridLayout& rows, const QString& name, Tone tone);
+    QWidget* questionPage();
+    QWidget* probingPage();
     void showWorth();
+    void showOthers();
     void showPage(int page);
 
     std::optional<ProbeProposal> proposal_;
@@ -76,6 +88,10 @@ private:
     QLabel* variance_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* questionKey_ = nullptr;
+    QList<QLabel*> keys_;
+    ScrollColumn* facts_ = nullptr;
+    QWidget* asking_ = nullptr;
+    bool narrow_ = false;
     QLabel* cost_ = nullptr;
     HoldToConfirmButton* approve_ = nullptr;
     QPushButton* refuse_ = nullptr;

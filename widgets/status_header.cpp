@@ -7,21 +7,60 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/arming_control.h"
+#include "widgets/elided_label.h"
 #include "widgets/look.h"
 
 namespace terratact {
+namespace {
+
+// [px]; nothing harmless close to STOP
+constexpr int kBetween = 8, kBetweenLines = 6, kBeforeStop = 20;
+
+/// [px] at least, of those that are not hidden.
+int widthOf(const QList<QWidget*>& row)
+{
+    int width = 0;
+    for (const QWidget* widget : row)
+        if (!widget->isHidden())
+            width += std::max(widget->minimumSizeHint().width(), widget->minimumWidth()) + kBetween;
+    return width;
+}
+
+int heightOf(const QList<QWidget*>& row)
+{
+    int height = 0;
+    for (const QWidget* widget : row)
+        if (!widget->isHidden()) height = std::max(height, widget->sizeHint().height());
+    return height;
+}
+
+int widthWith(const QPushButton& button, const QString& text)
+{
+    const QFontMetrics metrics = button.fontMetrics();
+    return button.sizeHint().width() - metrics.horizontalAdvance(button.text())
+         + metrics.horizontalAdvance(text);
+}
+
+QString alarmsText(int count)
+{
+    return count == 0 ? StatusHeader::tr("no alarms") : StatusHeader::tr("alarms: %1").arg(count);
+}
+
+}  // namespace
 
 StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
 {
     setObjectName(QStringLiteral("statusHeader"));
     setAccessibleName(tr("Status"));
-    source_ = new QLabel(this);
+    source_ = new ElidedLabel(this);
     source_->setObjectName(QStringLiteral("sourceName"));
     source_->setAccessibleName(tr("Where the data come from"));
     const auto chip = [this](const QString& name) {
-        auto* label = new QLabel(this);
+        auto* label = new ElidedLabel(this);
         label->setProperty("chip", true);
         label->setAccessibleName(name);
         return label;
@@ -58,19 +97,21 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
         tr("Halts the robot at once and latches; F12 does the same everywhere"));
     stop_->setToolTip(stop_->accessibleDescription());
 
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(18, 7, 12, 7);
-    row->setSpacing(8);
-    row->addWidget(source_);
-    row->addSpacing(6);
-    for (QLabel* label : {overridden_, link_, robot_, model_})
-        row->addWidget(label, 0, Qt::AlignVCenter);
-    row->addWidget(arming_, 0, Qt::AlignVCenter);
-    row->addStretch(1);
-    row->addWidget(alarms_, 0, Qt::AlignVCenter);
-    row->addWidget(quality_, 0, Qt::AlignVCenter);
-    row->addSpacing(20);  // nothing harmless close to STOP
-    row->addWidget(stop_);
+    auto* whole = new QHBoxLayout(this);
+    whole->setContentsMargins(18, 7, 12, 7);
+    whole->setSpacing(kBeforeStop);
+    auto* lines = new QVBoxLayout;
+    lines->setSpacing(kBetweenLines);
+    first_ = new QHBoxLayout;
+    second_ = new QHBoxLayout;
+    for (QBoxLayout* line : {first_, second_}) {
+        line->setSpacing(kBetween);
+        lines->addLayout(line);
+    }
+    whole->addLayout(lines, 1);
+    whole->addWidget(stop_);
+    setLines(1);
+    keepRoom();
     connect(help_, &QPushButton::clicked, this, &StatusHeader::helpRequested);
     connect(stop_, &QPushButton::pressed, this, &StatusHeader::stopPressed);
 }
@@ -89,7 +130,7 @@ void StatusHeader::setLink(const QString& text, Tone tone, const QString& detail
 
 void StatusHeader::setAlarms(int unseen, int all)
 {
-    const QString count = all == 0 ? tr("no alarms") : tr("alarms: %1").arg(all);
+    const QString count = alarmsText(all);
     const QString text = unseen > 0 ? QStringLiteral("▲ ") + count : count;
     if (alarms_->text() == text) return;
     alarms_->setText(text);
@@ -119,12 +160,87 @@ void StatusHeader::setModel(const QString& text, Tone tone, const QString& detai
     fit();
 }
 
+QList<QWidget*> StatusHeader::upper() const
+{
+    return {source_, link_, robot_};
+}
+
+QList<QWidget*> StatusHeader::lower() const
+{
+    return {overridden_, model_, arming_};
+}
+
+QList<QWidget*> StatusHeader::last() const
+{
+    QList<QWidget*> row{alarms_};
+    if (quality_->parentWidget() == this) row << quality_;  // it may stand elsewhere
+    return row;
+}
+
+void StatusHeader::setLines(int lines)
+{
+    if (lines == lines_) return;
+    lines_ = lines;
+    for (QBoxLayout* line : {first_, second_})
+        while (const QLayoutItem* item = line->takeAt(0)) delete item;
+    QBoxLayout* below = lines > 1 ? second_ : first_;
+    const auto add = [](QBoxLayout* line, const QList<QWidget*>& row) {
+        for (QWidget* widget : row) line->addWidget(widget, 0, Qt::AlignVCenter);
+    };
+    add(first_, upper());
+    if (lines > 1) first_->addStretch(1);
+    add(below, lower());
+    below->addStretch(1);
+    add(below, last());
+    layout()->activate();
+}
+
+void StatusHeader::keepRoom()
+{
+    link_->setUsual({tr("link %1 Hz · ≤ %2").arg(QStringLiteral("20"), QStringLiteral("100 ms"))});
+    robot_->setUsual({QString(14, QLatin1Char('n'))});
+    int width = 0;
+    for (const QString& text : {tr("STOP (F12)"), tr("STOPPED (F12)")})
+        width = std::max(width, widthWith(*stop_, text));
+    stop_->setMinimumWidth(width);
+    alarms_->setMinimumWidth(std::max(widthWith(*alarms_, alarmsText(0)),
+                                      widthWith(*alarms_, QStringLiteral("▲ ") + alarmsText(10))));
+}
+
+int StatusHeader::oneLine() const
+{
+    const QMargins margins = layout()->contentsMargins();
+    int width = widthOf(last() << arming_);
+    for (const ElidedLabel* label : {source_, overridden_, link_, robot_})
+        if (!label->isHidden()) width += label->usualWidth() + kBetween;
+    const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
+    return margins.left() + margins.right() + width + stop;
+}
+
+int StatusHeader::heightFor(int width) const
+{
+    const QMargins margins = layout()->contentsMargins();
+    const int lines = oneLine() <= width
+                        ? heightOf(upper() + lower() + last())
+                        : heightOf(upper()) + kBetweenLines + heightOf(lower() + last());
+    return margins.top() + margins.bottom() + std::max(lines, heightOf({stop_}));
+}
+
+QSize StatusHeader::minimumSizeHint() const
+{
+    const QMargins margins = layout()->contentsMargins();
+    const int lines = std::max(widthOf(upper()), widthOf(last() << overridden_ << arming_));
+    const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
+    return {margins.left() + margins.right() + lines + stop, QFrame::minimumSizeHint().height()};
+}
+
 void StatusHeader::fit()
 {
-    const int needed = layout()->sizeHint().width()
-                     + (model_->isHidden() ? model_->sizeHint().width() + layout()->spacing() : 0);
+    const int wide = oneLine();
+    setLines(wide > width() ? 2 : 1);
     const bool trouble = model_->property("tone").toString() == QLatin1String("bad");
-    model_->setVisible(needed <= width() || trouble);
+    const int room = width() - (lines_ > 1 ? minimumSizeHint().width() : wide);
+    model_->setVisible(trouble || room >= model_->sizeHint().width() + kBetween);
 }
 
 void StatusHeader::resizeEvent(QResizeEvent* event)
@@ -136,7 +252,10 @@ void StatusHeader::resizeEvent(QResizeEvent* event)
 bool StatusHeader::event(QEvent* event)
 {
     const bool handled = QFrame::event(event);
-    if (event->type() == QEvent::LayoutRequest) fit();
+    if (event->type() == QEvent::LayoutRequest) {
+        keepRoom();  // the letters may be others
+        fit();
+    }
     return handled;
 }
 

@@ -2,16 +2,18 @@
 
 #include <QFrame>
 
-class QLabel;
+class QBoxLayout;
 class QPushButton;
 
 namespace terratact {
 
 class ArmingControl;
+class ElidedLabel;
 enum class Tone;
 
 /// The dark strip at the top: where the data come from, how the link is, what the robot does, and STOP.
-/// STOP acts on the press, is never confirmed and never disabled.
+/// STOP acts on the press, is never confirmed and never disabled.  What does not fit beside it on one line stands on
+/// two; changing texts move nothing.
 class StatusHeader final : public QFrame {
     Q_OBJECT
 public:
@@ -40,6 +42,9 @@ public:
     QPushButton* qualityButton() const { return quality_; }
     QPushButton* alarmsButton() const { return alarms_; }
 
+    QSize minimumSizeHint() const override;  ///< on two lines
+    int heightFor(int width) const;          ///< [px] it needs
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
@@ -52,12 +57,21 @@ signals:
 
 private:
     void fit();  ///< leaves the model out where STOP needs its room; a missing one stays
+    void setLines(int lines);
+    int oneLine() const;  ///< [px] wide, without the model
+    QList<QWidget*> upper() const;
+    QList<QWidget*> lower() const;
+    QList<QWidget*> last() const;
+    void keepRoom();  ///< for every text there may be
 
-    QLabel* source_ = nullptr;
-    QLabel* link_ = nullptr;
-    QLabel* robot_ = nullptr;
-    QLabel* overridden_ = nullptr;
-    QLabel* model_ = nullptr;
+    int lines_ = 0;
+    QBoxLayout* first_ = nullptr;
+    QBoxLayout* second_ = nullptr;
+    ElidedLabel* source_ = nullptr;
+    ElidedLabel* link_ = nullptr;
+    ElidedLabel* robot_ = nullptr;
+    ElidedLabel* overridden_ = nullptr;
+    ElidedLabel* model_ = nullptr;
     QPushButton* alarms_ = nullptr;
     QPushButton* quality_ = nullptr;
     ArmingControl* arming_ = nullptr;

@@ -84,7 +84,7 @@ QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill
 /// Words at the top of the canvas.
 void setLabel(QwtPlotTextLabel& label, QwtText words)
 {
-    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
+    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap);
     QColor behind = theme().card;
     behind.setAlpha(0xe0);
     words.setBackgroundBrush(behind);
@@ -131,18 +131,30 @@ public:
     }
 };
 
-/// The legend, which makes room for the terrain in a view that is low.
+/// The legend, which makes room for the terrain in a view that is low, or where it would take much of it.
 class Key final : public QwtLegend {
 public:
     explicit Key(const QWidget& view) : view_(view) {}
     bool isEmpty() const override
     {
         constexpr int kLow = 160;  // [px] at 100 %
-        return view_.height() < scaled(kLow) || QwtLegend::isEmpty();
+        constexpr int kMost = 6;   // of its parts
+        return view_.height() < scaled(kLow)
+            || heightForWidth(view_.width()) * kMost > view_.height() || QwtLegend::isEmpty();
     }
 
 private:
     const QWidget& view_;
+};
+
+/// A text at the upper edge of the plot, on as many lines as it needs.
+class Note final : public QwtPlotTextLabel {
+    QRectF textRect(const QRectF& plot, const QSizeF& oneLine) const override
+    {
+        const double width = std::min(oneLine.width(), plot.width());
+        return {plot.center().x() - width / 2.0, plot.top(), width,
+                text().heightForWidth(width, text().font())};
+    }
 };
 
 /// Says in the legend what the bars are; draws nothing itself.
@@ -261,6 +273,8 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
 {
     setAccessibleName(tr("Terrain profile"));
     setAutoReplot(false);
+    setSizePolicy(QSizePolicy::Expanding,
+                  QSizePolicy::Expanding);  // Qwt's would take sizeHint() for the least
     auto* frame = new QwtPlotCanvas(this);
     frame->setFrameStyle(QFrame::NoFrame);
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
@@ -348,7 +362,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     frame->setMouseTracking(true);
 
     const auto label = [this] {
-        auto* item = new QwtPlotTextLabel;
+        auto* item = new Note;
         item->setItemAttribute(QwtPlotItem::Legend, false);
         item->setZ(40.0);
         item->attach(this);

@@ -64,7 +64,7 @@ public:
 
     void updateLayout() override;
     QSize sizeHint() const override { return {760, 420}; }
-    QSize minimumSizeHint() const override { return {420, 260}; }
+    QSize minimumSizeHint() const override { return {300, 110}; }
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;

@@ -1,11 +1,12 @@
 #include "widgets/verdict_strip.h"
 
+#include <QApplication>
 #include <QEvent>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,8 @@
 
 namespace terratact {
 namespace {
+
+constexpr int kBadgeFrame = 28;  // [px] beside its word
 
 QString likeliestText(const Verdict& verdict)
 {
@@ -79,9 +82,18 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
 void VerdictStrip::resizeToFont()
 {
     // Always two lines: a jumping layout misleads.  More where nothing but empty room would jump.
-    const int twoLines = 2 * reason_->fontMetrics().lineSpacing() + 2;
+    const int twoLines = 2 * QFontMetrics(QApplication::font()).lineSpacing() + 2;
     reason_->setMinimumHeight(twoLines);
     reason_->setMaximumHeight(stacked_ ? QWIDGETSIZE_MAX : twoLines);
+    // Nor does the badge change its width with its word.
+    QFont bold = QApplication::font();
+    bold.setPixelSize(scaled(19));  // as in the style sheet
+    bold.setBold(true);
+    int width = 0;
+    for (const QString& word :
+         {tr("✔ CLEAR"), tr("✘ BLOCKED"), tr("? CANNOT TELL"), tr("NO VERDICT")})
+        width = std::max(width, QFontMetrics(bold).horizontalAdvance(word));
+    badge_->setMinimumWidth(width + kBadgeFrame);
 }
 
 void VerdictStrip::setStacked(bool stacked)
@@ -101,8 +113,7 @@ void VerdictStrip::setStacked(bool stacked)
 void VerdictStrip::changeEvent(QEvent* event)
 {
     QFrame::changeEvent(event);
-    if (event->type() == QEvent::StyleChange)
-        QTimer::singleShot(0, this, [this] { resizeToFont(); });
+    if (event->type() == QEvent::StyleChange) resizeToFont();
 }
 
 void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
@@ -132,6 +143,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     }
     if (!probe.isEmpty()) why << probe;
     reason_->setText(why.join(QStringLiteral(" — ")));
+    reason_->setToolTip(reason_->text());
 }
 
 void VerdictStrip::setNothing(const QString& why)

@@ -134,6 +134,13 @@
     </message>
 </context>
 <context>
+    <name>Letters</name>
+    <message>
+        <source>%1 % wanted, %2 % fits this screen</source>
+        <translation>zvoleno %1 %, na obrazovku se vejde %2 %</translation>
+    </message>
+</context>
+<context>
     <name>LinkStatus</name>
     <message>
         <source>END OF THE LOG</source>
@@ -2096,6 +2103,10 @@ Poslední deaktivace: %1</translation>
         <source>open a session, a log or scenes in another window</source>
         <translation>otevřít relaci, záznam nebo scény v jiném okně</translation>
     </message>
+    <message>
+        <source>Forces, attitude and the last events</source>
+        <translation>Síly, náklon a poslední události</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2314,6 +2325,30 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
         <translation>Místo toho bod %1: celkový rozptyl %2 %, schod vpředu na %3 bit</translation>
+    </message>
+    <message>
+        <source>What the probe is expected to buy</source>
+        <translation>Co má sonda přinést</translation>
+    </message>
+    <message>
+        <source>Do not probe (N)</source>
+        <translation>Bez sondy (N)</translation>
+    </message>
+    <message>
+        <source>predicted %1 ± %2 m</source>
+        <translation>odhad %1 ± %2 m</translation>
+    </message>
+    <message>
+        <source>step ahead: %1 → %2 bit</source>
+        <translation>schod vpředu: %1 → %2 bit</translation>
+    </message>
+    <message>
+        <source>step ahead: not known for this method</source>
+        <translation>schod vpředu: u této metody neznámo</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>zbývá %1</translation>
     </message>
 </context>
 <context>
@@ -3664,6 +3699,10 @@ F1</translation>
     <message>
         <source>! CHECK OVERRIDDEN</source>
         <translation>! KONTROLA PŘEBITA</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>spoj %1 Hz · ≤ %2</translation>
     </message>
 </context>
 <context>

@@ -134,6 +134,13 @@
     </message>
 </context>
 <context>
+    <name>Letters</name>
+    <message>
+        <source>%1 % wanted, %2 % fits this screen</source>
+        <translation>%1 % gewählt, %2 % passt auf diesen Bildschirm</translation>
+    </message>
+</context>
+<context>
     <name>LinkStatus</name>
     <message>
         <source>END OF THE LOG</source>
@@ -2096,6 +2103,10 @@ Zuletzt gesperrt: %1</translation>
         <source>open a session, a log or scenes in another window</source>
         <translation>eine Sitzung, ein Log oder Szenen in einem anderen Fenster öffnen</translation>
     </message>
+    <message>
+        <source>Forces, attitude and the last events</source>
+        <translation>Kräfte, Lage und die letzten Ereignisse</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2314,6 +2325,30 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
         <translation>Stattdessen Feld %1: Gesamtvarianz %2 %, Stufe voraus auf %3 bit</translation>
+    </message>
+    <message>
+        <source>What the probe is expected to buy</source>
+        <translation>Was die Sonde bringen soll</translation>
+    </message>
+    <message>
+        <source>Do not probe (N)</source>
+        <translation>Nicht sondieren (N)</translation>
+    </message>
+    <message>
+        <source>predicted %1 ± %2 m</source>
+        <translation>erwartet %1 ± %2 m</translation>
+    </message>
+    <message>
+        <source>step ahead: %1 → %2 bit</source>
+        <translation>Stufe voraus: %1 → %2 bit</translation>
+    </message>
+    <message>
+        <source>step ahead: not known for this method</source>
+        <translation>Stufe voraus: bei dieser Methode unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
     </message>
 </context>
 <context>
@@ -3664,6 +3699,10 @@ F1</translation>
     <message>
         <source>! CHECK OVERRIDDEN</source>
         <translation>! PRÜFUNG ÜBERGANGEN</translation>
+    </message>
+    <message>
+        <source>link %1 Hz · ≤ %2</source>
+        <translation>Link %1 Hz · ≤ %2</translation>
     </message>
 </context>
 <context>

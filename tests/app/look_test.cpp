@@ -13,7 +13,9 @@
 
 #include "app/bus_words.h"
 #include "app/language.h"
+#include "app/letters.h"
 #include "app/main_window.h"
+#include "app/settings_page.h"
 #include "app/view_menu.h"
 #include "core/atem/following.h"
 #include "core/infer/estimate_words.h"
@@ -278,6 +280,7 @@ TEST_F(Look, nothingIsCutInLargeLetters)
     const std::pair<int, QSize> cases[]{
         {80, {1440, 900}}, {120, {1440, 900}}, {150, {1440, 900}}, {200, {2560, 1440}}};
     for (const auto& [scale, size] : cases) {
+        window->setRoom(size);
         window->preferences().change([scale = scale](Preferences& p) { p.fontScale = scale; });
         for (const Qt::Key layout : {Qt::Key_1, Qt::Key_3, Qt::Key_2}) {
             press(layout);
@@ -365,6 +368,47 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     }
     EXPECT_EQ(installLanguage(*qApp, "tlh"), "en");
     EXPECT_EQ(words::sentence("ready"), "ready");
+}
+
+TEST(Letters, areTheLargestThatFit)
+{
+    const auto needs = [](int percent) { return QSize(10 * percent, 5 * percent); };
+    EXPECT_EQ(lettersThatFit(100, {2000, 2000}, needs), 100) << "never larger than wanted";
+    EXPECT_EQ(lettersThatFit(200, {2000, 1000}, needs), 200) << "just so";
+    EXPECT_EQ(lettersThatFit(200, {1999, 2000}, needs), 190) << "too wide";
+    EXPECT_EQ(lettersThatFit(200, {2000, 701}, needs), 140) << "too high";
+    EXPECT_EQ(lettersThatFit(155, {1460, 2000}, needs), 145) << "steps are from the wanted ones";
+    EXPECT_EQ(lettersThatFit(200, {100, 100}, needs), kSmallestFont) << "smaller there are none";
+}
+
+TEST_F(Look, lettersThatDoNotFitTheScreenAreSaidAndKeptForALargerOne)
+{
+    window->setRoom({1200, 680});
+    window->preferences().change([](Preferences& p) { p.fontScale = 200; });
+    const int fits = lookInForce().fontScale;
+    EXPECT_LT(fits, 200);
+    EXPECT_LE(window->minimumWidth(), 1200);
+    EXPECT_LE(window->minimumHeight(), 680);
+    const QString note = QStringLiteral("200 % wanted, %1 % fits this screen").arg(fits);
+    EXPECT_EQ(lettersNote(200), note);
+    window->rail()->choose(window->rail()->pageOf(Qt::Key_F7));
+    EXPECT_TRUE(eventually([&] { return window->settings()->lettersNote()->isVisible(); }));
+    EXPECT_EQ(window->settings()->lettersNote()->text(), note);
+    ViewMenu menu(window->preferences());
+    menu.popup(window->pos());
+    EXPECT_TRUE(menu.actions().last()->isVisible());
+    EXPECT_EQ(menu.actions().last()->text(), note);
+    menu.hide();
+
+    window->setRoom({1920, 1080});
+    EXPECT_EQ(lookInForce().fontScale, 200);
+    EXPECT_EQ(window->preferences().current().fontScale, 200);
+    EXPECT_TRUE(eventually([&] { return !window->settings()->lettersNote()->isVisible(); }));
+    EXPECT_EQ(lettersNote(200), QString());
+
+    window->setRoom({1200, 680});
+    press(Qt::Key_Minus);
+    EXPECT_EQ(lookInForce().fontScale, fits - 10) << "smaller than what is seen, not than wanted";
 }
 
 TEST_F(Look, lettersGrowAndShrinkWithinTheirLimits)

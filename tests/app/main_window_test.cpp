@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDialog>
 #include <QEventLoop>
 #include <QLabel>
@@ -82,6 +83,11 @@ struct Console : testing::Test {
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
     }
 
+    void TearDown() override
+    {
+        window.reset();
+        if (lookInForce().fontScale != 100) applyLook(*qApp);
+    }
     void open(
         std::unique_ptr<MeasurementSource> source,
         ModelLoader model = [] { return Result<LoadedModel>(madeUp()); })
@@ -127,6 +133,44 @@ struct Console : testing::Test {
         QTest::keyClick(window.get(), Qt::Key_A);
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
         ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+    }
+
+    /// In every size of screen and letters: all has its room, and the letters are at least as large as was achieved.
+    void fitsEveryScreen(const char* state, std::initializer_list<int> letters)
+    {
+        struct Screen {
+            QSize size;
+            int largest;  // letters [%] that must be possible
+        };
+        constexpr Screen kScreens[]{{{1200, 680}, 150},
+                                    {{1280, 720}, 160},
+                                    {{1366, 768}, 170},
+                                    {{1440, 900}, 200},
+                                    {{1920, 1080}, 200}};
+        for (const int wanted : letters)
+            for (const Screen& screen : kScreens) {
+                window->setRoom(screen.size);
+                window->preferences().change([wanted](Preferences& p) { p.fontScale = wanted; });
+                window->resize(screen.size);
+                const std::string what = std::string(state) + ", " + std::to_string(wanted) + " %, "
+                                       + std::to_string(screen.size.width());
+                EXPECT_GE(lookInForce().fontScale, std::min(wanted, screen.largest)) << what;
+                EXPECT_EQ(window->preferences().current().fontScale, wanted);
+                (void)eventually([&] { return gui::cramped(*window).empty(); }, 1000);  // laid out
+                EXPECT_EQ(gui::cramped(*window), std::vector<std::string>()) << what;
+                EXPECT_EQ(window->size(), screen.size) << what;
+                const QPushButton& stop = *window->header()->stopButton();
+                EXPECT_TRUE(stop.isVisible() && window->header()->rect().contains(stop.geometry()))
+                    << what;
+                const QWidget& terrain = *window->terrain()->parentWidget();
+                EXPECT_GE(terrain.width(), window->atemPanel()->width()) << what;
+                const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
+                if (!folder.isEmpty())
+                    window->grab().save(QStringLiteral("%1/letters_%2_%3_%4.png")
+                                            .arg(folder, state)
+                                            .arg(wanted)
+                                            .arg(screen.size.width()));
+            }
     }
 
     RobotModel robot = absolem();
@@ -270,6 +314,7 @@ TEST_F(Console, thePagesAreReachedByTheirKeys)
 {
     open(fastRobot(robot, 2.1));
     for (int page = 0; page < window->rail()->pages(); ++page) {
+        if (window->rail()->button(page)->isHidden()) continue;
         QTest::keyClick(window.get(), window->rail()->keyOf(page));
         EXPECT_EQ(window->rail()->chosen(), page);
         EXPECT_TRUE(window->header()->stopButton()->isVisible());
@@ -459,6 +504,72 @@ TEST_F(Console, noTextIsCutAtTheSmallestSizes)
         EXPECT_EQ(window->size(), size) << "the layout needs more than this";
         EXPECT_EQ(gui::cutText(*window), std::vector<std::string>()) << size.width();
     }
+}
+
+TEST_F(Console, lettersOfEverySizeHaveTheirRoomOnEveryScreen)
+{
+    ScriptedSource* source = openScripted();
+    ASSERT_TRUE(readyToExplore());
+    fitsEveryScreen("ready", {100, 120, 150, 200});
+    source->setSilent(true);
+    ASSERT_TRUE(eventually([&] { return window->header()->linkText().startsWith("LINK LOST"); }));
+    fitsEveryScreen("lost", {150, 200});
+}
+
+TEST_F(Console, aQuestionHasItsRoomInLettersOfEverySize)
+{
+    open(fastRobot(robot, 2.1));
+    proposeByKeyboard();
+    fitsEveryScreen("asked", {100, 150, 200});
+}
+
+TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
+{
+    ScriptedSource* source = openScripted();
+    window->setRoom({1200, 680});
+    window->preferences().change([](Preferences& p) { p.fontScale = 200; });
+    window->resize(window->minimumSize());
+    ASSERT_TRUE(readyToExplore());
+    const QSize least = window->minimumSize();
+    const int letters = lookInForce().fontScale;
+    window->header()->setLink("link 20 Hz · ≤ 1234 ms · 123456 dropped", Tone::Doubt);
+    window->header()->setOverridden("the robot rolls");
+    window->header()->setLatched(true);
+    window->header()->setAlarms(3, 12);
+    QTest::qWait(100);
+    EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    source->setSilent(true);
+    ASSERT_TRUE(eventually([&] { return window->header()->linkText().startsWith("LINK LOST"); }));
+    QTest::qWait(100);
+    EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(window->size(), least);
+    EXPECT_EQ(window->minimumSize(), least);
+    EXPECT_EQ(lookInForce().fontScale, letters);
+}
+
+TEST_F(Console, cardsThatFindNoRoomBesideTheTerrainHaveAPage)
+{
+    open(fastRobot(robot, 2.1));
+    const int page = window->rail()->pageOf(Qt::Key_F9);
+    window->setRoom({1440, 900});
+    window->resize(1440, 900);
+    EXPECT_TRUE(eventually([&] { return window->forces()->isVisible(); }));
+    EXPECT_FALSE(window->rail()->button(page)->isVisible());
+    QTest::keyClick(window.get(), Qt::Key_F9);
+    EXPECT_EQ(window->rail()->chosen(), 0) << "there is no such page now";
+    window->preferences().change([](Preferences& p) { p.fontScale = 200; });
+    EXPECT_TRUE(eventually([&] { return window->rail()->button(page)->isVisible(); }));
+    EXPECT_FALSE(window->forces()->isVisible());
+    EXPECT_TRUE(window->drivePad()->isVisible()) << "driving stays at hand";
+    QTest::keyClick(window.get(), Qt::Key_F9);
+    EXPECT_TRUE(eventually([&] { return window->forces()->isVisible(); }));
+    EXPECT_EQ(gui::cramped(*window), std::vector<std::string>());
+    window->preferences().change([](Preferences& p) { p.fontScale = 100; });
+    window->rail()->choose(0);
+    EXPECT_TRUE(eventually(
+        [&] { return window->forces()->isVisible() && window->terrain()->isVisible(); }));
 }
 
 /// Processor time of the calling thread so far [ms].

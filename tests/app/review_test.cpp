@@ -687,13 +687,16 @@ TEST_F(ReviewOf, nothingIsCutInLargeLettersAndTheTerrainHasTheRoomThereIs)
                        {150, {1440, 900}, 340.0}, {200, {1920, 1080}, 340.0}};
     int scale = 100;
     for (const Case& c : cases) {
+        window->setRoom(c.size);
         for (; scale < c.scale; scale += 10) press(Qt::Key_Plus, Qt::ControlModifier);
         window->resize(c.size);
+        EXPECT_EQ(lookInForce().fontScale, c.scale) << c.size.width();
         for (int page = 0; page < window->rail()->pages(); ++page) {
             window->rail()->choose(page);
             window->goTo(At::kMarker);
             if (window->rail()->keyOf(page) == Qt::Key_F3) continue;
             EXPECT_EQ(cutWhenSettled(), std::vector<std::string>{}) << c.scale << " " << page;
+            EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>{}) << c.scale << " " << page;
         }
         window->rail()->choose(0);
         QTest::qWait(50);

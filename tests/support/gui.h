@@ -12,6 +12,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTest>
 #include <QWidget>
@@ -102,9 +104,10 @@ inline std::vector<std::string> cutText(const QWidget& window)
             cut.push_back(text.toStdString());
     };
     for (const QLabel* label : window.findChildren<QLabel*>())
-        look(*label, label->text(),
-             label->wordWrap() ? QSize(0, label->heightForWidth(label->width()))
-                               : label->sizeHint());
+        if (!label->inherits("terratact::ElidedLabel"))  // its tip says all
+            look(*label, label->text(),
+                 label->wordWrap() ? QSize(0, label->heightForWidth(label->width()))
+                                   : label->sizeHint());
     for (const QPushButton* button : window.findChildren<QPushButton*>())
         look(*button, button->text(), button->minimumSizeHint());
     for (const QTableView* table : window.findChildren<QTableView*>()) {
@@ -118,6 +121,78 @@ inline std::vector<std::string> cutText(const QWidget& window)
         }
     }
     return cut;
+}
+
+/// The texts of lines that end in "…" for want of room; their tips say all.
+inline std::vector<std::string> elidedText(const QWidget& window)
+{
+    std::vector<std::string> elided;
+    for (const QLabel* label : window.findChildren<QLabel*>())
+        if (label->isVisible() && label->inherits("terratact::ElidedLabel")
+            && label->width() < label->sizeHint().width())
+            elided.push_back(label->text().toStdString());
+    return elided;
+}
+
+/// What has to be scrolled to be read, of what should be seen at once.
+inline std::vector<std::string> scrolledText(const QWidget& window)
+{
+    std::vector<std::string> scrolled;
+    for (const QScrollArea* area : window.findChildren<QScrollArea*>())
+        if (area->isVisible() && area->inherits("terratact::ScrollColumn")
+            && area->verticalScrollBar()->maximum() > 0)
+            scrolled.push_back(area->accessibleName().toStdString());
+    return scrolled;
+}
+
+/// Whether a widget's parts are laid out by somebody else than us: Qt's and Qwt's own, of which some lie upon others.
+inline bool hasPartsOfItsOwn(const QWidget& widget)
+{
+    for (const QWidget* at = &widget; at; at = at->parentWidget())
+        if (at->inherits("QwtPlot")) return true;
+    for (const char* kind : {"QAbstractScrollArea", "QAbstractSpinBox", "QComboBox"})
+        if (widget.inherits(kind)) return true;
+    return false;
+}
+
+/// Pairs of visible neighbours that lie upon each other, and what reaches beyond the widget it is in.
+inline std::vector<std::string> overlaps(const QWidget& window)
+{
+    std::vector<std::string> found;
+    const auto nameOf = [](const QWidget& widget) {
+        const auto* label = qobject_cast<const QLabel*>(&widget);
+        const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+        const QString text = label ? label->text() : button ? button->text() : QString();
+        return std::string(widget.metaObject()->className()) + " “"
+             + (text.isEmpty() ? widget.accessibleName() : text).toStdString() + "”";
+    };
+    QList<const QWidget*> parents{&window};
+    for (const QWidget* widget : window.findChildren<QWidget*>()) parents << widget;
+    for (const QWidget* parent : std::as_const(parents)) {
+        if (!parent->isVisible() || hasPartsOfItsOwn(*parent)) continue;
+        QList<const QWidget*> seen;
+        for (const QWidget* child :
+             parent->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+            if (!child->isVisible() || child->isWindow()) continue;
+            const bool scrolls = parent->objectName() == QLatin1String("qt_scrollarea_viewport");
+            if (!scrolls && !parent->rect().contains(child->geometry()))
+                found.push_back(nameOf(*child) + " reaches beyond " + nameOf(*parent));
+            for (const QWidget* other : std::as_const(seen))
+                if (child->geometry().intersects(other->geometry()))
+                    found.push_back(nameOf(*child) + " lies upon " + nameOf(*other));
+            seen << child;
+        }
+    }
+    return found;
+}
+
+/// All of that, with what it is.
+inline std::vector<std::string> cramped(const QWidget& window)
+{
+    std::vector<std::string> found = overlaps(window);
+    for (const std::string& text : cutText(window)) found.push_back("cut: " + text);
+    for (const std::string& text : scrolledText(window)) found.push_back("scrolls: " + text);
+    return found;
 }
 
 /// Paints a widget; fails by returning a null image when that takes as long as a hang.

@@ -1,8 +1,13 @@
 #include "widgets/force_bars.h"
 
 #include <gtest/gtest.h>
+#include <qwt_plot_marker.h>
+#include <qwt_text.h>
+
+#include <QApplication>
 
 #include "tests/support/gui.h"
+#include "widgets/look.h"
 #include "widgets/palette.h"
 
 namespace terratact {
@@ -58,6 +63,36 @@ TEST_F(Forces, touchingIsAboveTheThreshold)
     EXPECT_FALSE(bars.touching(5));
     bars.setThreshold(3.0);
     EXPECT_FALSE(bars.touching(2));
+}
+
+TEST_F(Forces, noLabelTouchesAnother)
+{
+    for (const int scale : {100, 150, 200}) {
+        applyLook(*qApp, ThemeName::Day, scale);
+        bars.resize(bars.minimumSizeHint() * (scale / 100.0));
+        both({15.2, 18.1, 17.0, 0.1, 12.5, 2.6}, {14.9, 18.4, 16.6, 0.3, 13.5, 2.8});
+        QTest::qWait(20);
+        std::vector<QRectF> labels;
+        for (const QwtPlotItem* item : bars.itemList(QwtPlotItem::Rtti_PlotMarker)) {
+            const auto* marker = static_cast<const QwtPlotMarker*>(item);
+            if (!marker->isVisible() || marker->label().isEmpty()) continue;
+            const QSizeF size = marker->label().textSize();
+            const QPointF foot(bars.transform(QwtPlot::xBottom, marker->xValue()),
+                               bars.transform(QwtPlot::yLeft, marker->yValue()));
+            // Empty lines at the end are the place of another's.
+            const QString text = marker->label().text();
+            const double line = size.height() / static_cast<double>(text.count('\n') + 1);
+            labels.emplace_back(foot.x() - size.width() / 2.0, foot.y() - size.height(),
+                                size.width(),
+                                line * static_cast<double>(text.trimmed().count('\n') + 1));
+        }
+        EXPECT_EQ(labels.size(), 8U) << "six elements, two groups in contact";
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_FALSE(labels[i].adjusted(0.5, 0.5, -0.5, -0.5).intersects(labels[j]))
+                    << scale << " %: " << i << " and " << j;
+    }
+    applyLook(*qApp);
 }
 
 TEST_F(Forces, aBarIsAsHighAsItsForce)
