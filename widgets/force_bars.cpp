@@ -25,8 +25,8 @@
 namespace terratact {
 namespace {
 
-constexpr double kGroup = 0.76;   // of an element's width
-constexpr double kGap = 0.06;     // between the bars of a group
+constexpr double kGroup = 0.76;    // of an element's width
+constexpr double kGap = 0.06;      // between the bars of a group
 constexpr double kLabelGap = 6.0;  // [px] between the labels of two elements
 
 struct Span {

@@ -103,7 +103,7 @@ struct Screens : testing::TestWithParam<const char*> {
         simulation.startX = kDemoStep - 0.55;
         robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-            RobotOnBus::Options{.firstEpoch = 9, .speed = 4.0, .fault = fault, .faultAt = 12.0});
+            RobotOnBus::Options{.firstEpoch = 9, .speed = 4.0, .fault = fault, .faultAt = 3.0});
         auto source = std::make_unique<CanSource>(
             bus.join("can0"), model,
             CanSource::Options{.mode = CanSource::Mode::Transmit,
