@@ -4,6 +4,8 @@ BLAS thread, as the console and the command line set it: OpenBLAS adds in anothe
 --native builds the kernels for AVX2 and AVX-512, too, and the fastest that this processor has are compared.
 
 same_draws_test.py [--native] [--builds g++-12:-O0 g++-12:-O2 clang++-14:-O0 clang++-14:-O2]
+same_draws_test.py --programs build/release/tests/same_draws build/dev/tests/same_draws
+    compares programs that are built already, with the kernels that they choose here
 """
 
 import argparse
@@ -84,9 +86,10 @@ def main():
     parser.add_argument("--native", action="store_true")
     parser.add_argument("--builds", nargs="+",
                         default=["g++-12:-O0", "g++-12:-O2", "clang++-14:-O0", "clang++-14:-O2"])
+    parser.add_argument("--programs", nargs="+")
     options = parser.parse_args()
-    results = {}
-    for build in options.builds:
+    results = {f"{program}, {n} threads": printed(program, n) for program in options.programs or [] for n in (1, 4)}
+    for build in [] if options.programs else options.builds:
         if shutil.which(build.split(":")[0]):
             results |= built_and_run(build, options.native)
         else:
