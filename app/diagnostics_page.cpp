@@ -94,7 +94,8 @@ QString gpioWords()
 QString groupWords()
 {
     std::vector<gid_t> ids(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
-    if (!ids.empty()) (void)::getgroups(static_cast<int>(ids.size()), ids.data());
+    const int got = ::getgroups(static_cast<int>(ids.size()), ids.data());
+    ids.resize(static_cast<std::size_t>(std::max(0, got)));  // they may have changed meanwhile
     QStringList names;
     for (const gid_t id : ids) {
         const group* found = ::getgrgid(id);
