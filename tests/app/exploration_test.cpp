@@ -700,6 +700,21 @@ TEST_F(FollowingBench, secondMethodChosenDuringAnEstimateDoesNotOvertakeIt)
     }));
 }
 
+TEST_F(FollowingBench, answerToAForgottenSceneIsNone)
+{
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    for (int i = 0; i < 2000 && (estimates == 0 || worker->progress()); ++i)
+        std::this_thread::sleep_for(1ms);  // the answer waits for this thread to look
+    std::this_thread::sleep_for(20ms);
+    telemetry.activity = RobotActivity::Pressing;
+    tick();
+    ASSERT_EQ(phase(), AtemPhase::Pressing);
+    ASSERT_FALSE(exploration->estimation().scene());
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(exploration->estimation().estimate());
+}
+
 TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
 {
     blocked = true;

@@ -1,5 +1,5 @@
 // Prints a hash of every bit of: truncated normal draws, the sampler's states, an estimate's numbers.
-// same_draws_test.py builds this with several compilers and optimisations and compares what they print.
+// same_draws_test.py compares what builds of it by several compilers print: its own, or those of the presets.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
