@@ -264,7 +264,7 @@ void addEvaluate(CLI::App& app, Arguments& a)
         ->required();
     addMethods(*c, a.methods);
     addNumber(*c, "--step-limit", a.evaluate.stepLimit,
-              "Neighbouring bins that differ by more are a step [m]")
+              "Ground that rises or falls by more within two bins is a step [m]")
         ->check(CLI::Range(0.0, 10.0));
     auto* card =
         c->add_flag("--card", a.evaluate.card,

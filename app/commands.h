@@ -55,7 +55,7 @@ struct EvaluateOptions {
     std::vector<Method> methods;
     Settings settings;
     double seconds = 0.0;               ///< of every sampling; 0: no limit
-    double stepLimit = 0.10;            ///< [m] neighbouring bins that differ by more are a step
+    double stepLimit = 0.10;            ///< [m] of a step that is asked for (hasStep())
     std::string classes;                ///< index file; empty: no table by class
     std::string classColumn = "class";  ///< of the index file
     bool probes = false;                ///< also simulate probes by three rules

@@ -20,7 +20,7 @@ struct Preferences {
     QString language;     ///< "en", "cs" or "de"; empty: the system's
     Layout layout = Layout::Probe;
     bool sound = true;            ///< alarms may be heard
-    double obstacleLimit = 0.10;  ///< [m] neighbouring bins that differ by more are an obstacle
+    double obstacleLimit = 0.10;  ///< [m] a higher step is an obstacle (hasStep())
     Method method = Method::Local;
     Quality quality = Quality::Balanced;
     double forceThreshold = Settings{}.forceThreshold;  ///< [N]

@@ -6,10 +6,12 @@ build=${1:-build/headless}
 rounds=${2:-3}
 before=$(cut -d' ' -f1 /proc/loadavg)
 table=$(mktemp)
-trap 'rm -f "$table"' EXIT
+training=$(mktemp)
+trap 'rm -f "$table" "$training"' EXIT
 tests/bench/run.sh "$build" "$rounds" >"$table"
+tests/bench/training.sh "$build" >"$training"
 cat >docs/speed.md <<END
-# What sampling costs
+# What sampling and training cost
 
 Made by \`docs/speed.sh $build $rounds\`, which runs \`tests/bench/run.sh $build $rounds\`: the sampler and the same work
 in NumPy and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  NumPy has the fastest kernels that
@@ -49,4 +51,15 @@ A peer that works in double computes twice as many vectors for the same numbers,
 what it makes of the peak in double says how much of a ratio is that.  One scene makes as many sweeps in NumPy as here, so its
 ratio is that of chain-sweeps, less what summarising costs; more comes only of doing less, as the preset balanced does.
 AVX2 against AVX-512 is bounded by the ratio of their peaks, as long as both are as near to their own.
+
+## Training
+
+By \`tests/bench/training.sh $build\`, on generated scenes.  *train*: hyper-parameters of the paper's 22 processes, on all
+cores.  *growth*: one evaluation of likelihood and gradient, and the memory that the program came to need, in doubles and in
+multiples of the rows' square.  *sparse*: one bin's process; hyper-parameters are searched for on some rows or on all, then the process is made
+of all rows (\`through\` as many) or through inducing rows, and predicts 500 unseen scenes.
+
+\`\`\`
+$(cat "$training")
+\`\`\`
 END

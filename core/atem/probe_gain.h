@@ -12,7 +12,7 @@ namespace terratact {
 struct ProbeGain {
     int bin = 0;
     double varianceReduction = 0.0;  ///< [m²] of Σ_i Var(h_i)
-    double entropyReduction = 0.0;   ///< [nat] of "some neighbours differ by more than stepLimit"
+    double entropyReduction = 0.0;   ///< [nat] of "there is a step of more than stepLimit"
     bool operator==(const ProbeGain&) const = default;
 };
 

@@ -14,7 +14,7 @@
 
 namespace terratact {
 
-/// Where a step is asked for: between any two bins, or ahead of the robot (the right bin at +0.4 or more).
+/// Where a step is asked for: anywhere, or ahead of the robot (all its bins at +0.3 m or more).
 enum class StepPlace : std::uint8_t { Anywhere, Ahead };
 inline constexpr std::array kStepPlaces{StepPlace::Anywhere, StepPlace::Ahead};
 
@@ -30,8 +30,8 @@ struct StepForecast {
     bool observed = false;
 };
 
-/// One forecast per place in which all true heights are known; none without draws.  A step is a pair of
-/// neighbouring bins that differ by more than `limit` [m].
+/// One forecast per place in which all true heights are known; none without draws.  A step of more than
+/// `limit` [m] is what hasStep() says.
 std::vector<StepForecast> stepForecasts(std::size_t sceneIndex, const Scene& scene,
                                         const std::string& label, const TerrainEstimate& estimate,
                                         double limit);

@@ -6,13 +6,6 @@
 
 namespace terratact {
 
-bool hasStep(const Heights& heights, double limit, int firstBin, int lastBin)
-{
-    for (auto i = static_cast<std::size_t>(firstBin); i < static_cast<std::size_t>(lastBin); ++i)
-        if (std::abs(heights[i + 1] - heights[i]) > limit) return true;
-    return false;
-}
-
 StepProbability stepProbability(const std::vector<Heights>& draws, double limit, int firstBin,
                                 int lastBin, double effectiveDraws)
 {
@@ -20,7 +13,7 @@ StepProbability stepProbability(const std::vector<Heights>& draws, double limit,
     if (!(limit >= 0.0) || !std::isfinite(limit))
         throw std::invalid_argument("stepProbability: the limit must be finite and 0 m or more");
     if (firstBin < 0 || firstBin >= lastBin || lastBin >= kBins)
-        throw std::invalid_argument("stepProbability: no such pair of bins");
+        throw std::invalid_argument("stepProbability: no such bins");
     const auto n = static_cast<double>(draws.size());
     if (!(effectiveDraws >= 1.0 && effectiveDraws <= n))
         throw std::invalid_argument("stepProbability: more effective draws than draws, or none");

@@ -4,25 +4,22 @@
 #include <vector>
 
 #include "core/infer/estimate.h"
+#include "core/terrain/step.h"
 
 namespace terratact {
 
-/// Probability that neighbouring bins differ by more than a limit, and how well the draws know it.
+/// Probability of a step of more than a limit, and how well the draws know it.
 struct StepProbability {
     double p = 0.0;
     double monteCarloSd = 0.0;  ///< of p, never 0
     bool operator==(const StepProbability&) const = default;
 };
 
-/// Neighbouring bins that differ by more are a step [m]: the height a tracked robot takes without a second
-/// thought.
-inline constexpr double kStepLimit = 0.10;
-
-/// The rear bin of the first pair that counts as ahead of the robot: +0.3 m.
+/// The rearmost bin of a step that counts as ahead of the robot: +0.3 m.
 inline constexpr int kFirstAhead = 6;
 
-/// Share p of draws in which some neighbours (i, i+1) of firstBin … lastBin differ by more than `limit`,
-///   p = #{d : max_i |h_{i+1} − h_i| > limit} / n,   monteCarloSd = √(p (1 − p) / n_eff).
+/// Share p of draws with a step (hasStep) of more than `limit` within firstBin … lastBin,
+///   p = #{d : max |h_j − h_i| > limit over 0 < j − i ≤ kStepBins} / n,   monteCarloSd = √(p (1 − p) / n_eff).
 /// limit: [m].  effectiveDraws: n_eff, independent draws that say as much as these n.
 /// Where p is 0 or 1 the sd takes (k + 1)/(n_eff + 2) with k = 0 or n_eff in p's place: no number of
 /// draws makes certain.
@@ -36,16 +33,12 @@ StepProbability stepProbability(const std::vector<Heights>& draws, double limit,
 /// draws.size() where no bin was sampled.  Throws std::invalid_argument for an estimate without draws.
 double effectiveDraws(const TerrainEstimate& estimate);
 
-/// Of every pair of neighbours, the rear one's index first.  Throws as stepProbability does.
+/// Within every pair of neighbours, the rear one's index first.  Throws as stepProbability does.
 std::array<StepProbability, kBins - 1> stepProbabilities(const TerrainEstimate& estimate,
                                                          double limit);
 
-/// Of some pair within firstBin … lastBin.  Throws as stepProbability does.
+/// Within firstBin … lastBin.  Throws as stepProbability does.
 StepProbability anyStep(const TerrainEstimate& estimate, double limit, int firstBin = 0,
                         int lastBin = kBins - 1);
-
-/// Whether some neighbours of firstBin … lastBin differ by more than `limit` [m].  Expects
-/// 0 ≤ firstBin and lastBin ≤ 10.
-bool hasStep(const Heights& heights, double limit, int firstBin = 0, int lastBin = kBins - 1);
 
 }  // namespace terratact

@@ -30,8 +30,8 @@ std::string describe(Doubt doubt);
 
 struct Verdict {
     Outlook outlook = Outlook::CannotTell;
-    StepProbability step;       ///< of some step ahead; {0, 1} where there are no draws
-    int likeliest = 0;          ///< rear bin of the likeliest pair ahead
+    StepProbability step;  ///< of some step ahead; {0, 1} where there are no draws
+    int likeliest = 0;  ///< rear bin of the pair of neighbours ahead that likeliest differs so much
     double likeliestP = 0.0;    ///< and its probability
     std::vector<Doubt> doubts;  ///< not empty: withheld, and outlook is CannotTell
     bool operator==(const Verdict&) const = default;
@@ -41,7 +41,7 @@ struct Verdict {
 inline constexpr double kClearBelow = 0.05;
 inline constexpr double kBlockedAbove = 0.95;
 
-/// With p = P(some neighbours of bins kFirstAhead … 10 differ by more than `limit`) and its Monte-Carlo sd m,
+/// With p = P(a step of more than `limit` within bins kFirstAhead … 10), as hasStep() has it, and its Monte-Carlo sd m,
 ///   Clear       p + 2 m < kClearBelow
 ///   Blocked     p − 2 m > kBlockedAbove
 ///   CannotTell  else, or with any doubt, or without draws.

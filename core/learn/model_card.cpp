@@ -8,6 +8,7 @@
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/robot/toml_section.h"
+#include "core/terrain/step.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -169,9 +170,12 @@ TrainingGround trainingGround(const Eigen::MatrixXd& heights, double stepLimit)
     if (heights.rows() < 1 || heights.cols() != kBins)
         throw std::invalid_argument("trainingGround: no heights");
     const Eigen::Index rows = heights.rows();
-    const Eigen::MatrixXd steps =
-        (heights.rightCols(kBins - 1) - heights.leftCols(kBins - 1)).cwiseAbs();
-    const auto stepped = (steps.rowwise().maxCoeff().array() > stepLimit).count();
+    Eigen::Index stepped = 0;
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        Heights h{};
+        for (int i = 0; i < kBins; ++i) h[static_cast<std::size_t>(i)] = heights(row, i);
+        if (hasStep(h, stepLimit)) ++stepped;
+    }
     Eigen::VectorXd relief = heights.rowwise().maxCoeff() - heights.rowwise().minCoeff();
     const auto middle = relief.begin() + rows / 2;
     std::nth_element(relief.begin(), middle, relief.end());

@@ -60,9 +60,8 @@ std::string cardWords(std::string_view words);
 
 /// What ground a model's training scenes were.
 struct TrainingGround {
-    double stepShare =
-        0.0;  ///< 0 … 1: scenes in which two neighbouring bins differ by more than the limit
-    double relief = 0.0;  ///< [m] median over scenes of highest − lowest bin
+    double stepShare = 0.0;  ///< 0 … 1: scenes with a step (hasStep) above the limit
+    double relief = 0.0;     ///< [m] median over scenes of highest − lowest bin
 };
 
 /// heights: U × 11 [m], U ≥ 1, else std::invalid_argument.  stepLimit: [m].

@@ -4328,6 +4328,10 @@ vpředu</translation>
         <source>Is there a step of more than %1 m ahead?</source>
         <translation>Je vpředu schod vyšší než %1 m?</translation>
     </message>
+    <message>
+        <source>not surely below %1 or above %2, %3</source>
+        <translation>ani jistě pod %1, ani jistě nad %2, %3</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ViewMenu</name>

@@ -4328,6 +4328,10 @@ voraus</translation>
         <source>Is there a step of more than %1 m ahead?</source>
         <translation>Ist voraus eine Stufe über %1 m?</translation>
     </message>
+    <message>
+        <source>not surely below %1 or above %2, %3</source>
+        <translation>nicht sicher unter %1 oder über %2, %3</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ViewMenu</name>

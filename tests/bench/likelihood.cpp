@@ -1,11 +1,11 @@
 // What training's likelihood and gradient cost, on data of another program or over a range of sizes.
 //   terratact-bench-likelihood data FILE REPEATS   CPU ms of the fastest of REPEATS, the value, the gradient
-//   terratact-bench-likelihood growth U...         CPU ms and memory per size, and the exponents
-//   terratact-bench-likelihood train SCENES ROWS   CPU s of the paper's 22 processes, two threads
+//   terratact-bench-likelihood growth U...         CPU ms and memory per size, which must grow, and the exponents
+//   terratact-bench-likelihood train SCENES ROWS   seconds for the paper's 22 processes, on all cores
 //   terratact-bench-likelihood sparse SCENES ROWS TEST BIN M...
 //       one bin's process, exact and through M rows: CPU s to make it, errors on the scenes of TEST
 // FILE: 64-bit little-endian: U, d (integers); X row by row, y, ℓ, σ_f, σ_n (doubles).
-// One thread.  Figures are of this machine and this moment.
+// One thread, but for train.  Figures are of this machine and this moment; training.sh runs them all.
 #include <sys/resource.h>
 #include <time.h>
 
@@ -76,7 +76,7 @@ Problem someProblem(int U)
     return p;
 }
 
-double cpuMilliseconds(clockid_t clock = CLOCK_THREAD_CPUTIME_ID)
+double milliseconds(clockid_t clock = CLOCK_THREAD_CPUTIME_ID)
 {
     timespec t{};
     clock_gettime(clock, &t);
@@ -87,9 +87,9 @@ double fastest(const Problem& p, int repeats, Likelihood& value)
 {
     double best = std::numeric_limits<double>::infinity();
     for (int r = 0; r < repeats; ++r) {
-        const double start = cpuMilliseconds();
+        const double start = milliseconds();
         value = negativeLogLikelihood(p.X, p.y, p.hyper);
-        best = std::min(best, cpuMilliseconds() - start);
+        best = std::min(best, milliseconds() - start);
     }
     return best;
 }
@@ -115,10 +115,10 @@ void growth(const std::vector<int>& sizes)
 {
     std::vector<double> U;
     std::vector<double> cpu;
+    const double before = peakKilobytes();
     std::printf("%8s %12s %14s %10s\n", "rows", "cpu_ms", "peak_doubles", "per_U2");
     for (const int size : sizes) {
         const Problem p = someProblem(size);
-        const double before = peakKilobytes();
         Likelihood value;
         cpu.push_back(fastest(p, size < 2000 ? 5 : (size < 6000 ? 2 : 1), value));
         U.push_back(size);
@@ -158,16 +158,18 @@ void train(const char* path, int rows)
     const ModelData model =
         prepareTraining(scenesOf(path), {.conditionalRows = rows, .scannerSd = 0.012}).model;
     std::vector<TrainedBin> trained(2 * kBins);
-    const double start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    const double start = milliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    const double began = milliseconds(CLOCK_MONOTONIC);
     parallelFor(2 * kBins, [&](int job) {
         const FeatureSet set = job < kBins ? FeatureSet::Paf : FeatureSet::Pa;
         trained[static_cast<std::size_t>(job)] = trainBin(model, set, job % kBins, {});
     });
-    const double cpu = 1e-3 * (cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - start);
+    const double cpu = 1e-3 * (milliseconds(CLOCK_PROCESS_CPUTIME_ID) - start);
+    const double wall = 1e-3 * (milliseconds(CLOCK_MONOTONIC) - began);
     double sum = 0.0;
     for (const TrainedBin& bin : trained) sum += bin.logLikelihood;
-    std::printf("22 Gaussian processes on %d rows: %.1f CPU s, sum of log p(y|X) %.1f\n",
-                static_cast<int>(model.scannedHeights.rows()), cpu, sum);
+    std::printf("22 Gaussian processes on %d rows: %.1f s, %.1f CPU s, sum of log p(y|X) %.1f\n",
+                static_cast<int>(model.scannedHeights.rows()), wall, cpu, sum);
 }
 
 /// Root mean square error of a bin's predictions at complete scenes, all else known.
@@ -191,19 +193,19 @@ double error(const BinModels& models, int bin, int inducing, const std::vector<S
 void sparse(ModelData model, int searched, const std::vector<Scene>& scenes, int bin,
             const std::vector<int>& sizes)
 {
-    double start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    double start = milliseconds(CLOCK_PROCESS_CPUTIME_ID);
     TrainingOptions options;
     options.fullRows = searched;
     const auto i = static_cast<std::size_t>(bin);
     model.paf.bins[i] = trainBin(model, FeatureSet::Paf, bin, options).hyper;
     const auto rows = static_cast<int>(model.scannedHeights.rows());
     std::printf("search on %d of %d rows: %.1f CPU s\n", searched > 0 ? searched : rows, rows,
-                1e-3 * (cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - start));
+                1e-3 * (milliseconds(CLOCK_PROCESS_CPUTIME_ID) - start));
     const BinModels models(model, FeatureSet::Paf);
     for (const int m : sizes) {
-        start = cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
+        start = milliseconds(CLOCK_PROCESS_CPUTIME_ID);
         const auto used = static_cast<int>(models.bin(bin, m).rows());
-        const double cpu = 1e-3 * (cpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - start);
+        const double cpu = 1e-3 * (milliseconds(CLOCK_PROCESS_CPUTIME_ID) - start);
         std::printf("through %5d rows: made in %6.2f CPU s, error %.5f m\n", used, cpu,
                     error(models, bin, m, scenes));
         std::fflush(stdout);

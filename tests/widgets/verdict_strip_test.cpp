@@ -45,6 +45,13 @@ TEST_F(Strip, answersInAWordWithAShape)
     EXPECT_EQ(strip.reason(), QStringLiteral("the robot has moved"));
 }
 
+TEST_F(Strip, saysWhatIsMissingForAnAnswer)
+{
+    strip.setVerdict(verdict(Outlook::CannotTell, 0.95));
+    EXPECT_TRUE(strip.reason().contains("below 0.05 or above 0.95, likeliest at"))
+        << strip.reason().toStdString();
+}
+
 TEST_F(Strip, saysWhyAVerdictIsWithheld)
 {
     Verdict v = verdict(Outlook::CannotTell, 0.99);

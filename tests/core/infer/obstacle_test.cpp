@@ -40,6 +40,21 @@ TEST(StepProbability, isTheShareOfDrawsWithAStep)
     EXPECT_DOUBLE_EQ(stepProbability(draws, 0.15, 0, kBins - 1, 1.0).monteCarloSd, 0.5);
 }
 
+TEST(StepProbability, countsAnEdgeWithinABinAtItsFullHeight)
+{
+    for (const double share : {0.1, 0.5, 0.9}) {  // of the bin, below the edge
+        Heights h = stepAt(7, 0.12);
+        h[7] = (1.0 - share) * 0.12;
+        EXPECT_TRUE(hasStep(h, 0.11)) << share;
+        EXPECT_FALSE(hasStep(h, 0.13)) << share;
+    }
+    Heights ramp{};
+    for (std::size_t i = 0; i < kBins; ++i) ramp[i] = 0.04 * static_cast<double>(i);
+    EXPECT_FALSE(hasStep(ramp, 0.1)) << "0.08 m within two bins";
+    EXPECT_TRUE(hasStep(ramp, 0.07));
+    EXPECT_FALSE(hasStep(ramp, 0.07, 3, 4)) << "of these two bins alone";
+}
+
 TEST(StepProbability, neverClaimsCertainty)
 {
     const std::vector<Heights> level(98), steps(98, stepAt(4, 0.3));

@@ -139,7 +139,7 @@ TEST(ModelCard, tellsTheGroundOfTheTrainingScenes)
 {
     Eigen::MatrixXd heights = Eigen::MatrixXd::Zero(3, kBins);
     heights(0, 4) = 0.30;                 // a post: relief 0.30, steps
-    heights.row(1).setLinSpaced(0, 0.5);  // a slope: relief 0.50, 0.05 a bin
+    heights.row(1).setLinSpaced(0, 0.4);  // a slope: relief 0.40, 0.04 a bin
     const TrainingGround ground = trainingGround(heights, 0.10);
     EXPECT_DOUBLE_EQ(ground.stepShare, 1.0 / 3.0);
     EXPECT_DOUBLE_EQ(ground.relief, 0.30);

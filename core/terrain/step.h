@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/terrain/bins.h"
+
+namespace terratact {
+
+/// Ground that rises or falls by more, from a bin to the next or the one after, is a step [m]: the height a
+/// tracked robot takes without a second thought.
+inline constexpr double kStepLimit = 0.10;
+
+/// Bins from the foot of a step to its top.  An edge within a bin makes that bin's mean height something between, so
+/// that its neighbours tell the step's height and it does not; between bins, the two beside it do.
+inline constexpr int kStepBins = 2;
+
+/// Whether bins i < j ≤ i + kStepBins of firstBin … lastBin differ by more than `limit` [m].  Expects
+/// 0 ≤ firstBin and lastBin ≤ 10.
+inline bool hasStep(const Heights& heights, double limit, int firstBin = 0, int lastBin = kBins - 1)
+{
+    for (int i = firstBin; i < lastBin; ++i)
+        for (int j = i + 1; j <= std::min(i + kStepBins, lastBin); ++j)
+            if (std::abs(heights[static_cast<std::size_t>(j)]
+                         - heights[static_cast<std::size_t>(i)])
+                > limit)
+                return true;
+    return false;
+}
+
+}  // namespace terratact
