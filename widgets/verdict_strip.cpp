@@ -138,7 +138,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
         if (!why.isEmpty())
             why = {tr("withheld: %1").arg(why.join(QStringLiteral(" · ")))};
         else
-            why << tr("not surely below %1 or above %2, %3")
+            why << tr("undecided from %1 to %2, %3")
                        .arg(words::number(kClearBelow, 2), words::number(kBlockedAbove, 2),
                             likeliestText(verdict));
         break;

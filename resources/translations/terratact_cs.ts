@@ -4329,8 +4329,8 @@ vpředu</translation>
         <translation>Je vpředu schod vyšší než %1 m?</translation>
     </message>
     <message>
-        <source>not surely below %1 or above %2, %3</source>
-        <translation>ani jistě pod %1, ani jistě nad %2, %3</translation>
+        <source>undecided from %1 to %2, %3</source>
+        <translation>nerozhodnuto od %1 do %2, %3</translation>
     </message>
 </context>
 <context>

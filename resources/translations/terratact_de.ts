@@ -4329,8 +4329,8 @@ voraus</translation>
         <translation>Ist voraus eine Stufe über %1 m?</translation>
     </message>
     <message>
-        <source>not surely below %1 or above %2, %3</source>
-        <translation>nicht sicher unter %1 oder über %2, %3</translation>
+        <source>undecided from %1 to %2, %3</source>
+        <translation>offen von %1 bis %2, %3</translation>
     </message>
 </context>
 <context>

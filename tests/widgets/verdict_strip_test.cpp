@@ -48,7 +48,7 @@ TEST_F(Strip, answersInAWordWithAShape)
 TEST_F(Strip, saysWhatIsMissingForAnAnswer)
 {
     strip.setVerdict(verdict(Outlook::CannotTell, 0.95));
-    EXPECT_TRUE(strip.reason().contains("below 0.05 or above 0.95, likeliest at"))
+    EXPECT_TRUE(strip.reason().contains("undecided from 0.05 to 0.95, likeliest at"))
         << strip.reason().toStdString();
 }
 
