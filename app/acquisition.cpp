@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <utility>
 
 namespace terratact {
 
@@ -10,7 +9,7 @@ using namespace std::chrono_literals;
 
 Received received(const std::optional<Received>& before, Sample sample, SteadyTime arrived)
 {
-    Received now{.sample = std::move(sample),
+    Received now{.sample = sample,
                  .arrived = arrived,
                  .count = before ? before->count + 1 : 1,
                  .press = before ? before->press : std::nullopt};

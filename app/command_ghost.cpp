@@ -28,6 +28,7 @@ Result<std::vector<TerrainProfile>> groundsOf(const GhostOptions& options)
     if (options.terrain == "boxes" || options.terrain == "varied") {
         std::mt19937_64 rng(options.settings.seed);
         std::vector<TerrainProfile> grounds;
+        grounds.reserve(static_cast<std::size_t>(options.drives));
         for (int k = 0; k < options.drives; ++k)
             grounds.push_back(options.terrain == "boxes" ? randomBoxTerrain(rng)
                                                          : randomVariedTerrain(rng));
@@ -39,6 +40,7 @@ Result<std::vector<TerrainProfile>> groundsOf(const GhostOptions& options)
     const auto most = static_cast<std::size_t>(options.drives);
     if (all.size() <= most) return all;
     std::vector<TerrainProfile> grounds;  // evenly among them: neighbours are alike
+    grounds.reserve(most);
     for (std::size_t k = 0; k < most; ++k) grounds.push_back(all[k * all.size() / most]);
     return grounds;
 }

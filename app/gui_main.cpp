@@ -333,7 +333,7 @@ Preferences inForce(Preferences preferences, const Arguments& arguments)
 std::string robotFor(const Arguments& arguments, LoadedPreferences& loaded)
 {
     if (!arguments.robot.empty()) return arguments.robot;
-    if (const std::string preferred = loaded.preferences.robot.toStdString(); !preferred.empty()) {
+    if (std::string preferred = loaded.preferences.robot.toStdString(); !preferred.empty()) {
         const auto robot = readRobotModel(preferred);
         if (robot) return preferred;
         loaded.troubles << robotNotUsed(QString::fromStdString(robot.error().text));

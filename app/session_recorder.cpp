@@ -130,7 +130,7 @@ std::int64_t SessionRecorder::record(ModelRow row)
 }
 std::int64_t SessionRecorder::record(SceneRow row)
 {
-    return number(std::move(row), lastScene_);
+    return number(row, lastScene_);
 }
 std::int64_t SessionRecorder::record(EstimateRow row)
 {
@@ -263,7 +263,7 @@ bool SessionRecorder::open()
 
 Status SessionRecorder::begin()
 {
-    if (const Status made = makeDirectory(options_.folder); !made) return made;
+    if (Status made = makeDirectory(options_.folder); !made) return made;
     if (const auto left = freeBytes(options_.folder); left && *left < options_.leastFree)
         return Error{options_.folder + ": the disk is full: only " + std::to_string(*left >> 20U)
                      + " MB are free, " + std::to_string(options_.leastFree >> 20U)

@@ -107,7 +107,7 @@ QString adoptTip()
 QString freeName(const QString& directory)
 {
     for (int k = 1;; ++k) {
-        const QString name = QStringLiteral("trained-%1").arg(k);
+        QString name = QStringLiteral("trained-%1").arg(k);
         if (!QFileInfo::exists(directory + QLatin1Char('/') + name + QStringLiteral(".ttm")))
             return name;
     }

@@ -118,6 +118,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "another bin was approved"),
     QT_TRANSLATE_NOOP("core",
                       "chains not converged: R-hat %1 (limit %2), effective draws %3 (limit %4)"),
+    // NOLINTNEXTLINE(bugprone-suspicious-missing-comma)
     QT_TRANSLATE_NOOP("core", "chains not converged when time was out: R-hat %1 (limit %2), "
                               "effective draws %3 (limit %4)"),
     QT_TRANSLATE_NOOP("core",
@@ -130,7 +131,7 @@ QString words::sentence(std::string_view english)
 {
     static const QRegularExpression kNumber(
         QStringLiteral("(?<![A-Za-z0-9])[+-]?[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?"));
-    const QString whole = text(english);
+    QString whole = text(english);
     QString pattern;
     QStringList numbers;
     qsizetype done = 0;

@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kDrawBytes = 8U * kBins;
+constexpr std::size_t kDrawBytes = sizeof(double) * kBins;
 
 void require(bool holds, const std::string& cause)
 {
