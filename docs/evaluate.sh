@@ -40,7 +40,8 @@ say '# Evaluation' '' \
   "    docs/evaluate.sh path/to/terratact $(basename "$profiles") [INDEX.csv COLUMN]" '' \
   'with the shipped model, which was trained on simulated drives over generated ground alone' \
   '(`resources/models/make_default.sh`). Brackets are 95 % bootstrap intervals over whole drives.' \
-  'median\* is the median over bins -0.3 to 0.5. The baselines are fitted on the same training scenes.'
+  'median\* is the median over bins -0.3 to 0.5. The baselines are fitted on the same training scenes.' \
+  'Milliseconds are the wall’s beside whatever else the machine does; what methods cost is measured in [tradeoff.md](tradeoff.md).'
 
 say '' '## Real terrain' '' \
   'Drives over profiles cut from scans that had no part in training or in any choice of a constant.'
