@@ -55,6 +55,8 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     all->addWidget(header_);
     all->addLayout(strips_);
     all->addLayout(below, 1);
+    // F12 has to stop the robot from every dialog, also from those that the desktop would draw by itself.
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
 }
 

@@ -267,9 +267,7 @@ QWidget* SettingsPage::buildFiles()
 void SettingsPage::chooseFile(QString Preferences::*file, const QString& title,
                               const QString& filter)
 {
-    // Not the desktop's own dialog: F12 has to stop the robot from there, too.
-    const QString path = QFileDialog::getOpenFileName(this, title, store_.current().*file, filter,
-                                                      nullptr, QFileDialog::DontUseNativeDialog);
+    const QString path = QFileDialog::getOpenFileName(this, title, store_.current().*file, filter);
     if (path.isEmpty()) return;
     store_.change([file, path](Preferences& p) { p.*file = path; });
 }

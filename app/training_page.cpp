@@ -302,10 +302,8 @@ void TrainingPage::connectTrainer()
 
 void TrainingPage::choose(QLineEdit* field, const QString& title)
 {
-    // Not the desktop's own dialog: F12 must stop the robot there, too.
     auto* dialog = new QFileDialog(this, title, QFileInfo(field->text()).path(),
                                    tr("Scenes (*.csv);;All files (*)"));
-    dialog->setOption(QFileDialog::DontUseNativeDialog);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, field, &QLineEdit::setText);

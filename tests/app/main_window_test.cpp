@@ -6,7 +6,9 @@
 #include <QApplication>
 #include <QDialog>
 #include <QEventLoop>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <algorithm>
@@ -22,6 +24,7 @@
 
 #include "app/numbers_page.h"
 #include "app/resources.h"
+#include "app/settings_page.h"
 #include "app/steady_now.h"
 #include "core/learn/model_file.h"
 #include "core/sim/terrain_shapes.h"
@@ -355,6 +358,35 @@ TEST_F(Console, stopWorksByKeyFromADialogAndTakesAHoldToRelease)
     ASSERT_TRUE(reaches(AtemPhase::Idle));
     QTest::keyRelease(window.get(), Qt::Key_R);
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
+}
+
+TEST_F(Console, stopWorksInEveryFileDialog)
+{
+    ScriptedSource* source = openScripted();
+    EXPECT_TRUE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs))
+        << "no key of a desktop's own dialog reaches this program";
+    const auto press = [](QPushButton* button) {
+        return [button] { QTest::mouseClick(button, Qt::LeftButton); };
+    };
+    const std::pair<const char*, std::function<void()>> ways[]{
+        {"a file", [&] { QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier); }},
+        {"a model", press(window->settings()->modelButton())},
+        {"a robot", press(window->settings()->robotButton())}};
+    for (const auto& [what, opens] : ways) {
+        bool stopped = false;
+        QTimer::singleShot(0, window.get(), [&] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!dialog) return;
+            source->takeCommands();
+            QTest::keyClick(dialog->findChild<QLineEdit*>("fileNameEdit"), Qt::Key_F12);
+            for (const Command& command : source->takeCommands())
+                stopped = stopped || std::holds_alternative<StopCommand>(command);
+            dialog->reject();
+        });
+        QTest::keyClick(window.get(), Qt::Key_F7);
+        opens();
+        EXPECT_TRUE(stopped) << what;
+    }
 }
 
 TEST_F(Console, stopActsOnTheMousePress)

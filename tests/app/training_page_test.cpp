@@ -300,7 +300,7 @@ TEST_F(TrainingConsole, f12StopsTheRobotInTheFileDialog)
         dialog = page->findChild<QFileDialog*>();
         return dialog && dialog->isVisible();
     }));
-    EXPECT_TRUE(dialog->testOption(QFileDialog::DontUseNativeDialog));
+    EXPECT_TRUE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
     auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
     ASSERT_TRUE(name);
     source->takeCommands();
