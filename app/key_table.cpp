@@ -55,7 +55,9 @@ const KeyTable::Entry* KeyTable::entryOf(const QKeyEvent& event) const
     const auto modifiers = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
     const QKeyCombination pressed(modifiers, static_cast<Qt::Key>(event.key()));
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-        return entry.keys.contains(pressed);
+        if (!entry.everywhere) return entry.keys.contains(pressed);
+        return std::any_of(entry.keys.begin(), entry.keys.end(),
+                           [&](QKeyCombination own) { return own.key() == pressed.key(); });
     });
     return found == entries_.end() ? nullptr : &*found;
 }

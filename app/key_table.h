@@ -20,13 +20,15 @@ public:
         QString meaning;
         std::function<void()> pressed;
         std::function<void()> released = {};  ///< set: the key acts while it is held
-        bool everywhere = false;              ///< in every window of the program, dialogs included
-        bool repeats = false;                 ///< acts again and again while it stays down
+        /// In every window of the program, dialogs included, and whatever else is held down.
+        bool everywhere = false;
+        bool repeats = false;  ///< acts again and again while it stays down
     };
     void addGroup(const QString& name);
     void add(Entry entry);  ///< to the last group; throws std::logic_error for a key that is taken
 
-    /// The entry a key event means; null: none.  Shift and the keypad do not count.
+    /// The entry a key event means; null: none.  Shift and the keypad do not count, nor for what works everywhere
+    /// any other modifier.
     const Entry* entryOf(const QKeyEvent& event) const;
     /// Lets go of what the key held, whatever else is pressed.
     void release(int key) const;

@@ -360,6 +360,20 @@ TEST_F(Console, stopWorksByKeyFromADialogAndTakesAHoldToRelease)
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
 }
 
+TEST_F(Console, stopActsWhateverElseIsHeldDown)
+{
+    ScriptedSource* source = openScripted();
+    for (const auto modifiers :
+         {Qt::ControlModifier | Qt::NoModifier, Qt::AltModifier | Qt::NoModifier,
+          Qt::MetaModifier | Qt::NoModifier, Qt::ControlModifier | Qt::ShiftModifier}) {
+        source->takeCommands();
+        QTest::keyClick(window.get(), Qt::Key_F12, modifiers);
+        const auto commands = source->takeCommands();
+        ASSERT_FALSE(commands.empty()) << modifiers.toInt();
+        EXPECT_TRUE(std::holds_alternative<StopCommand>(commands.front()));
+    }
+}
+
 TEST_F(Console, stopWorksInEveryFileDialog)
 {
     ScriptedSource* source = openScripted();
