@@ -441,6 +441,17 @@ void MainWindow::defineKeys()
         keys.add({std::move(of), meaning, [button] { button->hold(); },
                   [button] { button->letGoSoon(); }});
     };
+    // A key acts only where one sees what it acts on.
+    const auto ifSeen = [](const QPushButton* button, std::function<void()> act) {
+        return [button, act = std::move(act)] {
+            if (button->isVisible() && button->isEnabled()) act();
+        };
+    };
+    const auto ifAsked = [this](std::function<void()> answer) {
+        return [this, answer = std::move(answer)] {
+            if (probeCard()->shown()) answer();
+        };
+    };
     const auto prefer = [this](const std::function<void(Preferences&)>& edit) {
         return [this, edit] { preferences_->change(edit); };
     };
@@ -473,31 +484,32 @@ void MainWindow::defineKeys()
         keys.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
 
     keys.addGroup(tr("Exploration"));
-    keys.add({{Qt::Key_A}, tr("explore the terrain"), [this] {
-                  if (atemPanel()->requestButton()->isEnabled()) exploration_->request();
-              }});
-    keys.add({{Qt::Key_O}, tr("override what is doubtful about exploring"), [this] {
-                  if (atemPanel()->overrideButton()->isVisible()) exploration_->overrideDoubts();
-              }});
+    keys.add({{Qt::Key_A}, tr("explore the terrain"), ifSeen(atemPanel()->requestButton(), [this] {
+                  exploration_->request();
+              })});
+    keys.add({{Qt::Key_O},
+              tr("override what is doubtful about exploring"),
+              ifSeen(atemPanel()->overrideButton(), [this] { exploration_->overrideDoubts(); })});
     held({Qt::Key_Space}, tr("approve the proposed probe, or press the button that has the focus"),
          probeCard()->approveButton());
-    keys.add({{Qt::Key_N}, tr("refuse it"), [this] {
-                  if (probeCard()->asks()) probeCard()->refuseButton()->click();
-              }});
+    keys.add(
+        {{Qt::Key_N}, tr("refuse it"), ifAsked([this] { probeCard()->refuseButton()->click(); })});
     for (const std::size_t other : {0U, 1U, 2U})
         keys.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
                   tr("ask for another bin instead: the %1. offered").arg(other + 1),
-                  [this, other] {
-                      if (probeCard()->asks()) probeCard()->otherButton(other)->click();
-                  }});
-    keys.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), [this] {
-                  verdict()->raiseButton()->click();
-              }});
-    keys.add({{Qt::Key_PageDown}, tr("lower it"), [this] { verdict()->lowerButton()->click(); }});
-    keys.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
+                  ifAsked([this, other] { probeCard()->otherButton(other)->click(); })});
+    QPushButton *raise = verdict()->raiseButton(), *lower = verdict()->lowerButton();
+    keys.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), ifSeen(raise, [raise] {
+                  raise->click();
+              })});
+    keys.add({{Qt::Key_PageDown}, tr("lower it"), ifSeen(lower, [lower] { lower->click(); })});
+    keys.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), ifSeen(viewButton(), [this] {
                   drawsAction_->toggle();
-              }});
+              })});
     keys.add({{Qt::Key_Escape}, tr("abort the exploration, or clear its result"), [this] {
+                  // What runs is aborted from every page; what stands is cleared only where it is seen.
+                  const bool seen = atemPanel()->abortButton()->isVisible();
+                  if (!seen && !exploring(exploration_->state().phase)) return;
                   if (atemPanel()->abortButton()->isEnabled()) exploration_->abort();
               }});
 

@@ -164,6 +164,19 @@ bool ProbeCard::asks() const
     return proposal_.has_value();
 }
 
+std::optional<quint64> ProbeCard::shown() const
+{
+    if (!proposal_ || painted_ != proposal_->id) return std::nullopt;
+    if (!isVisible() || window()->isMinimized()) return std::nullopt;
+    return proposal_->id;
+}
+
+void ProbeCard::paintEvent(QPaintEvent* event)
+{
+    Card::paintEvent(event);
+    if (proposal_) painted_ = proposal_->id;
+}
+
 void ProbeCard::setProposal(const ProbeProposal& proposal)
 {
     if (proposal_ == proposal) return;
@@ -178,6 +191,7 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     approve_->setAccessibleName(
         tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
     showPage(kQuestion);
+    update();  // all of it
 }
 
 void ProbeCard::showWorth()

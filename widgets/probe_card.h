@@ -60,11 +60,16 @@ public:
     void setNarrow(bool narrow);
     int leastHeight() const;  ///< [px] of a question, asked or not
 
-    bool asks() const;  ///< a proposal is on the screen
+    bool asks() const;  ///< a proposal is on the card
+    /// The proposal that the operator has before him, by its id: the card is seen and was painted with it.
+    std::optional<quint64> shown() const;
     HoldToConfirmButton* approveButton() const { return approve_; }
     QPushButton* refuseButton() const { return refuse_; }
     QPushButton* otherButton(std::size_t i) const { return others_.at(i); }
     static constexpr std::size_t kOthers = 3;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
 
 signals:
     void approved(quint64 id);
@@ -80,6 +85,7 @@ private:
     void showPage(int page);
 
     std::optional<ProbeProposal> proposal_;
+    quint64 painted_ = 0;  ///< id of the proposal that was painted last
     QStackedLayout* pages_ = nullptr;
     QLabel* nothing_ = nullptr;
     QLabel* where_ = nullptr;

@@ -403,6 +403,33 @@ TEST_F(Console, stopWorksInEveryFileDialog)
     }
 }
 
+TEST_F(Console, keysActOnlyOnWhatIsSeen)
+{
+    open(fastRobot(robot, 2.1));
+    ASSERT_TRUE(readyToExplore());
+    const double limit = window->exploration().options().stepLimit;
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    for (const Qt::Key key : {Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_A, Qt::Key_W})
+        QTest::keyPress(window.get(), key);
+    QTest::qWait(100);
+    EXPECT_EQ(window->exploration().options().stepLimit, limit);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle);
+    EXPECT_TRUE(robotIs(RobotActivity::Halted));
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    proposeByKeyboard();
+
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    const quint64 asked = window->exploration().proposal()->id;
+    for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_N})
+        QTest::keyClick(window.get(), key);
+    QTest::qWait(100);
+    ASSERT_TRUE(window->exploration().proposal());
+    EXPECT_EQ(window->exploration().proposal()->id, asked);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    EXPECT_TRUE(reaches(AtemPhase::Idle)) << "what runs is aborted from anywhere";
+}
+
 TEST_F(Console, stopActsOnTheMousePress)
 {
     open(fastRobot(robot, 2.1));
