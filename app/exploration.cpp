@@ -125,15 +125,51 @@ void Exploration::halt()
 void Exploration::stop()
 {
     if (following()) {
-        emit happened(tr("STOP not sent: %1").arg(following_->why()), Weight::Bad);
+        emit happened(tr("STOP has no effect: %1").arg(following_->why()), Weight::Bad);
+        emit stoppedNothing(following_->why());
         return;  // nothing is stopped, so nothing must look so
     }
     emit decided("stop", {});
-    command(StopCommand{});
-    stopSent_ = now_;
+    if (stopSight().state != StopSight::State::Sent
+        && stopSight().state != StopSight::State::NotSent)
+        stopBegan_ = now_;
+    stopConfirmed_ = false;
+    sendStop();
     pending_.stop = true;
     releasing_ = false;
     driving_ = false;
+}
+
+void Exploration::sendStop()
+{
+    stopSent_ = now_;
+    commandedAt_ = latest_ ? latest_->count : 0;
+    const Status sent = source_.send(StopCommand{});
+    const QString trouble = sent ? QString() : words::sentence(sent.error().text);
+    if (!trouble.isEmpty() && trouble != stopTrouble_)
+        emit happened(tr("STOP not sent: %1").arg(trouble), Weight::Bad);
+    stopTrouble_ = trouble;
+}
+
+void Exploration::confirmStop(bool latched)
+{
+    if (!linkAlive_ || latched == stopConfirmed_ || (releasing_ && !latched)) return;
+    stopConfirmed_ = latched;
+    if (latched)
+        emit happened(tr("the robot says that it is stopped"), Weight::Note);
+    else
+        stopBegan_ = now_;  // it is asked for anew
+}
+
+StopSight Exploration::stopSight() const
+{
+    using State = StopSight::State;
+    if (following()) return {.state = State::NoEffect, .why = following_->why()};
+    if (state_.phase != AtemPhase::Stopped && !pending_.stop) return {};
+    if (stopConfirmed_) return {.state = State::Confirmed};
+    return {.state = stopTrouble_.isEmpty() ? State::Sent : State::NotSent,
+            .seconds = now_ - stopBegan_,
+            .why = stopTrouble_};
 }
 
 void Exploration::releaseStop()
@@ -189,8 +225,9 @@ bool Exploration::answered() const
 
 void Exploration::repeatStop(AtemInput& in)
 {
-    const bool latched = latest_->sample.measurement.activity == RobotActivity::Stopped;
+    const bool latched = latest_ && latest_->sample.measurement.activity == RobotActivity::Stopped;
     if (latched && state_.phase != AtemPhase::Stopped) in.stop = true;
+    confirmStop(latched);
     if (state_.phase != AtemPhase::Stopped) return;
     if (answered() && releasing_ && !latched) in.stopReleased = true;
     if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
@@ -198,19 +235,17 @@ void Exploration::repeatStop(AtemInput& in)
         emit happened(tr("the robot did not release STOP: hold R again"), Weight::Bad);
     }
     if (now_ - stopSent_ < kRepeatStop || latched != releasing_) return;
+    if (!releasing_) return sendStop();
     stopSent_ = now_;
-    if (releasing_)
-        command(ReleaseStopCommand{});
-    else
-        command(StopCommand{});
+    command(ReleaseStopCommand{});
 }
 
 void Exploration::look(AtemInput& in)
 {
     in.linkAlive = linkAlive_;
+    repeatStop(in);  // to a robot of which nothing is heard, too
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
-    repeatStop(in);
     in.poseChanged = estimation_.hasMoved();
     if (!answered()) return;
     const bool refused = m.refusal != Refusal::None;

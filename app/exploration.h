@@ -17,6 +17,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/event_list.h"
 #include "widgets/probe_card.h"
+#include "widgets/status_header.h"
 
 namespace terratact {
 
@@ -52,7 +53,8 @@ public:
     setSecondMethod(std::optional<Method> method);  ///< estimated beside the first; empty: none
     void drive(int direction);
     void halt();  ///< ends drive(); does nothing when not driving
-    void stop();  ///< goes out at once and again until the robot confirms it
+    /// Goes out at once and again until the robot confirms it; over a link that takes no commands it only says so.
+    void stop();
     void releaseStop();
     void setSettings(const Settings& settings);  ///< of the estimates from now on; the seed stays
     void leave();  ///< the window closes: halts what was set in motion from here
@@ -70,6 +72,7 @@ public:
     {
         return state_.phase == AtemPhase::Estimating || state_.phase == AtemPhase::EstimatingAgain;
     }
+    StopSight stopSight() const;
     bool linkAlive() const { return linkAlive_; }
     bool armed() const;  ///< true without a link: such a source needs no arming
     bool following() const { return following_ != nullptr; }
@@ -86,6 +89,7 @@ public:
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
+    void stoppedNothing(const QString& why);  ///< stop() could do nothing
     // For whoever keeps a record.
     void proposed();                                      ///< to the operator, a probe
     void decided(const char* what, const QString& text);  ///< by the operator
@@ -98,6 +102,8 @@ private:
     void follow();
     void look(AtemInput& in);
     void repeatStop(AtemInput& in);
+    void sendStop();
+    void confirmStop(bool latched);
     void enter(const AtemState& before);
     void fail();
     void preview();
@@ -129,7 +135,9 @@ private:
 
     bool driving_ = false;
     bool releasing_ = false;
-    double stopSent_ = 0.0, releaseBegan_ = 0.0;  ///< [s]
+    double stopBegan_ = 0.0, stopSent_ = 0.0, releaseBegan_ = 0.0;  ///< [s]
+    bool stopConfirmed_ = false;  ///< by the robot; telemetry that fails to come takes nothing back
+    QString stopTrouble_;         ///< why the newest STOP did not leave
 
     double approvedAt_ = 0.0;              ///< [s]
     int probing_ = 0;                      ///< bin of the probe under way

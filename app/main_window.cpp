@@ -98,6 +98,8 @@ void MainWindow::build(const Options& options)
 {
     header()->setSource(QString::fromStdString(source_->name()));
     header()->setModel(tr("model loading …"), Tone::Doubt);
+    stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
+    notice_ = std::make_unique<ShortNotice>(*addBanner());
     QLabel& banner = *addBanner();
     QLabel& notRecorded = *addBanner();
     addPages(options);
@@ -312,6 +314,9 @@ void MainWindow::connectAll()
         events()->add(text, weight, QTime::currentTime());
     };
     connect(exploration, &Exploration::happened, events(), note);
+    connect(exploration, &Exploration::stoppedNothing, this, [this](const QString& why) {
+        notice_->say(tr("STOP HAS NO EFFECT HERE: %1").arg(why), steadyNow());
+    });
     if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
@@ -345,7 +350,8 @@ void MainWindow::redraw(double now)
     showRecording();
     linkStatus_->showArming(sights_->panelForbids(now));
     terrainPage_->setSight(sights_->terrain(now, latest_));
-    header()->setLatched(exploration_->state().phase == AtemPhase::Stopped);
+    stopDisplay_->show(exploration_->stopSight());
+    notice_->look(now);
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
     if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);

@@ -19,6 +19,8 @@
 #include "app/preference_store.h"
 #include "app/recording_display.h"
 #include "app/session_recorder.h"
+#include "app/short_notice.h"
+#include "app/stop_display.h"
 #include "app/terrain_page.h"
 #include "core/eval/tradeoff.h"
 
@@ -133,6 +135,8 @@ private:
     std::unique_ptr<PanelControl> panel_;  ///< may be null
     std::unique_ptr<LinkStatus> linkStatus_;
     std::unique_ptr<RecordingDisplay> recordingDisplay_;
+    std::unique_ptr<StopDisplay> stopDisplay_;
+    std::unique_ptr<ShortNotice> notice_;
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
     std::unique_ptr<SessionScribe> scribe_;      ///< likewise

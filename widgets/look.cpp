@@ -54,12 +54,15 @@ QPushButton[role="primary"]:hover { background: @primaryHover; }
 QPushButton[role="primary"]:pressed { background: @primaryDown; }
 QPushButton[role="primary"]:focus { border: 2px solid @text; }
 QPushButton[role="primary"]:disabled { background: @offArea; color: @offText; border-color: @offBorder; font-weight: normal; }
-QPushButton[role="stop"] { background: @stopArea; color: @stopText; border: 2px solid @stopBorder; border-radius: 6px;
-                           font-size: @20px; font-weight: bold; min-width: 184px; min-height: @36px; padding: 0 16px; }
+QPushButton[role^="stop"] { background: @stopArea; color: @stopText; border: 2px solid @stopBorder; border-radius: 6px;
+                            font-size: @20px; font-weight: bold; min-width: 184px; min-height: @36px; padding: 0 16px; }
 QPushButton[role="stop"]:hover { background: @stopHover; }
-QPushButton[role="stop"]:pressed { background: @stopDown; }
-QPushButton[role="stop"]:focus { border: 3px solid @source; }
-QPushButton[latched="true"] { background: @stoppedArea; color: @stoppedText; border: 2px dashed @stopBorder; }
+QPushButton[role="stopSent"] { background: @cautionArea; color: @cautionText; border: 2px solid @source; }
+QPushButton[role="stopped"] { background: @stoppedArea; color: @stoppedText; border: 2px dashed @stopBorder; }
+QPushButton[role^="stop"]:pressed { background: @stopDown; color: @stopText; }
+QPushButton[role^="stop"]:focus { border: 3px solid @source; }
+QPushButton[role="stopNone"], QPushButton[role="stopNone"]:pressed { background: @offArea; color: @offText;
+  border: 2px dashed @offBorder; font-size: @16px; font-weight: normal; }
 
 QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: 172px; font-size: @19px; font-weight: bold; }
 QLabel#verdictBadge[outlook="clear"] { background: @clearArea; color: @clearText; }

@@ -45,6 +45,49 @@ int widthWith(const QPushButton& button, const QString& text)
          + metrics.horizontalAdvance(text);
 }
 
+QString stopText(StopSight::State state)
+{
+    switch (state) {
+    case StopSight::State::Ready: return StatusHeader::tr("STOP (F12)");
+    case StopSight::State::Sent: return StatusHeader::tr("STOP SENT …");
+    case StopSight::State::NotSent: return StatusHeader::tr("STOP NOT SENT");
+    case StopSight::State::Confirmed: return StatusHeader::tr("STOPPED (F12)");
+    case StopSight::State::NoEffect: return StatusHeader::tr("STOP: no commands");
+    }
+    return {};
+}
+
+/// What a screen reader and the tip say.
+QString stopMeaning(const StopSight& sight)
+{
+    switch (sight.state) {
+    case StopSight::State::Ready:
+        return StatusHeader::tr(
+            "Halts the robot at once and latches; F12 does the same everywhere");
+    case StopSight::State::Sent:
+        return StatusHeader::tr("STOP was sent, the robot has not confirmed it; it is sent again");
+    case StopSight::State::NotSent: return StatusHeader::tr("STOP was not sent: %1").arg(sight.why);
+    case StopSight::State::Confirmed:
+        return StatusHeader::tr("The robot says that it is stopped; another press stops it again");
+    case StopSight::State::NoEffect:
+        return StatusHeader::tr("STOP has no effect here: %1").arg(sight.why);
+    }
+    return {};
+}
+
+/// Its look, see the style sheet.
+QString stopRole(StopSight::State state)
+{
+    switch (state) {
+    case StopSight::State::Ready: return QStringLiteral("stop");
+    case StopSight::State::Sent:
+    case StopSight::State::NotSent: return QStringLiteral("stopSent");
+    case StopSight::State::Confirmed: return QStringLiteral("stopped");
+    case StopSight::State::NoEffect: return QStringLiteral("stopNone");
+    }
+    return {};
+}
+
 QString alarmsText(int count)
 {
     return count == 0 ? StatusHeader::tr("no alarms") : StatusHeader::tr("alarms: %1").arg(count);
@@ -88,14 +131,10 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     help_ = new QPushButton(tr("Keys\nF1"), this);
     help_->setFocusPolicy(Qt::TabFocus);
     help_->setToolTip(tr("Every key, and what this program is"));
-    stop_ = new QPushButton(tr("STOP (F12)"), this);
-    stop_->setProperty("role", "stop");
-    stop_->setProperty("latched", false);
+    stop_ = new QPushButton(this);
     stop_->setFocusPolicy(Qt::TabFocus);
     stop_->setAccessibleName(tr("STOP"));
-    stop_->setAccessibleDescription(
-        tr("Halts the robot at once and latches; F12 does the same everywhere"));
-    stop_->setToolTip(stop_->accessibleDescription());
+    setStop({});
 
     auto* whole = new QHBoxLayout(this);
     whole->setContentsMargins(18, 7, 12, 7);
@@ -200,8 +239,11 @@ void StatusHeader::keepRoom()
     link_->setUsual({tr("link %1 Hz · ≤ %2").arg(QStringLiteral("20"), QStringLiteral("100 ms"))});
     robot_->setUsual({QString(14, QLatin1Char('n'))});
     int width = 0;
-    for (const QString& text : {tr("STOP (F12)"), tr("STOPPED (F12)")})
-        width = std::max(width, widthWith(*stop_, text));
+    using State = StopSight::State;
+    const bool takes = stopState_ != State::NoEffect;
+    for (const State state : {State::Ready, State::Sent, State::NotSent, State::Confirmed})
+        if (takes) width = std::max(width, widthWith(*stop_, stopText(state)));
+    if (!takes) width = widthWith(*stop_, stopText(stopState_));
     stop_->setMinimumWidth(width);
     alarms_->setMinimumWidth(std::max(widthWith(*alarms_, alarmsText(0)),
                                       widthWith(*alarms_, QStringLiteral("▲ ") + alarmsText(10))));
@@ -278,11 +320,17 @@ void StatusHeader::setQualities(const QStringList& names, const QStringList& lin
     quality_->setVisible(!lines.isEmpty());
 }
 
-void StatusHeader::setLatched(bool latched)
+void StatusHeader::setStop(const StopSight& sight)
 {
-    if (stop_->property("latched").toBool() == latched) return;
-    stop_->setProperty("latched", latched);
-    stop_->setText(latched ? tr("STOPPED (F12)") : tr("STOP (F12)"));
+    const QString meaning = stopMeaning(sight);
+    if (stop_->toolTip() != meaning) {
+        stop_->setAccessibleDescription(meaning);
+        stop_->setToolTip(meaning);
+    }
+    if (stopState_ == sight.state && !stop_->text().isEmpty()) return;
+    stopState_ = sight.state;
+    stop_->setText(stopText(sight.state));
+    stop_->setProperty("role", stopRole(sight.state));
     stop_->style()->unpolish(stop_);
     stop_->style()->polish(stop_);
 }

@@ -11,8 +11,22 @@ class ArmingControl;
 class ElidedLabel;
 enum class Tone;
 
+/// What is known of STOP.
+struct StopSight {
+    enum class State {
+        Ready,      ///< not asked for
+        Sent,       ///< on its way: the robot has not said that it is stopped
+        NotSent,    ///< asked for, but it could not leave
+        Confirmed,  ///< the robot says that it is stopped
+        NoEffect,   ///< no command leaves from here, STOP neither
+    };
+    State state = State::Ready;
+    double seconds = 0.0;  ///< [s] of Sent and NotSent: since it was asked for
+    QString why{};         ///< of NotSent and NoEffect, in words
+};
+
 /// The dark strip at the top: where the data come from, how the link is, what the robot does, and STOP.
-/// STOP acts on the press, is never confirmed and never disabled.  What does not fit beside it on one line stands on
+/// STOP acts on the press, needs no confirming and is never disabled; where it has no effect it looks so.  What does not fit beside it on one line stands on
 /// two; changing texts move nothing.
 class StatusHeader final : public QFrame {
     Q_OBJECT
@@ -29,7 +43,7 @@ public:
     void setModel(const QString& text, Tone tone, const QString& details = {});
     /// The menu of what an estimate may cost.  names: one word each; lines: the same with cost and error.
     void setQualities(const QStringList& names, const QStringList& lines, int chosen);
-    void setLatched(bool latched);  ///< STOP has been pressed and not been released
+    void setStop(const StopSight& sight);
 
     QString sourceName() const;
     QString linkText() const;
@@ -65,6 +79,7 @@ private:
     void keepRoom();  ///< for every text there may be
 
     int lines_ = 0;
+    StopSight::State stopState_ = StopSight::State::Ready;
     QBoxLayout* first_ = nullptr;
     QBoxLayout* second_ = nullptr;
     ElidedLabel* source_ = nullptr;

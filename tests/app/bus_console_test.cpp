@@ -134,6 +134,12 @@ struct BusConsole : testing::Test {
         return std::ranges::any_of(
             all, [](const Precondition& p) { return p.text == "model default.ttm is ready"; });
     }
+    bool says(const QString& words) const
+    {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
     ArmingPhase arming() const { return window->link()->view().link.arming.phase; }
     bool holds(int key, ArmingPhase until)
     {
@@ -343,6 +349,11 @@ TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
     QTest::keyClick(window.get(), Qt::Key_F12);
     QTest::qWait(100);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle) << "nothing is stopped";
+    EXPECT_TRUE(says("STOP HAS NO EFFECT HERE"));
+    QPushButton& stop = *window->header()->stopButton();
+    EXPECT_EQ(stop.text(), "STOP: no commands");
+    const QImage image = stop.grab().toImage();
+    EXPECT_EQ(image.pixelColor(12, image.height() / 2), theme().off.area) << "it looks like none";
     EXPECT_EQ(window->link()->view().frames.sent, 0U);
     picture("listening");
 }
@@ -391,11 +402,6 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
 
 TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
 {
-    const auto says = [this](const QString& words) {
-        for (const QLabel* label : window->findChildren<QLabel*>())
-            if (label->isVisible() && label->text().contains(words)) return true;
-        return false;
-    };
     auto replay = CandumpReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
     ASSERT_TRUE(replay) << replay.error().text;
     window = console(std::move(*replay), CanSource::Mode::Replay, [] {

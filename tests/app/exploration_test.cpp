@@ -399,6 +399,54 @@ TEST_F(Bench, stopGoesOutAtOnceAndAgainUntilTheRobotConfirms)
     EXPECT_EQ(exploration->whyNotDriving(), "STOP is latched: release it first");
 }
 
+TEST_F(Bench, stopIsOnlySentUntilTheRobotConfirmsIt)
+{
+    using State = StopSight::State;
+    EXPECT_EQ(exploration->stopSight().state, State::Ready);
+    exploration->stop();
+    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "before any tick";
+    tick(10);
+    exploration->stop();  // pressing it again makes it no younger
+    tick(10);
+    EXPECT_EQ(exploration->stopSight().state, State::Sent);
+    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(exploration->stopSight().state, State::Confirmed);
+    tickInSilence(20);
+    EXPECT_EQ(exploration->stopSight().state, State::Confirmed) << "silence takes nothing back";
+    telemetry.activity = RobotActivity::Halted;
+    tick();
+    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "but telemetry does";
+    EXPECT_LT(exploration->stopSight().seconds, 0.1);
+}
+
+TEST_F(Bench, stopThatCannotLeaveIsToldOnceAndTriedAgain)
+{
+    using State = StopSight::State;
+    source.setDeaf(true);
+    exploration->stop();
+    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
+    EXPECT_EQ(exploration->stopSight().why, "the bus is off");
+    tick(20);
+    EXPECT_GE(sent<StopCommand>(), 3);
+    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
+    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    EXPECT_EQ(events.filter("STOP not sent").size(), 1);
+    source.setDeaf(false);
+    tick(10);
+    EXPECT_EQ(exploration->stopSight().state, State::Sent);
+}
+
+TEST_F(Bench, stopIsRepeatedToARobotOfWhichNothingWasEverHeard)
+{
+    Exploration another(source, RobotModel{}, *worker, Exploration::Options{});
+    another.stop();
+    for (int i = 0; i < 20; ++i) another.tick(now += 0.04, std::nullopt);
+    EXPECT_GE(sent<StopCommand>(), 3);
+    EXPECT_EQ(another.stopSight().state, StopSight::State::Sent);
+}
+
 TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)
 {
     exploration->stop();
@@ -662,7 +710,8 @@ TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
     exploration->leave();
     EXPECT_TRUE(source.takeCommands().empty());
     EXPECT_EQ(phase(), AtemPhase::Presenting);
-    EXPECT_TRUE(events.join('\n').contains("STOP not sent"));
+    EXPECT_TRUE(events.join('\n').contains("STOP has no effect"));
+    EXPECT_EQ(exploration->stopSight().state, StopSight::State::NoEffect);
 }
 
 TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)

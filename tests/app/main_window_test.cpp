@@ -430,6 +430,32 @@ TEST_F(Console, keysActOnlyOnWhatIsSeen)
     EXPECT_TRUE(reaches(AtemPhase::Idle)) << "what runs is aborted from anywhere";
 }
 
+TEST_F(Console, stopClaimsNoMoreThanIsKnown)
+{
+    ScriptedSource* source = openScripted();
+    const auto says = [this](const QString& words) {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    };
+    const QPushButton& stop = *window->header()->stopButton();
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    source->setDeaf(true);
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    EXPECT_TRUE(eventually([&] { return says("STOP NOT SENT for"); }));
+    EXPECT_TRUE(says("the bus is off"));
+    EXPECT_EQ(stop.text(), "STOP NOT SENT");
+    source->setDeaf(false);
+    EXPECT_TRUE(eventually([&] { return says("STOP SENT, NOT CONFIRMED for"); }));
+    EXPECT_TRUE(stop.text().startsWith("STOP SENT")) << stop.text().toStdString();
+    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    Measurement stopped;
+    stopped.activity = RobotActivity::Stopped;
+    source->setMeasurement(stopped);
+    EXPECT_TRUE(eventually([&] { return stop.text() == "STOPPED (F12)"; }));
+    EXPECT_FALSE(says("STOP SENT") || says("STOP NOT SENT"));
+}
+
 TEST_F(Console, stopActsOnTheMousePress)
 {
     open(fastRobot(robot, 2.1));
@@ -607,7 +633,7 @@ TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
     const int letters = lookInForce().fontScale;
     window->header()->setLink("link 20 Hz · ≤ 1234 ms · 123456 dropped", Tone::Doubt);
     window->header()->setOverridden("the robot rolls");
-    window->header()->setLatched(true);
+    window->header()->setStop({.state = StopSight::State::NotSent, .why = "the bus is off"});
     window->header()->setAlarms(3, 12);
     QTest::qWait(100);
     EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());

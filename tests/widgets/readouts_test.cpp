@@ -71,7 +71,7 @@ TEST(Header, stopActsOnThePressAndWithoutQuestion)
     EXPECT_EQ(stops, 1);
     QTest::mouseRelease(header.stopButton(), Qt::LeftButton);
     EXPECT_EQ(stops, 1);
-    header.setLatched(true);
+    header.setStop({.state = StopSight::State::Confirmed});
     EXPECT_TRUE(header.stopButton()->isEnabled());
     EXPECT_TRUE(header.stopButton()->isVisible());
 }
