@@ -61,8 +61,8 @@ QPushButton[role="stopSent"] { background: @cautionArea; color: @cautionText; bo
 QPushButton[role="stopped"] { background: @stoppedArea; color: @stoppedText; border: 2px dashed @stopBorder; }
 QPushButton[role^="stop"]:pressed { background: @stopDown; color: @stopText; }
 QPushButton[role^="stop"]:focus { border: 3px solid @source; }
-QPushButton[role="stopNone"], QPushButton[role="stopNone"]:pressed { background: @offArea; color: @offText;
-  border: 2px dashed @offBorder; font-size: @16px; font-weight: normal; }
+QPushButton[role="stopNone"], QPushButton[role="stopNone"]:pressed { background: @chipArea; color: @chipOffText;
+  border: 2px dashed @chipBorder; font-size: @16px; font-weight: normal; }
 
 QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: 172px; font-size: @19px; font-weight: bold; }
 QLabel#verdictBadge[outlook="clear"] { background: @clearArea; color: @clearText; }
