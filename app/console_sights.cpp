@@ -59,9 +59,8 @@ AlarmSight ConsoleSights::alarms(double now, const std::optional<Received>& newe
         sight.notRecorded = QString::fromStdString(parts_.recorder->state().trouble);
     if (parts_.panel && !parts_.panel->answers(now))
         sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
-    const AtemState& state = exploration.state();
-    if (state.phase == AtemPhase::Failed)
-        sight.failedExploration = words::sentence(describe(state.failure));
+    if (exploration.state().phase == AtemPhase::Failed)
+        sight.failedExploration = exploration.stateWords();
     return sight;
 }
 
@@ -79,7 +78,8 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
     addEstimation(sight, exploration.estimation());
     sight.whyNoEstimate = exploration.whyNoEstimate();
     sight.state = exploration.state();
-    sight.timeLeft = exploration.timeLeft();
+    sight.stateWords = exploration.stateWords();
+    sight.time = exploration.time();
     sight.secondsInPhase = exploration.secondsInPhase();
     sight.proposal = pointer(exploration.proposal());
     sight.probingBin = exploration.probingBin();

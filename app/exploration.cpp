@@ -249,6 +249,7 @@ void Exploration::look(AtemInput& in)
     in.poseChanged = estimation_.hasMoved();
     if (!answered()) return;
     const bool refused = m.refusal != Refusal::None;
+    if (exploring(state_.phase)) refusal_ = m.refusal;
     switch (state_.phase) {
     case AtemPhase::Halting:
         in.halted = m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
@@ -351,6 +352,7 @@ void Exploration::enter(const AtemState& before)
         break;
     case AtemPhase::Estimating:
         forget(tr("Estimating …"));
+        pressTook_ = state_.since - before.since;
         estimation_.begin(*latest_, commandedAt_);
         break;
     case AtemPhase::ProposingProbe:
@@ -397,7 +399,7 @@ void Exploration::enter(const AtemState& before)
 
 void Exploration::fail()
 {
-    const QString why = words::sentence(describe(state_.failure));
+    const QString why = failureWords();
     estimation_.cancel();
     if (linkAlive_) command(AbortAtemCommand{});
     emit happened(tr("exploration failed: %1").arg(why), Weight::Bad);
@@ -410,10 +412,32 @@ void Exploration::forget(const QString& why)
     probes_.withdraw();
 }
 
-std::optional<double> Exploration::timeLeft() const
+std::optional<PhaseTime> Exploration::time() const
 {
-    const auto end = deadline(state_, options_.limits);
-    return end ? std::optional(std::max(0.0, *end - now_)) : std::nullopt;
+    return phaseTime(state_, now_, options_.limits,
+                     {.press = pressTook_, .probe = options_.probeSeconds});
+}
+
+QString Exploration::stateWords() const
+{
+    if (state_.phase == AtemPhase::Failed) return failureWords();
+    switch (const StopSight stop = stopSight(); stop.state) {
+    case StopSight::State::Sent: return tr("STOP sent, not confirmed by the robot");
+    case StopSight::State::NotSent: return tr("STOP not sent: %1").arg(stop.why);
+    case StopSight::State::Ready:
+    case StopSight::State::Confirmed:
+    case StopSight::State::NoEffect: return {};
+    }
+    return {};
+}
+
+QString Exploration::failureWords() const
+{
+    const QString what = words::sentence(describe(state_.failure));
+    const bool refused =
+        state_.failure == AtemFailure::PressRefused || state_.failure == AtemFailure::ProbeRefused;
+    if (!refused || refusal_ == Refusal::None) return what;
+    return what + QStringLiteral(": ") + words::sentence(describe(refusal_));
 }
 
 std::optional<int> Exploration::probingBin() const

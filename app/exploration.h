@@ -65,7 +65,9 @@ public:
     // What there is to see.
     const Estimation& estimation() const { return estimation_; }
     const AtemState& state() const { return state_; }
-    std::optional<double> timeLeft() const;
+    std::optional<PhaseTime> time() const;
+    /// Where more is known than the state itself says: why it has failed, whether STOP is confirmed.  Else empty.
+    QString stateWords() const;
     double secondsInPhase() const { return now_ - state_.since; }
     /// The estimate of a captured scene is under way.
     bool estimating() const
@@ -106,6 +108,7 @@ private:
     void confirmStop(bool latched);
     void enter(const AtemState& before);
     void fail();
+    QString failureWords() const;
     void preview();
 
     void command(const Command& command);
@@ -140,6 +143,8 @@ private:
     QString stopTrouble_;         ///< why the newest STOP did not leave
 
     double approvedAt_ = 0.0;              ///< [s]
+    std::optional<double> pressTook_;      ///< [s] the last press of this run
+    Refusal refusal_ = Refusal::None;      ///< with which the robot refused
     int probing_ = 0;                      ///< bin of the probe under way
     std::optional<ArmReading> armBefore_;  ///< the newest reading before
     bool sawProbing_ = false;

@@ -335,8 +335,8 @@ void ReviewWindow::showTerrain()
                                                     : words::sentence(moment_.forgotten);
     sight.state = moment_.state;
     sight.secondsInPhase = now - moment_.state.since;
-    if (const auto until = deadline(moment_.state, AtemLimits{}))
-        sight.timeLeft = std::max(0.0, *until - now);
+    const auto probe = moment_.proposal ? std::optional(moment_.proposal->seconds) : std::nullopt;
+    sight.time = phaseTime(moment_.state, now, AtemLimits{}, {.press = {}, .probe = probe});
     std::optional<ProbeProposal> proposal;
     if (moment_.proposal) {
         proposal = proposalOf(*moment_.proposal);

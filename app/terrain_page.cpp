@@ -336,7 +336,7 @@ void TerrainPage::setSight(const TerrainSight& sight)
     showVerdict(sight);
     showProbe(sight);
     strip_->setProgress(sight.progress);
-    atem_->setState(sight.state, sight.timeLeft);
+    atem_->setState(sight.state, sight.time, sight.stateWords);
     atem_->setPreconditions(sight.preconditions);
     drive_->setBlocked(sight.whyNotDriving);
 }
@@ -436,7 +436,7 @@ void TerrainPage::showProbe(const TerrainSight& sight)
     terrain_->setProposedProbe(asking ? std::optional(sight.proposal->bin) : sight.probingBin);
     if (asking) {
         probe_->setProposal(*sight.proposal);
-        probe_->setTimeLeft(sight.timeLeft.value_or(0.0));
+        probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
     } else if (sight.probingBin) {
         probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);
     } else {

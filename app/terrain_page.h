@@ -57,7 +57,8 @@ struct TerrainSight {
     std::optional<Verdict> verdict{};
 
     AtemState state{};
-    std::optional<double> timeLeft{};  ///< [s] of the phase
+    QString stateWords{};             ///< where more is known than the state itself says
+    std::optional<PhaseTime> time{};  ///< of the phase
     double secondsInPhase = 0.0;
     const ProbeProposal* proposal = nullptr;  ///< of the estimate, whether or not it is asked
     std::optional<int> probingBin{};

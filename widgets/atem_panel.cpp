@@ -90,13 +90,17 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     setPreconditions({});
 }
 
-void AtemPanel::setState(const AtemState& state, std::optional<double> timeLeft)
+void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>& time,
+                         const QString& said)
 {
     state_ = state;
     QString text = words::sentence(state.followed ? describeFollowed(state.phase)
                                                   : terratact::describe(state.phase));
     if (state.phase == AtemPhase::Failed)
-        text += QStringLiteral(": ") + words::sentence(terratact::describe(state.failure));
+        text += QStringLiteral(": ")
+              + (said.isEmpty() ? words::sentence(terratact::describe(state.failure)) : said);
+    else if (!said.isEmpty())
+        text = said;
     if (state.phase == AtemPhase::Presenting && state.approvalExpired)
         text += tr("; no answer in time, so no probe");
     else if (state.phase == AtemPhase::Presenting && state.probed)
@@ -104,11 +108,22 @@ void AtemPanel::setState(const AtemState& state, std::optional<double> timeLeft)
     if (!text.isEmpty()) text[0] = text[0].toUpper();
     stateText_->setText(text);
     setTone(*stateText_, toneOf(state.phase));
-    timeText_->setText(timeLeft ? tr("%1 left").arg(words::countdown(*timeLeft)) : QString());
+    timeText_->setText(time ? timeWords(*time) : QString());
     setTone(*timeText_, Tone::Strong);
     arrange();
     showList();
     showButtons();
+}
+
+QString AtemPanel::timeWords(const PhaseTime& time)
+{
+    const QString seconds = words::countdown(time.seconds);
+    switch (time.kind) {
+    case PhaseTime::Kind::Answer: return tr("%1 left").arg(seconds);
+    case PhaseTime::Kind::Expected: return tr("about %1 left").arg(seconds);
+    case PhaseTime::Kind::GivesUp: return tr("gives up in %1").arg(seconds);
+    }
+    return {};
 }
 
 void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)

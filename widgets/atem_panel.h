@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/atem/atem_machine.h"
+#include "core/atem/phase_time.h"
 #include "widgets/card.h"
 
 class QBoxLayout;
@@ -32,8 +33,9 @@ class AtemPanel final : public Card {
 public:
     explicit AtemPanel(QWidget* parent = nullptr);
 
-    /// timeLeft: [s] until the phase runs out; empty where it does not.
-    void setState(const AtemState& state, std::optional<double> timeLeft);
+    /// said: where more is known than the state itself says; empty: its own.
+    void setState(const AtemState& state, const std::optional<PhaseTime>& time,
+                  const QString& said = {});
     /// The request is possible unless one is Missing or Doubtful.  While an exploration runs, those that are met are not
     /// shown: their room is the probe's.
     void setPreconditions(const QList<Precondition>& preconditions);
@@ -60,6 +62,7 @@ private:
     void showList();
     void showButtons();
     void arrange();
+    static QString timeWords(const PhaseTime& time);
 
     AtemState state_;
     bool onlyShows_ = false;

@@ -82,19 +82,19 @@ struct BusConsole : testing::Test {
     {
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
     }
-    void open(CanSource::Mode mode = CanSource::Mode::Transmit)
+    void open(CanSource::Mode mode = CanSource::Mode::Transmit, RobotFault fault = RobotFault::None)
     {
-        startRobot();
+        startRobot(fault);
         window = console(bus.join("can0"), mode, [] { return Result<LoadedModel>(madeUp()); });
         gui::showActive(*window);
     }
-    void startRobot()
+    void startRobot(RobotFault fault = RobotFault::None)
     {
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
         robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-            RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+            RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0, .fault = fault});
     }
     std::unique_ptr<MainWindow> console(std::unique_ptr<CanBus> end, CanSource::Mode mode,
                                         ModelLoader loader) const
@@ -278,6 +278,25 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
 
+TEST_F(BusConsole, saysWhyTheRobotRefusedTheProbeInEveryLayout)
+{
+    open(CanSource::Mode::Transmit, RobotFault::RefuseProbe);
+    window->preferences().change([](Preferences& p) { p.layout = Layout::Drive; });
+    arm();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    QTest::keyClick(window.get(), Qt::Key_A);
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
+    QTest::keyPress(window.get(), Qt::Key_Space);
+    ASSERT_TRUE(reaches(AtemPhase::Failed));
+    QTest::keyRelease(window.get(), Qt::Key_Space);
+    const QString why = "the robot refused the probe: the arm does not reach that bin";
+    EXPECT_TRUE(eventually([&] { return says("Exploration failed: " + why); }));
+    EXPECT_TRUE(window->events()->item(0)->text().endsWith("exploration failed: " + why))
+        << window->events()->item(0)->text().toStdString();
+    picture("refused");
+}
+
 TEST_F(BusConsole, frozenWindowStopsTheDrive)
 {
     operatorAge = GateLimits{}.operatorAge;
@@ -353,7 +372,7 @@ TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
     QPushButton& stop = *window->header()->stopButton();
     EXPECT_EQ(stop.text(), "STOP: no commands");
     const QImage image = stop.grab().toImage();
-    EXPECT_EQ(image.pixelColor(12, image.height() / 2), theme().off.area) << "it looks like none";
+    EXPECT_EQ(image.pixelColor(12, image.height() / 2), theme().chip.area) << "it looks like none";
     EXPECT_EQ(window->link()->view().frames.sent, 0U);
     picture("listening");
 }

@@ -316,6 +316,45 @@ TEST_F(Bench, telemetryFromBeforeACommandIsNoAnswer)
     EXPECT_EQ(phase(), AtemPhase::Pressing) << "without telemetry there is no answer at all";
 }
 
+TEST_F(Bench, whyTheRobotRefusedIsTold)
+{
+    propose();
+    exploration->approve(exploration->proposal()->id);
+    tick();
+    telemetry.refusal = Refusal::OutOfReach;
+    tick(3);
+    ASSERT_EQ(exploration->state().failure, AtemFailure::ProbeRefused);
+    const QString why = "the robot refused the probe: the arm does not reach that bin";
+    EXPECT_EQ(exploration->stateWords(), why);
+    EXPECT_TRUE(events.contains("exploration failed: " + why)) << events.join('\n').toStdString();
+    telemetry.refusal = Refusal::None;
+    tick(10);
+    EXPECT_EQ(exploration->stateWords(), why) << "also when the robot is asked for other things";
+}
+
+TEST_F(Bench, aPressIsExpectedToTakeAsLongAsTheOneBefore)
+{
+    using Kind = PhaseTime::Kind;
+    exploration->request();
+    tick();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressing;
+    tick(50);
+    ASSERT_TRUE(exploration->time());
+    EXPECT_EQ(exploration->time()->kind, Kind::GivesUp) << "nobody knows yet";
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_EQ(exploration->time()->kind, Kind::Answer);
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    telemetry.activity = RobotActivity::Halted;
+    exploration->request();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    ASSERT_TRUE(exploration->time());
+    EXPECT_EQ(exploration->time()->kind, Kind::Expected);
+    EXPECT_NEAR(exploration->time()->seconds, 2.0, 0.1);
+}
+
 TEST_F(Bench, anOldRefusalIsNotTheAnswerToANewCommand)
 {
     telemetry.refusal = Refusal::Busy;

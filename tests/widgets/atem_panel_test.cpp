@@ -35,12 +35,25 @@ struct Atem : testing::Test {
 
 TEST_F(Atem, saysTheStateAndItsTime)
 {
-    panel.setState({.phase = AtemPhase::Pressing}, 12.2);
+    using Kind = PhaseTime::Kind;
+    panel.setState({.phase = AtemPhase::Pressing}, PhaseTime{Kind::Expected, 12.2});
     EXPECT_TRUE(shows("Pressing the front flippers"));
-    EXPECT_TRUE(shows("0:13 left"));
+    EXPECT_TRUE(shows("about 0:13 left"));
+    panel.setState({.phase = AtemPhase::Pressing}, PhaseTime{Kind::GivesUp, 7.0});
+    EXPECT_TRUE(shows("gives up in 0:07"));
+    EXPECT_FALSE(shows("left"));
+    panel.setState({.phase = AtemPhase::ProposingProbe}, PhaseTime{Kind::Answer, 29.1});
+    EXPECT_TRUE(shows("0:30 left"));
+    EXPECT_FALSE(shows("about"));
     panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::LinkLost}, std::nullopt);
     EXPECT_TRUE(shows("link to the robot was lost"));
     EXPECT_FALSE(shows("left"));
+    panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::ProbeRefused}, std::nullopt,
+                   "the robot refused the probe: too far");
+    EXPECT_TRUE(shows("Exploration failed: the robot refused the probe: too far"));
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt, "STOP sent, not confirmed");
+    EXPECT_TRUE(shows("STOP sent, not confirmed"));
+    EXPECT_FALSE(shows("STOPPED"));
 }
 
 TEST_F(Atem, saysThatItFollowsAndOffersNothingThatMovesTheRobot)
@@ -97,7 +110,7 @@ TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
 TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
 {
     panel.setPreconditions({{Level::Met, "telemetry is live"}});
-    panel.setState({.phase = AtemPhase::Probing}, 80.0);
+    panel.setState({.phase = AtemPhase::Probing}, PhaseTime{PhaseTime::Kind::Expected, 80.0});
     EXPECT_FALSE(panel.requestButton()->isEnabled());
     EXPECT_FALSE(panel.requestButton()->toolTip().isEmpty());
     QTest::mouseClick(panel.abortButton(), Qt::LeftButton);
@@ -119,7 +132,8 @@ TEST_F(Atem, releasingStopTakesAHold)
 TEST_F(Atem, hostileTimesLeaveItDrawn)
 {
     for (const double bad : gui::kHostile) {
-        panel.setState({.phase = AtemPhase::Pressing, .since = bad}, bad);
+        panel.setState({.phase = AtemPhase::Pressing, .since = bad},
+                       PhaseTime{PhaseTime::Kind::GivesUp, bad});
         EXPECT_FALSE(gui::painted(panel).isNull());
     }
 }
