@@ -311,7 +311,7 @@ void Exploration::advance()
         in.grounds = probes_.grounds();
     }
     look(in);
-    endOverride();
+    endOverrides();
     if (in.aborted && !exploring(state_.phase)) {
         estimation_.forgetGhost();
         if (estimation_.estimate()) forget(tr("No estimate: explore the terrain (A)"));
@@ -461,32 +461,22 @@ QString Exploration::whyNotArmed() const
     return following() ? following_->why() : tr("not armed: press M, then hold M");
 }
 
-Precondition Exploration::planarity() const
-{
-    return ground_.judge(latest_->sample.measurement, options_.settings);
-}
-
 void Exploration::overrideDoubts()
 {
     if (following() || !latest_) return;
-    const Precondition doubt = planarity();
-    if (doubt.level != Precondition::Level::Doubtful) return;
-    ground_.overrideDoubt();
-    emit decided("override", doubt.text);
-    emit happened(tr("overridden by the operator: %1").arg(doubt.text), Weight::Doubt);
+    const Measurement& m = latest_->sample.measurement;
+    for (const QString& doubt : ground_.overrideDoubts(m, options_.settings)) {
+        emit decided("override", doubt);
+        emit happened(tr("overridden by the operator: %1").arg(doubt), Weight::Doubt);
+    }
 }
 
-void Exploration::endOverride()
+void Exploration::endOverrides()
 {
-    if (!ground_.isOverridden() || !latest_ || exploring(state_.phase)) return;
-    if (planarity().level != Precondition::Level::Met) return;
-    ground_.endOverride();
-    emit happened(tr("the override has ended: left and right agree again"), Weight::Note);
-}
-
-QString Exploration::overridden() const
-{
-    return ground_.isOverridden() && latest_ ? planarity().text : QString();
+    if (!latest_) return;
+    const Measurement& m = latest_->sample.measurement;
+    for (const QString& reason : ground_.endOverrides(m, options_.settings))
+        emit happened(tr("the override has ended: %1").arg(reason), Weight::Doubt);
 }
 
 QList<Precondition> Exploration::preconditions() const
@@ -497,7 +487,7 @@ QList<Precondition> Exploration::preconditions() const
     };
     if (link_) list << Preconditions::arming(whyNotArmed());
     list << Preconditions::model(estimation_.model());
-    if (latest_) list << planarity();
+    if (latest_) list << ground_.judge(latest_->sample.measurement, options_.settings);
     return list;
 }
 

@@ -43,7 +43,7 @@ public:
     // What the operator did.
     void request();
     void abort();
-    /// Takes what is doubtful now upon the operator, until it is so no more.
+    /// Takes what is doubtful now upon the operator, until it is so no more or has become worse.
     void overrideDoubts();
     void approve(quint64 proposal);
     void refuse(quint64 proposal);
@@ -86,7 +86,8 @@ public:
     std::optional<int> probingBin() const;
     QString whyNotDriving() const;  ///< empty: driving is allowed
     QList<Precondition> preconditions() const;
-    QString overridden() const;  ///< what the operator has overridden, in words; empty: nothing
+    /// What the operator has overridden, in words, as it was then; empty: nothing.
+    QString overridden() const { return ground_.overridden().join(QStringLiteral("; ")); }
     const Options& options() const { return options_; }
 
 signals:
@@ -113,10 +114,9 @@ private:
 
     void command(const Command& command);
     bool answered() const;  ///< the newest telemetry was measured after the last command
-    void endOverride();
+    void endOverrides();
     void forget(const QString& why);  ///< the estimate and what is proposed on it
     QString whyNotArmed() const;      ///< of a link; empty: it is
-    Precondition planarity() const;
 
     MeasurementSource& source_;
     CanSource* link_;

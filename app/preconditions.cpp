@@ -45,17 +45,70 @@ Precondition Preconditions::model(const ModelInUse& model)
     return met(tr("model %1 is ready").arg(model.name));
 }
 
-Precondition PlanarGround::judge(const Measurement& m, const Settings& settings) const
+std::array<PlanarGround::Doubt, PlanarGround::kKinds> PlanarGround::doubts(const Measurement& m,
+                                                                           const Settings& settings)
 {
     const double asymmetry = flipperAsymmetry(m);
-    const auto doubtful =
-        overridden_ ? Precondition::Level::Overridden : Precondition::Level::Doubtful;
-    if (std::abs(m.roll) > settings.rollLimit)
-        return {doubtful, tr("roll %1: left and right ground differ").arg(words::degrees(m.roll))};
-    if (asymmetry > settings.asymmetryLimit)
-        return {doubtful,
-                tr("left and right flippers differ by %1").arg(words::degrees(asymmetry))};
-    return met(tr("left and right agree, roll is small"));
+    return {Doubt{std::abs(m.roll), settings.rollLimit,
+                  tr("roll %1: left and right ground differ").arg(words::degrees(m.roll))},
+            Doubt{asymmetry, settings.asymmetryLimit,
+                  tr("left and right flippers differ by %1").arg(words::degrees(asymmetry))}};
+}
+
+QString PlanarGround::goneWords(int kind)
+{
+    return kind == kRoll ? tr("the roll is small again")
+                         : tr("left and right flippers agree again");
+}
+
+QList<Precondition> PlanarGround::judge(const Measurement& m, const Settings& settings) const
+{
+    const auto all = doubts(m, settings);
+    QList<Precondition> list;
+    for (std::size_t kind = 0; kind < kKinds; ++kind)
+        if (all[kind].stands())
+            list << Precondition{overridden_[kind] ? Precondition::Level::Overridden
+                                                   : Precondition::Level::Doubtful,
+                                 all[kind].text};
+    if (list.isEmpty()) list << met(tr("left and right agree, roll is small"));
+    return list;
+}
+
+QStringList PlanarGround::overrideDoubts(const Measurement& m, const Settings& settings)
+{
+    const auto all = doubts(m, settings);
+    QStringList news;
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        if (overridden_[kind] || !all[kind].stands()) continue;
+        overridden_[kind] = all[kind];
+        news << all[kind].text;
+    }
+    return news;
+}
+
+QStringList PlanarGround::endOverrides(const Measurement& m, const Settings& settings)
+{
+    const auto all = doubts(m, settings);
+    QStringList reasons;
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        const Doubt& now = all[kind];
+        const std::optional<Doubt>& then = overridden_[kind];
+        if (!then) continue;
+        const bool grew = now.size > then->size + now.limit;
+        if (now.stands() && !grew) continue;
+        reasons << (grew ? tr("%1, more than what was overridden").arg(now.text)
+                         : goneWords(static_cast<int>(kind)));
+        overridden_[kind].reset();
+    }
+    return reasons;
+}
+
+QStringList PlanarGround::overridden() const
+{
+    QStringList list;
+    for (const auto& doubt : overridden_)
+        if (doubt) list << doubt->text;
+    return list;
 }
 
 }  // namespace terratact

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QList>
 #include <QString>
+#include <QStringList>
+#include <array>
+#include <optional>
 
 #include "app/estimation.h"
 #include "core/infer/settings.h"
@@ -21,19 +25,32 @@ public:
 };
 
 /// The method takes the ground as the same left and right.  Where roll or flippers speak against that, the operator
-/// may take the doubt upon himself, until there is none any more.
+/// may take each such doubt upon himself, as large as it is then: not one that comes later, nor one that grows by more
+/// than its limit.
 class PlanarGround {
     Q_DECLARE_TR_FUNCTIONS(PlanarGround)
 public:
-    /// Met, Doubtful or Overridden, by the limits of the settings.
-    Precondition judge(const Measurement& measurement, const Settings& settings) const;
+    /// One for each doubt by the limits of the settings, Doubtful or Overridden; a single Met one where there is none.
+    QList<Precondition> judge(const Measurement& measurement, const Settings& settings) const;
 
-    void overrideDoubt() { overridden_ = true; }
-    void endOverride() { overridden_ = false; }
-    bool isOverridden() const { return overridden_; }
+    /// Overrides every doubt there is.  Those that were not yet, in words.
+    QStringList overrideDoubts(const Measurement& measurement, const Settings& settings);
+    /// Ends the overrides whose doubt is gone or has grown too much.  Why each has ended, in words.
+    QStringList endOverrides(const Measurement& measurement, const Settings& settings);
+    QStringList overridden() const;  ///< what, in words, with the values of then
 
 private:
-    bool overridden_ = false;
+    enum Kind { kRoll, kAsymmetry, kKinds };
+    struct Doubt {
+        double size = 0.0, limit = 0.0;  ///< [rad]
+        QString text;
+        bool stands() const { return size > limit; }
+    };
+    static std::array<Doubt, kKinds> doubts(const Measurement& measurement,
+                                            const Settings& settings);
+    static QString goneWords(int kind);
+
+    std::array<std::optional<Doubt>, kKinds> overridden_;  ///< each as it was then
 };
 
 }  // namespace terratact

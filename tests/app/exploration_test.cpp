@@ -664,6 +664,53 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
 }
 
+TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)
+{
+    using Level = Precondition::Level;
+    const auto levels = [this](Level level) {
+        int count = 0;
+        for (const Precondition& p : exploration->preconditions()) count += p.level == level;
+        return count;
+    };
+    telemetry.roll = 0.105;  // 6°
+    tick();
+    exploration->overrideDoubts();
+    EXPECT_EQ(exploration->overridden(), "roll +6.0°: left and right ground differ");
+    telemetry.roll = 0.15;
+    tick();
+    EXPECT_EQ(levels(Level::Overridden), 1) << "as good as the same";
+    EXPECT_TRUE(exploration->overridden().contains("6.0°")) << "what was overridden then";
+
+    telemetry.rearLeft = 0.4;
+    tick();
+    EXPECT_EQ(levels(Level::Overridden), 1);
+    EXPECT_EQ(levels(Level::Doubtful), 1) << "nobody has overridden the flippers";
+    exploration->overrideDoubts();
+    EXPECT_EQ(events.filter("overridden by the operator").size(), 2) << "each once";
+    EXPECT_EQ(levels(Level::Overridden), 2);
+
+    telemetry.roll = 0.52;  // 30°
+    tick();
+    EXPECT_EQ(levels(Level::Doubtful), 1);
+    EXPECT_FALSE(exploration->overridden().contains("roll"));
+    EXPECT_TRUE(exploration->overridden().contains("flippers"));
+    EXPECT_EQ(events.filter("the override has ended: roll +29.8°").size(), 1);
+}
+
+TEST_F(Bench, anOverrideWhoseDoubtGoesWhileExploringEndsWithItsReason)
+{
+    telemetry.roll = 0.105;
+    tick();
+    exploration->overrideDoubts();
+    exploration->request();
+    tick();
+    ASSERT_EQ(phase(), AtemPhase::Halting);
+    telemetry.roll = 0.0;
+    tick();
+    EXPECT_EQ(exploration->overridden(), "");
+    EXPECT_EQ(events.filter("the override has ended: the roll is small again").size(), 1);
+}
+
 TEST_F(Bench, aSceneIsTheFirstLineOfThePressHoweverLateTheWindowLooks)
 {
     exploration->request();
