@@ -67,7 +67,9 @@ void ConsoleAlarms::look(double now, const AlarmSight& sight)
           Severity::Caution);
     judge("stop", sight.isStopped, tr("The robot is stopped and moves only after a release"),
           Severity::Caution);
-    if (list_.takeSound(now) && soundOn_) sounder_->sound();
+    if (!list_.takeSound(now) || !soundOn_) return;
+    sounder_->sound();
+    emit sounded();
 }
 
 void ConsoleAlarms::lookAtLink(const AlarmSight& sight)

@@ -54,6 +54,9 @@ public:
     void setSoundOn(bool on) { soundOn_ = on; }
     bool soundOn() const { return soundOn_; }
 
+signals:
+    void sounded();  ///< just now, and only where sound is wanted
+
 private:
     struct Cause {
         std::optional<double> stands{}, gone{};  ///< [s] since

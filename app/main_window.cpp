@@ -317,7 +317,10 @@ void MainWindow::connectAll()
     connect(exploration, &Exploration::stoppedNothing, this, [this](const QString& why) {
         notice_->say(tr("STOP HAS NO EFFECT HERE: %1").arg(why), steadyNow());
     });
-    if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
+    if (panel_) {
+        connect(panel_.get(), &PanelControl::happened, events(), note);
+        connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
+    }
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
@@ -420,7 +423,11 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
 
 void MainWindow::tickPanel(double now)
 {
-    if (panel_) panel_->tick(now, atemPanel()->requestButton()->isEnabled());
+    if (!panel_) return;
+    const bool silent = alarms_->list().silentFor(now) > 0.0;
+    panel_->tick(now, {.mayExplore = atemPanel()->requestButton()->isEnabled(),
+                       .shown = probeCard()->shown(),
+                       .mayAsk = alarms_->soundOn() && !silent});
 }
 
 void MainWindow::releaseStop()

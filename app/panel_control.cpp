@@ -10,8 +10,10 @@ PanelControl::PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSour
 {
 }
 
-void PanelControl::tick(double now, bool mayExplore)
+void PanelControl::tick(double now, const Sight& sight)
 {
+    now_ = now;
+    if (std::exchange(shown_, sight.shown) != sight.shown) shownSince_ = now;
     report_ = reader_.latest();
     const bool stopped = report_.state.stop;
     if (stopped && !wasStopped_) {
@@ -21,33 +23,64 @@ void PanelControl::tick(double now, bool mayExplore)
                       Weight::Bad);
     }
     wasStopped_ = stopped;
-    press(mayExplore && answers(now));
+    press(sight);
+    ask(sight);
     light();
     const QString trouble = QString::fromStdString(report_.trouble);
     if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, Weight::Bad);
     trouble_ = trouble;
 }
 
-void PanelControl::press(bool mayExplore)
+void PanelControl::press(const Sight& sight)
 {
     const PerContact<int> presses = reader_.takePresses();
-    if (presses[PanelContact::Atem] > 0 && mayExplore) exploration_.request();
+    if (presses[PanelContact::Atem] > 0 && sight.mayExplore && answers(now_))
+        exploration_.request();
     const auto& proposal = exploration_.proposal();
-    if (!proposal) return;
+    if (!proposal) {
+        approving_ = false;
+        return;
+    }
     if (presses[PanelContact::Refuse] > 0)
         exploration_.refuse(proposal->id);
-    else if (presses[PanelContact::Approve] > 0)
-        exploration_.approve(proposal->id);
+    else
+        approve(proposal->id, presses[PanelContact::Approve] > 0);
+}
+
+void PanelControl::approve(quint64 asked, bool pressed)
+{
+    if (pressed && shown_ != asked)
+        emit happened(tr("not approved: the question is not on the screen (Terrain, F2)"),
+                      Weight::Bad);
+    const ContactState& contact = report_.state.contacts[PanelContact::Approve];
+    const bool counts = shown_ == asked && report_.state.held(PanelContact::Approve)
+                     && contact.since >= shownSince_;
+    if (std::exchange(approving_, counts) && !counts)
+        emit happened(tr("not approved: the panel's button has to be held for 1.5 s"), Weight::Bad);
+    if (!counts || report_.state.time - contact.since < kApproveHold) return;
+    approving_ = false;
+    exploration_.approve(asked);
+}
+
+void PanelControl::buzz()
+{
+    buzzUntil_ = now_ + kBuzz;
+}
+
+void PanelControl::ask(const Sight& sight)
+{
+    if (exploration_.state().phase != AtemPhase::ProposingProbe) return asked_.reset();
+    if (!sight.mayAsk || (asked_ && now_ - *asked_ < kAskAgain)) return;
+    asked_ = now_;
+    buzz();
 }
 
 void PanelControl::light()
 {
-    const AtemPhase phase = exploration_.state().phase;
-    const bool asks = phase == AtemPhase::ProposingProbe;
     reader_.setLamps({.link = exploration_.linkAlive(),
                       .armed = exploration_.armed(),
-                      .probing = exploring(phase),
-                      .buzzer = asks || !exploration_.linkAlive()});
+                      .probing = exploring(exploration_.state().phase),
+                      .buzzer = now_ < buzzUntil_});
 }
 
 bool PanelControl::answers(double now) const

@@ -15,6 +15,7 @@
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/scripted_source.h"
 #include "tests/support/sim_source.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -22,6 +23,7 @@
 #include "widgets/event_list.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
+#include "widgets/navigation_rail.h"
 #include "widgets/probe_card.h"
 #include "widgets/status_header.h"
 
@@ -158,6 +160,8 @@ struct PanelConsole : testing::Test {
         ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
         push(PanelContact::Atem);
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+        ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
+        QTest::qWait(50);  // no operator is faster
     }
 
     RobotModel model = absolem();
@@ -169,8 +173,42 @@ TEST_F(PanelConsole, exploresAndProbesByThePanelAlone)
 {
     openSimulated();
     propose();
-    push(PanelContact::Approve);
+    board.close(PanelContact::Approve, true);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    board.close(PanelContact::Approve, false);
+    EXPECT_TRUE(window->exploration().state().probed);
+}
+
+TEST_F(PanelConsole, approvesOnlyWhatIsHeldWhileTheQuestionIsSeen)
+{
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    push(PanelContact::Atem);
+    board.close(PanelContact::Approve, true);  // in advance
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    QTest::qWait(2000);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe)
+        << "nobody had seen the question";
+    board.close(PanelContact::Approve, false);
+    QTest::qWait(100);
+    push(PanelContact::Approve);
+    QTest::qWait(100);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe) << "too short";
+    EXPECT_TRUE(window->events()->item(0)->text().contains("held for 1.5 s"));
+
+    window->rail()->choose(window->rail()->pageOf(Qt::Key_F7));
+    board.close(PanelContact::Approve, true);
+    QTest::qWait(2000);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe)
+        << "another page is seen";
+    EXPECT_TRUE(window->events()->item(0)->text().contains("not on the screen"));
+    window->rail()->choose(0);
+    QTest::qWait(2000);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe) << "pressed before";
+    board.close(PanelContact::Approve, false);
+    QTest::qWait(100);
+    board.close(PanelContact::Approve, true);
+    EXPECT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_TRUE(window->exploration().state().probed);
 }
 
@@ -190,8 +228,31 @@ TEST_F(PanelConsole, lightsWhatIsSo)
     EXPECT_TRUE(eventually([&] { return !board.lit(3); })) << "the buzzer's test has an end";
     propose();
     EXPECT_TRUE(eventually([&] { return board.lit(2) && board.lit(3); })) << "probing, and asked";
+    EXPECT_TRUE(eventually([&] { return !board.lit(3); })) << "one sound";
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
     push(PanelContact::Refuse);
     EXPECT_TRUE(eventually([&] { return !board.lit(2) && !board.lit(3); }));
+}
+
+TEST_F(PanelConsole, theBuzzerSoundsOnceForALostLinkAndNotWhereSoundIsOff)
+{
+    for (const bool sound : {true, false}) {
+        MainWindow::Options o = options();
+        auto source = std::make_unique<ScriptedSource>();
+        ScriptedSource* script = source.get();
+        o.source = std::move(source);
+        show(std::move(o));
+        window->preferences().change([&](Preferences& p) { p.sound = sound; });
+        ASSERT_TRUE(eventually([&] { return board.lit(0); })) << "the lamps' test is over";
+        QTest::qWait(1800);
+        ASSERT_FALSE(board.lit(3));
+        script->setSilent(true);
+        ASSERT_TRUE(eventually([&] { return !window->exploration().linkAlive(); }));
+        EXPECT_EQ(eventually([&] { return board.lit(3); }, 1000), sound);
+        EXPECT_TRUE(eventually([&] { return !board.lit(3); }, 3000)) << "and then it is quiet";
+        EXPECT_FALSE(window->exploration().linkAlive());
+        window.reset();
+    }
 }
 
 TEST_F(PanelConsole, stopLatchesUntilPanelAndWindowReleaseIt)
