@@ -337,6 +337,7 @@ void TerrainPage::setSight(const TerrainSight& sight)
     showProbe(sight);
     strip_->setProgress(sight.progress);
     atem_->setState(sight.state, sight.time, sight.stateWords);
+    atem_->setResultStands(sight.estimate || sight.ghost);
     atem_->setPreconditions(sight.preconditions);
     drive_->setBlocked(sight.whyNotDriving);
 }

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "core/atem/following.h"
 #include "widgets/held_button.h"
@@ -133,6 +134,11 @@ void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)
     showButtons();
 }
 
+void AtemPanel::setResultStands(bool stands)
+{
+    if (std::exchange(resultStands_, stands) != stands) showButtons();
+}
+
 void AtemPanel::showList()
 {
     QList<Precondition> preconditions = preconditions_;
@@ -222,7 +228,8 @@ void AtemPanel::showButtons()
     }
     const bool busy = exploring(state_.phase);
     const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
-    const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting;
+    const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting
+                    || (!busy && resultStands_);
 
     request_->setVisible(!stopped && !(narrow_ && busy));
     abort_->setVisible(!stopped);

@@ -40,6 +40,9 @@ public:
     /// shown: their room is the probe's.
     void setPreconditions(const QList<Precondition>& preconditions);
 
+    /// There is something on the screen that can be taken off it, in whatever state.
+    void setResultStands(bool stands);
+
     /// From now on it only shows: no button is seen.
     void forbidCommands();
     /// Little room: the buttons below each other, and while an exploration runs only the state with the button that
@@ -67,6 +70,7 @@ private:
     AtemState state_;
     bool onlyShows_ = false;
     bool narrow_ = false;
+    bool resultStands_ = false;
     QList<Precondition> preconditions_, shown_;
     QLabel* stateText_ = nullptr;
     QLabel* timeText_ = nullptr;

@@ -532,6 +532,25 @@ TEST_F(Console, escapeAbortsAnExploration)
     EXPECT_TRUE(eventually([&] { return !window->probeCard()->asks(); }));
 }
 
+TEST_F(Console, escapeClearsWhatStandsAfterAStop)
+{
+    open(fastRobot(robot, 2.1));
+    proposeByKeyboard();
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    ASSERT_TRUE(robotIs(RobotActivity::Stopped));
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->releaseButton()->isVisible(); }));
+    QTest::keyPress(window.get(), Qt::Key_R);
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    QTest::keyRelease(window.get(), Qt::Key_R);
+    ASSERT_TRUE(window->exploration().estimation().estimate());
+    const QPushButton& clear = *window->atemPanel()->abortButton();
+    ASSERT_TRUE(eventually([&] { return clear.isVisible() && clear.isEnabled(); }));
+    EXPECT_EQ(clear.text(), "Clear (Esc)");
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    EXPECT_TRUE(eventually([&] { return !window->exploration().estimation().estimate(); }));
+    EXPECT_TRUE(eventually([&] { return !clear.isEnabled(); }));
+}
+
 TEST_F(Console, staleValuesDisappearAndTheLostLinkIsSaid)
 {
     ScriptedSource* source = openScripted();
