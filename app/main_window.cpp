@@ -312,6 +312,7 @@ void MainWindow::connectAll()
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
     const auto note = [this](const QString& text, Weight weight) {
         events()->add(text, weight, QTime::currentTime());
+        if (weight == Weight::Bad && !events()->isVisible()) notice_->say(text, steadyNow());
     };
     connect(exploration, &Exploration::happened, events(), note);
     connect(exploration, &Exploration::stoppedNothing, this, [this](const QString& why) {
@@ -354,7 +355,7 @@ void MainWindow::redraw(double now)
     linkStatus_->showArming(sights_->panelForbids(now));
     terrainPage_->setSight(sights_->terrain(now, latest_));
     stopDisplay_->show(exploration_->stopSight());
-    notice_->look(now);
+    notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
     if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);

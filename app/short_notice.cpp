@@ -12,13 +12,12 @@ ShortNotice::ShortNotice(QLabel& banner) : banner_(banner)
 void ShortNotice::say(const QString& text, double now)
 {
     banner_.setText(text);
-    banner_.show();
     until_ = now + kFor;
 }
 
-void ShortNotice::look(double now)
+void ShortNotice::look(double now, bool hasRoom)
 {
-    if (now >= until_) banner_.hide();
+    banner_.setVisible(hasRoom && now < until_);
 }
 
 }  // namespace terratact

@@ -15,7 +15,8 @@ public:
 
     /// now: [s] any monotonic clock.  What was said before gives way.
     void say(const QString& text, double now);
-    void look(double now);  ///< to be called several times a second
+    /// To be called several times a second.  hasRoom: nothing that matters more stands in its place.
+    void look(double now, bool hasRoom);
 
 private:
     QLabel& banner_;

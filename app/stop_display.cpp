@@ -19,6 +19,11 @@ void StopDisplay::show(const StopSight& sight)
     if (banner_.text() != text) banner_.setText(text);
 }
 
+bool StopDisplay::isLate() const
+{
+    return !banner_.isHidden();
+}
+
 QString StopDisplay::late(const StopSight& sight)
 {
     const QString age = words::age(sight.seconds);

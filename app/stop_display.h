@@ -20,6 +20,7 @@ public:
     StopDisplay(StatusHeader& header, QLabel& banner);
 
     void show(const StopSight& sight);
+    bool isLate() const;  ///< the banner is there, and needs all of its line
 
 private:
     static QString late(const StopSight& sight);
