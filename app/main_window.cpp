@@ -312,7 +312,10 @@ void MainWindow::connectAll()
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
     const auto note = [this](const QString& text, Weight weight) {
         events()->add(text, weight, QTime::currentTime());
-        if (weight == Weight::Bad && !events()->isVisible()) notice_->say(text, steadyNow());
+        const bool seen =
+            events()->isVisible()
+            || (atemPanel()->isVisible() && exploration_->state().phase == AtemPhase::Failed);
+        if (weight == Weight::Bad && !seen) notice_->say(text, steadyNow());
     };
     connect(exploration, &Exploration::happened, events(), note);
     connect(exploration, &Exploration::stoppedNothing, this, [this](const QString& why) {

@@ -532,6 +532,27 @@ TEST_F(Console, escapeAbortsAnExploration)
     EXPECT_TRUE(eventually([&] { return !window->probeCard()->asks(); }));
 }
 
+TEST_F(Console, whatGoesWrongIsSaidWhereTheLastMinutesAreNotSeen)
+{
+    ScriptedSource* source = openScripted();
+    const auto says = [this](const QString& words) {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    };
+    ASSERT_TRUE(readyToExplore());
+    source->setDeaf(true);
+    window->exploration().drive(+1);
+    QTest::qWait(100);
+    EXPECT_FALSE(says("command not sent")) << "it stands in the list";
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    window->exploration().drive(+1);
+    EXPECT_TRUE(eventually([&] { return says("command not sent: the bus is off"); }));
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    EXPECT_TRUE(eventually([&] { return says("STOP NOT SENT for"); }));
+    EXPECT_FALSE(says("command not sent")) << "it gives way";
+}
+
 TEST_F(Console, escapeClearsWhatStandsAfterAStop)
 {
     open(fastRobot(robot, 2.1));
