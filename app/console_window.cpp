@@ -144,6 +144,31 @@ void ConsoleWindow::addHelpKey(const QString& footer)
     keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { showHelp(); }});
 }
 
+void ConsoleWindow::addDeadStopKey()
+{
+    constexpr int kFor = 8000;  // [ms]
+    auto* banner = new QLabel(tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to the "
+                                 "console's own window"),
+                              this);
+    banner->setObjectName(QStringLiteral("banner"));
+    banner->setWordWrap(true);
+    banner->hide();
+    auto* end = new QTimer(banner);
+    end->setSingleShot(true);
+    end->setInterval(kFor);
+    connect(end, &QTimer::timeout, banner, &QWidget::hide);
+    keys_.add({.keys = {Qt::Key_F12},
+               .meaning = tr("no STOP: this window has no robot"),
+               .pressed =
+                   [this, banner, end] {
+                       banner->setGeometry(header_->geometry());  // upon it: nothing moves
+                       banner->raise();
+                       banner->show();
+                       end->start();
+                   },
+               .everywhere = true});
+}
+
 void ConsoleWindow::showHelp()
 {
     if (!help_) {

@@ -56,6 +56,9 @@ protected:
     /// F1 and ? show the sheet of the keys, with this below; HTML.
     void addHelpKey(const QString& footer = {});
 
+    /// For a window without a robot: STOP's key says so, loudly.
+    void addDeadStopKey();
+
     /// The look from now on; wanted: letters [%].
     void setLook(ThemeName theme, int wanted);
     /// Lays out anew what depends on the letters in force, and as for the smallest window while it is measured.

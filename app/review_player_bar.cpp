@@ -106,7 +106,7 @@ void ReviewPlayerBar::addMoves(QHBoxLayout& row)
 
 void ReviewPlayerBar::addSpeed(QHBoxLayout& row)
 {
-    button(row, QStringLiteral("−"), tr("Slower"), tr("Half as fast (S)"),
+    button(row, QStringLiteral("−"), tr("Slower"), tr("Half as fast (H)"),
            [this] { speedUp(0.5); });
     speed_ = new QLabel(this);
     speed_->setAccessibleName(tr("Speed"));
@@ -340,7 +340,7 @@ void ReviewPlayerBar::addPlayKeys(KeyTable& keys)
     keys.add({{Qt::Key_K}, tr("pause"), [this] { pause(); }});
     keys.add({{Qt::Key_L}, tr("play"), [this] { play(false); }});
     keys.add({{Qt::Key_F}, tr("twice as fast"), [this] { speedUp(2.0); }});
-    keys.add({{Qt::Key_S}, tr("half as fast"), [this] { speedUp(0.5); }});
+    keys.add({{Qt::Key_H}, tr("half as fast"), [this] { speedUp(0.5); }});
     keys.add({{Qt::Key_A}, tr("cursor A here; again removes it"), [this] { setCursor(true); }});
     keys.add({{Qt::Key_B}, tr("cursor B here; again removes it"), [this] { setCursor(false); }});
     keys.add({{Qt::Key_P}, tr("loop from A to B"), click(loop_)});

@@ -463,7 +463,8 @@ void ReviewWindow::defineKeys()
     player_->addKeys(keys);
     keys.addGroup(tr("Pages"));
     addPageKeys();
-    keys.add({{Qt::Key_R}, tr("estimate the recorded scene again, on the page What if"), [this] {
+    // Not R and S, which release STOP and drive back in the console's window.
+    keys.add({{Qt::Key_E}, tr("estimate the recorded scene again, on the page What if"), [this] {
                   rail()->choose(rail()->pageOf(Qt::Key_F6));
                   whatIf_->estimate();
               }});
@@ -473,6 +474,7 @@ void ReviewWindow::defineKeys()
                   exportShown();
               }});
     addHelpKey();
+    addDeadStopKey();
 
     keys.addGroup(tr("View"));
     const auto zoom = [this](double factor) {

@@ -185,6 +185,7 @@ void ScenesWindow::defineKeys()
     step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
     step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
     addHelpKey();
+    addDeadStopKey();
 }
 
 }  // namespace terratact

@@ -114,7 +114,7 @@ QWidget* WhatIfPage::form()
     });
     asRecorded_ = new QPushButton(tr("As recorded"), form);
     asRecorded_->setToolTip(tr("Sets everything to what was recorded"));
-    estimate_ = new QPushButton(tr("Estimate again (R)"), form);
+    estimate_ = new QPushButton(tr("Estimate again (E)"), form);
     estimate_->setProperty("role", "primary");
     estimate_->setToolTip(tr("Estimates the recorded scene with what is set here"));
     for (QPushButton* button : {asRecorded_, estimate_}) {

@@ -131,6 +131,13 @@ struct ReviewOf : testing::Test {
     std::unique_ptr<ReviewWindow> window;
 };
 
+bool saysThatStopIsDead(const QWidget& window)
+{
+    for (const QLabel* label : window.findChildren<QLabel*>())
+        if (label->isVisible() && label->text().startsWith("STOP HAS NO EFFECT HERE")) return true;
+    return false;
+}
+
 QList<QPushButton*> commandButtons(const TerrainPage& page)
 {
     return {page.atemPanel()->requestButton(), page.atemPanel()->abortButton(),
@@ -148,6 +155,8 @@ TEST_F(ReviewOf, aSessionSaysThatItIsOneAndOffersNoCommand)
     EXPECT_TRUE(window->header()->sourceName().contains("REVIEW"));
     EXPECT_TRUE(window->stateLabel()->text().contains("sealed"));
     EXPECT_FALSE(window->header()->stopButton()->isVisible());
+    press(Qt::Key_F12);
+    EXPECT_TRUE(saysThatStopIsDead(*window)) << "nobody may believe that it stops a robot";
     for (double t = 0.0; t <= 4.0; t += 0.25) {
         window->goTo(t);
         for (const QPushButton* button : commandButtons(*window->terrainPage()))
@@ -186,7 +195,7 @@ TEST_F(ReviewOf, aSessionPlaysAndPausesByKeys)
     EXPECT_EQ(now(), stood);
     press(Qt::Key_F);
     press(Qt::Key_F);
-    press(Qt::Key_S);
+    press(Qt::Key_H);
     EXPECT_EQ(window->player().speed(), 2.0);
     window->goTo(2.0);
     press(Qt::Key_J);
@@ -610,7 +619,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
 
     open({QString::fromStdString(model)});
     window->goTo(1.5);
-    press(Qt::Key_R);
+    press(Qt::Key_E);
     WhatIfPage& page = *window->whatIf();
     EXPECT_EQ(page.seed()->text(), "18446744073709551557");
     ASSERT_TRUE(eventually([&] { return page.answer().has_value(); }, 60000));
@@ -768,6 +777,9 @@ TEST(ScenesOfAFile, areEstimatedOneByOneAndCommandNothing)
     for (const QPushButton* button : commandButtons(*window.terrainPage()))
         EXPECT_FALSE(button->isVisible() && button->isEnabled());
     EXPECT_FALSE(window.header()->stopButton()->isVisible());
+    EXPECT_FALSE(saysThatStopIsDead(window));
+    QTest::keyClick(&window, Qt::Key_F12);
+    EXPECT_TRUE(saysThatStopIsDead(window));
 }
 
 TEST(KindOfFile, isToldByWhatIsInIt)
