@@ -182,15 +182,27 @@ CanView CanSource::view() const
             .ended = ended()};
 }
 
+std::vector<LinkNeed> armingNeeds(const CanView& view)
+{
+    const auto& robot = view.link.robot;
+    const auto need = [](bool met, const std::string& so, const std::string& why) {
+        return LinkNeed{met, met ? so : why};
+    };
+    return {need(view.transmits, "commands can leave", view.whyNotTransmitting),
+            need(!view.link.foreignSender, "no other console sends commands",
+                 describe(DisarmCause::ForeignSender)),
+            need(!robot || robot->activity != RobotActivity::Stopped, "STOP is not latched",
+                 "STOP is latched: release it first"),
+            need(view.link.goodFor >= ArmingLimits{}.linkGood, "the link is good",
+                 "The link must be good for a second"),
+            need(!robot || !robot->armed, "nobody else has armed the robot",
+                 describe(DisarmCause::AlreadyArmed))};
+}
+
 std::string whyNotArming(const CanView& view)
 {
-    if (!view.transmits) return view.whyNotTransmitting;
-    if (view.link.foreignSender) return describe(DisarmCause::ForeignSender);
-    if (view.link.robot && view.link.robot->activity == RobotActivity::Stopped)
-        return "STOP is latched: release it first";
-    if (!(view.link.goodFor >= ArmingLimits{}.linkGood))
-        return "The link must be good for a second";
-    if (view.link.robot->armed) return describe(DisarmCause::AlreadyArmed);
+    for (const LinkNeed& need : armingNeeds(view))
+        if (!need.met) return need.text;
     return {};
 }
 

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "app/bus_tap.h"
 #include "core/atem/console_link.h"
@@ -97,7 +99,14 @@ private:
     std::optional<Command> unsent_;  ///< the safest command that has not left yet
 };
 
-/// Why the operator cannot begin to arm now, in words; empty where it is possible.
+/// What arming needs of a link.
+struct LinkNeed {
+    bool met = false;
+    std::string text;  ///< in words: that it is so, or why not
+};
+std::vector<LinkNeed> armingNeeds(const CanView& view);
+
+/// Why the operator cannot begin to arm now, in words: the first need that is not met; empty where it is possible.
 std::string whyNotArming(const CanView& view);
 
 }  // namespace terratact

@@ -87,17 +87,18 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
     // A preview takes a telemetry's time: its progress would only flicker.
     if (exploration.estimating()) sight.progress = parts_.worker.progress();
     sight.preconditions = exploration.preconditions();
-    if (parts_.panel) sight.preconditions << parts_.panel->precondition(now);
-    sight.whyNotDriving = exploration.whyNotDriving();
-    if (sight.whyNotDriving.isEmpty()) sight.whyNotDriving = panelForbids(now);
+    sight.driving = exploration.toDrive();
+    sight.probing = exploration.toProbe();
+    sight.releasing = exploration.toReleaseStop();
+    if (const auto says = panel(now))
+        for (auto* list : {&sight.preconditions, &sight.driving, &sight.probing, &sight.releasing})
+            *list << *says;
     return sight;
 }
 
-QString ConsoleSights::panelForbids(double now) const
+std::optional<Precondition> ConsoleSights::panel(double now) const
 {
-    if (!parts_.panel) return {};
-    const Precondition panel = parts_.panel->precondition(now);
-    return panel.level == Precondition::Level::Met ? QString() : panel.text;
+    return parts_.panel ? std::optional(parts_.panel->precondition(now)) : std::nullopt;
 }
 
 const std::vector<ForceArray>& ConsoleSights::forcesOf(const Received& newest)

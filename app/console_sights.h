@@ -37,8 +37,8 @@ public:
     LinkSight link(double now, const std::optional<Received>& newest) const;
     AlarmSight alarms(double now, const std::optional<Received>& newest) const;
     TerrainSight terrain(double now, const std::optional<Received>& newest);
-    /// Why the panel lets nothing be set in motion; empty: it does.
-    QString panelForbids(double now) const;
+    /// What the panel says to setting something in motion; empty: there is none.
+    std::optional<Precondition> panel(double now) const;
 
 private:
     const std::vector<ForceArray>& forcesOf(const Received& newest);

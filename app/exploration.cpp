@@ -446,13 +446,30 @@ std::optional<int> Exploration::probingBin() const
     return probes ? std::optional(probing_) : std::nullopt;
 }
 
-QString Exploration::whyNotDriving() const
+QList<Precondition> Exploration::toDrive() const
 {
-    if (following()) return following_->why();
-    if (state_.phase == AtemPhase::Stopped) return tr("STOP is latched: release it first");
-    if (exploring(state_.phase)) return tr("An exploration is running: end it with Esc first");
-    if (!linkAlive_) return tr("No telemetry from the robot");
-    return whyNotArmed();
+    if (following()) return {Preconditions::arming(following_->why())};
+    QList<Precondition> list{Preconditions::released(state_.phase == AtemPhase::Stopped),
+                             Preconditions::notExploring(exploring(state_.phase)),
+                             Preconditions::telemetry(linkAlive_, ended_)};
+    if (link_) list << Preconditions::arming(whyNotArmed());
+    return list;
+}
+
+QList<Precondition> Exploration::toProbe() const
+{
+    if (following()) return {Preconditions::arming(following_->why())};
+    QList<Precondition> list{Preconditions::telemetry(linkAlive_, ended_)};
+    if (link_) list << Preconditions::arming(whyNotArmed());
+    return list << Preconditions::stands(probes_.current()
+                                         && probes_.grounds() == probes_.proposedOn());
+}
+
+QList<Precondition> Exploration::toReleaseStop() const
+{
+    if (following()) return {Preconditions::arming(following_->why())};
+    return {Preconditions::telemetry(linkAlive_, ended_),
+            Preconditions::stopConfirmed(stopSight().state == StopSight::State::Confirmed)};
 }
 
 QString Exploration::whyNotArmed() const

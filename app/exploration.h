@@ -84,8 +84,11 @@ public:
     /// Fingerprint of what the proposal rests on.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
     std::optional<int> probingBin() const;
-    QString whyNotDriving() const;  ///< empty: driving is allowed
-    QList<Precondition> preconditions() const;
+    QString whyNotDriving() const { return firstMissing(toDrive()); }  ///< empty: it is allowed
+    QList<Precondition> preconditions() const;                         ///< of exploring
+    QList<Precondition> toDrive() const;
+    QList<Precondition> toProbe() const;  ///< to approve what is proposed
+    QList<Precondition> toReleaseStop() const;
     /// What the operator has overridden, in words, as it was then; empty: nothing.
     QString overridden() const { return ground_.overridden().join(QStringLiteral("; ")); }
     const Options& options() const { return options_; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/bus_words.h"
+#include "app/preconditions.h"
 #include "app/robot_words.h"
 #include "app/signals_page.h"
 #include "widgets/arming_control.h"
@@ -106,14 +107,15 @@ void LinkStatus::showRobot(const Received* newest, double age)
         header_.setRobot(tr("robot: --"), Tone::Doubt);
 }
 
-void LinkStatus::showArming(const QString& forbidden)
+void LinkStatus::showArming(const std::optional<Precondition>& panel)
 {
     if (!link_) return;
     const CanView view = link_->view();
     if (!view.transmits) return header_.arming()->setListening(whyFollowing(link_));
-    const QString whyNot = words::sentence(whyNotArming(view));
     const ArmingState& state = view.link.arming;
-    header_.arming()->setState(state, whyNot.isEmpty() ? forbidden : whyNot);
+    QList<Precondition> needs = Preconditions::toArm(view);
+    if (panel) needs << *panel;
+    header_.arming()->setState(state, needs);
     if (state.phase == armingWas_) return;
     armingWas_ = state.phase;
     if (state.phase == ArmingPhase::Armed)

@@ -6,6 +6,7 @@
 
 #include "app/acquisition.h"
 #include "app/can_source.h"
+#include "widgets/precondition.h"
 
 class QLabel;
 
@@ -33,8 +34,8 @@ public:
 
     /// To be called whenever the window is drawn.
     void show(const LinkSight& sight);
-    /// Likewise.  forbidden: why nothing may be set in motion; empty: it may.
-    void showArming(const QString& forbidden);
+    /// Likewise.  panel: what it says to setting something in motion; empty: there is none.
+    void showArming(const std::optional<Precondition>& panel);
 
 private:
     void showLink(const LinkSight& sight, double age);

@@ -355,7 +355,7 @@ void MainWindow::redraw(double now)
     linkStatus_->show(sights_->link(now, latest_));
     showAlarms(now);
     showRecording();
-    linkStatus_->showArming(sights_->panelForbids(now));
+    linkStatus_->showArming(sights_->panel(now));
     terrainPage_->setSight(sights_->terrain(now, latest_));
     stopDisplay_->show(exploration_->stopSight());
     notice_->look(now, !stopDisplay_->isLate());

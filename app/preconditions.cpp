@@ -32,6 +32,40 @@ Precondition Preconditions::stop(bool latched, bool releasing)
                              : tr("STOP is latched"));
 }
 
+Precondition Preconditions::released(bool latched)
+{
+    return latched ? missing(tr("STOP is latched: release it first"))
+                   : met(tr("STOP is not latched"));
+}
+
+Precondition Preconditions::notExploring(bool explores)
+{
+    return explores ? missing(tr("An exploration is running: end it with Esc first"))
+                    : met(tr("nothing is being explored"));
+}
+
+Precondition Preconditions::stands(bool asThen)
+{
+    return asThen ? met(tr("scene, settings and model are those of the question"))
+                  : missing(tr("scene, settings or model have changed since the question"));
+}
+
+Precondition Preconditions::stopConfirmed(bool confirmed)
+{
+    if (confirmed) return met(tr("the robot says that it is stopped"));
+    return {Precondition::Level::Doubtful, tr("the robot has not confirmed STOP")};
+}
+
+QList<Precondition> Preconditions::toArm(const CanView& view)
+{
+    QList<Precondition> list;
+    for (const LinkNeed& need : armingNeeds(view)) {
+        const QString text = words::sentence(need.text);
+        list << (need.met ? met(text) : missing(text));
+    }
+    return list;
+}
+
 Precondition Preconditions::arming(const QString& whyNot)
 {
     if (whyNot.isEmpty()) return met(tr("the robot is armed"));

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "app/can_source.h"
 #include "app/estimation.h"
 #include "core/infer/settings.h"
 #include "core/robot/measurement.h"
@@ -14,7 +15,7 @@
 
 namespace terratact {
 
-/// What has to be so before an exploration may begin, in the operator's words.
+/// What has to be so before a command may leave, in the operator's words.
 class Preconditions {
     Q_DECLARE_TR_FUNCTIONS(Preconditions)
 public:
@@ -22,6 +23,11 @@ public:
     static Precondition stop(bool latched, bool releasing);  ///< releasing: not yet confirmed
     static Precondition arming(const QString& whyNot);       ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
+    static Precondition released(bool latched);  ///< STOP, for what it forbids at once
+    static Precondition notExploring(bool explores);
+    static Precondition stands(bool asThen);  ///< what was shown with a proposal
+    static Precondition stopConfirmed(bool confirmed);
+    static QList<Precondition> toArm(const CanView& view);
 };
 
 /// The method takes the ground as the same left and right.  Where roll or flippers speak against that, the operator

@@ -346,7 +346,7 @@ void ReviewWindow::showTerrain()
     }
     const QString why = tr("A review commands no robot");
     sight.preconditions << Precondition{Precondition::Level::Missing, why};
-    sight.whyNotDriving = why;
+    sight.driving = sight.preconditions;
     terrain_->setThreshold(threshold);
     terrain_->setSight(sight);
     forbidCommands();

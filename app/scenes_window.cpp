@@ -158,7 +158,7 @@ void ScenesWindow::showSight()
     }
     const QString why = tr("A scene of a file commands no robot");
     sight.preconditions << Precondition{Precondition::Level::Missing, why};
-    sight.whyNotDriving = why;
+    sight.driving = sight.preconditions;
     page_->setSight(sight);
     const Scene& scene = options_.scenes[scene_];
     state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "

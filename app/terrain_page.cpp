@@ -339,7 +339,8 @@ void TerrainPage::setSight(const TerrainSight& sight)
     atem_->setState(sight.state, sight.time, sight.stateWords);
     atem_->setResultStands(sight.estimate || sight.ghost);
     atem_->setPreconditions(sight.preconditions);
-    drive_->setBlocked(sight.whyNotDriving);
+    atem_->setReleasing(sight.releasing);
+    drive_->setPreconditions(sight.driving);
 }
 
 void TerrainPage::showRobot(const TerrainSight& sight)
@@ -437,6 +438,7 @@ void TerrainPage::showProbe(const TerrainSight& sight)
     terrain_->setProposedProbe(asking ? std::optional(sight.proposal->bin) : sight.probingBin);
     if (asking) {
         probe_->setProposal(*sight.proposal);
+        probe_->setPreconditions(sight.probing);
         probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
     } else if (sight.probingBin) {
         probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);

@@ -65,8 +65,8 @@ struct TerrainSight {
     double probeSeconds = 0.0;         ///< a probe takes
     std::optional<double> progress{};  ///< 0 … 1 of an estimate under way
 
-    QList<Precondition> preconditions{};
-    QString whyNotDriving{};  ///< empty: driving is allowed
+    /// Of exploring, driving, approving a probe and releasing STOP.
+    QList<Precondition> preconditions{}, driving{}, probing{}, releasing{};
 };
 
 /// The terrain under the robot, exploring it, and the arm: the cards of both the console and a review, which

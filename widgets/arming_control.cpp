@@ -51,17 +51,19 @@ ArmingControl::ArmingControl(QWidget* parent) : QWidget(parent)
     setState({}, {});
 }
 
-void ArmingControl::setState(const ArmingState& state, const QString& whyNot)
+void ArmingControl::setState(const ArmingState& state, const QList<Precondition>& preconditions)
 {
     const bool off = state.phase == ArmingPhase::Disarmed;
     const bool on = state.phase == ArmingPhase::Armed;
-    QString tip = whyNot.isEmpty() ? tr("Asks for a second action within 5 s") : whyNot;
+    const bool possible = firstMissing(preconditions).isEmpty();
+    QString tip = possible ? tr("Asks for a second action within 5 s") : tr("Not possible now:");
+    if (!preconditions.isEmpty()) tip += QLatin1Char('\n') + linesOf(preconditions);
     if (off && state.cause != DisarmCause::None)
         tip += tr("\nLast disarmed: %1").arg(words::sentence(describe(state.cause)));
     listens_ = false;
     arm_->setText(disarmedText());
     arm_->setVisible(off);
-    arm_->setEnabled(whyNot.isEmpty());
+    arm_->setEnabled(possible);
     arm_->setToolTip(tip);
     confirm_->setVisible(state.phase == ArmingPhase::Confirming);
     disarm_->setText(on ? armedText() : requestedText());

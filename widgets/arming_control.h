@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "core/atem/arming.h"
+#include "widgets/precondition.h"
 
 class QPushButton;
 
@@ -18,8 +19,8 @@ class ArmingControl final : public QWidget {
 public:
     explicit ArmingControl(QWidget* parent = nullptr);
 
-    /// whyNot: why arming is not possible now, in words; empty where it is.
-    void setState(const ArmingState& state, const QString& whyNot);
+    /// Arming is possible unless one of its preconditions is Missing; all are in the tip.
+    void setState(const ArmingState& state, const QList<Precondition>& preconditions);
     /// The source takes no commands at all: only listened to, or a replay, as `why` says.
     void setListening(const QString& why);
 

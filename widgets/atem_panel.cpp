@@ -134,6 +134,12 @@ void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)
     showButtons();
 }
 
+void AtemPanel::setReleasing(const QList<Precondition>& preconditions)
+{
+    release_->setToolTip(tr("Lets commands through again; the robot does not move by itself")
+                         + QLatin1Char('\n') + linesOf(preconditions));
+}
+
 void AtemPanel::setResultStands(bool stands)
 {
     if (std::exchange(resultStands_, stands) != stands) showButtons();
@@ -163,11 +169,9 @@ void AtemPanel::showList()
         if (!used) continue;
         const Precondition& condition = preconditions[row];
         static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Doubt, Tone::Bad};
-        static const QString kMarks[]{QStringLiteral("✔"), QStringLiteral("!"), QStringLiteral("!"),
-                                      QStringLiteral("✘")};
         static const QString kSpoken[]{tr("met"), tr("overridden"), tr("doubtful"), tr("missing")};
         const auto level = static_cast<std::size_t>(condition.level);
-        mark->setText(kMarks[level]);
+        mark->setText(markOf(condition.level));
         reason->setText(condition.level == Precondition::Level::Overridden
                             ? tr("%1 (overridden)").arg(condition.text)
                             : condition.text);
@@ -236,16 +240,14 @@ void AtemPanel::showButtons()
     release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
     override_->setVisible(!busy && !stopped && missing.isEmpty() && !doubtful.isEmpty());
+    QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
     if (busy && !state_.followed)
-        request_->setToolTip(tr("An exploration is running: end it with Esc first"));
+        tip = tr("An exploration is running: end it with Esc first");
     else if (!missing.isEmpty())
-        request_->setToolTip(tr("Not possible now: %1").arg(missing.join(QStringLiteral("; "))));
+        tip = tr("Not possible now:");
     else if (!doubtful.isEmpty())
-        request_->setToolTip(
-            tr("Doubtful, override it first (O): %1").arg(doubtful.join(QStringLiteral("; "))));
-    else
-        request_->setToolTip(
-            tr("Halts the robot, presses the front flippers down and estimates the terrain"));
+        tip = tr("Doubtful, override it first (O):");
+    request_->setToolTip(tip + QLatin1Char('\n') + linesOf(preconditions_));
     const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Clear (Esc)") : tr("Abort (Esc)"));

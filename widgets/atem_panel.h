@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QList>
 #include <optional>
 
 #include "core/atem/atem_machine.h"
 #include "core/atem/phase_time.h"
 #include "widgets/card.h"
+#include "widgets/precondition.h"
 
 class QBoxLayout;
 class QGridLayout;
@@ -16,15 +16,6 @@ namespace terratact {
 
 class HoldToConfirmButton;
 class ScrollColumn;
-
-/// One condition of a command, with its reason in words.
-struct Precondition {
-    /// ✔, ! overridden by the operator, ! to be overridden first, ✘ cannot be overridden
-    enum class Level : std::uint8_t { Met, Overridden, Doubtful, Missing };
-    Level level = Level::Met;
-    QString text;
-    bool operator==(const Precondition&) const = default;
-};
 
 /// What the operator sees and may do of an exploration: the state in words with the time it has left,
 /// the preconditions, and the buttons that request it, end it, or release STOP.
@@ -40,6 +31,7 @@ public:
     /// shown: their room is the probe's.
     void setPreconditions(const QList<Precondition>& preconditions);
 
+    void setReleasing(const QList<Precondition>& preconditions);  ///< of releasing STOP, as its tip
     /// There is something on the screen that can be taken off it, in whatever state.
     void setResultStands(bool stands);
 

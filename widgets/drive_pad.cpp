@@ -24,15 +24,16 @@ DrivePad::DrivePad(QWidget* parent) : QWidget(parent)
     };
     back_ = button(tr("◀ hold: back (S)"), tr("Hold to drive back"), -1);
     forward_ = button(tr("hold: forward (W) ▶"), tr("Hold to drive forward"), +1);
-    setBlocked({});
+    setPreconditions({});
 }
 
-void DrivePad::setBlocked(const QString& why)
+void DrivePad::setPreconditions(const QList<Precondition>& preconditions)
 {
+    const QString tip = tr("Drives while held; also the arrow keys Up and Down") + QLatin1Char('\n')
+                      + linesOf(preconditions);
     for (HeldButton* button : {forward_, back_}) {
-        button->setEnabled(why.isEmpty());
-        button->setToolTip(why.isEmpty() ? tr("Drives while held; also the arrow keys Up and Down")
-                                         : why);
+        button->setEnabled(firstMissing(preconditions).isEmpty());
+        button->setToolTip(tip.trimmed());
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "widgets/precondition.h"
+
 namespace terratact {
 
 class HeldButton;
@@ -12,8 +14,8 @@ class DrivePad final : public QWidget {
 public:
     explicit DrivePad(QWidget* parent = nullptr);
 
-    /// Disabled with a reason in words; empty: driving is allowed.
-    void setBlocked(const QString& why);
+    /// Enabled unless one is Missing; all are in the tip.
+    void setPreconditions(const QList<Precondition>& preconditions);
 
     void setProminent(bool prominent);  ///< larger, for who drives most of the time
 

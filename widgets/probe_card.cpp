@@ -102,8 +102,7 @@ QWidget* ProbeCard::questionPage()
         });
     }
     approve_ = new HoldToConfirmButton(QString(), &Theme::decide, question);
-    approve_->setToolTip(
-        tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing"));
+    setPreconditions({});
     refuse_ = new QPushButton(question);
     refuse_->setFocusPolicy(Qt::TabFocus);
     refuse_->setToolTip(tr("Refuses the arm; as good an answer as any other"));
@@ -244,6 +243,13 @@ void ProbeCard::setTimeLeft(double seconds)
     const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then no");
     note()->setText(asks() ? left.arg(words::countdown(seconds)) : QString());
     setTone(*note(), seconds < 10.0 ? Tone::Bad : Tone::Accent);
+}
+
+void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
+{
+    const QString how =
+        tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing");
+    approve_->setToolTip((how + QLatin1Char('\n') + linesOf(preconditions)).trimmed());
 }
 
 void ProbeCard::setProbing(int bin, double elapsed, double expected)

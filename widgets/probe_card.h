@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QList>
 #include <array>
 #include <optional>
 #include <vector>
 
 #include "widgets/card.h"
+#include "widgets/precondition.h"
 
 class QGridLayout;
 class QLabel;
@@ -52,6 +52,7 @@ public:
 
     void setProposal(const ProbeProposal& proposal);
     void setTimeLeft(double seconds);
+    void setPreconditions(const QList<Precondition>& preconditions);  ///< of approving, as its tip
     /// The arm is on its way to `bin` for `elapsed` of about `expected` seconds.
     void setProbing(int bin, double elapsed, double expected);
     void setNothing(const QString& why);

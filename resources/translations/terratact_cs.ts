@@ -267,6 +267,18 @@
         <source>left and right agree, roll is small</source>
         <translation>vlevo i vpravo stejně, náklon malý</translation>
     </message>
+    <message>
+        <source>the roll is small again</source>
+        <translation>náklon je zase malý</translation>
+    </message>
+    <message>
+        <source>left and right flippers agree again</source>
+        <translation>levý a pravý flipper zase souhlasí</translation>
+    </message>
+    <message>
+        <source>%1, more than what was overridden</source>
+        <translation>%1, víc, než co bylo přebito</translation>
+    </message>
 </context>
 <context>
     <name>Preconditions</name>
@@ -309,6 +321,34 @@
     <message>
         <source>model %1 is ready</source>
         <translation>model %1 je připraven</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP drží: nejdřív ho uvolněte</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Běží průzkum: nejdřív ho ukončete klávesou Esc</translation>
+    </message>
+    <message>
+        <source>nothing is being explored</source>
+        <translation>nic se nezkoumá</translation>
+    </message>
+    <message>
+        <source>scene, settings and model are those of the question</source>
+        <translation>scéna, nastavení a model jsou ty z otázky</translation>
+    </message>
+    <message>
+        <source>scene, settings or model have changed since the question</source>
+        <translation>scéna, nastavení nebo model se od otázky změnily</translation>
+    </message>
+    <message>
+        <source>the robot says that it is stopped</source>
+        <translation>robot hlásí, že je zastaven</translation>
+    </message>
+    <message>
+        <source>the robot has not confirmed STOP</source>
+        <translation>robot STOP nepotvrdil</translation>
     </message>
 </context>
 <context>
@@ -618,6 +658,17 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>stopped</source>
         <translation>zastaven</translation>
+    </message>
+</context>
+<context>
+    <name>StopDisplay</name>
+    <message>
+        <source>STOP NOT SENT for %1: %2. It is tried again; use the robot&apos;s own switch</source>
+        <translation>STOP NEODESLÁN už %1: %2. Zkouší se znovu; použijte vypínač na robotu</translation>
+    </message>
+    <message>
+        <source>STOP SENT, NOT CONFIRMED for %1: the robot may still move; STOP is sent again</source>
+        <translation>STOP ODESLÁN, NEPOTVRZEN už %1: robot se může ještě hýbat; STOP se posílá znovu</translation>
     </message>
 </context>
 <context>
@@ -1046,6 +1097,26 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the flippers differ, left and right ground differ</source>
         <translation>flippery se liší, terén vlevo a vpravo se liší</translation>
     </message>
+    <message>
+        <source>commands can leave</source>
+        <translation>povely se mohou odesílat</translation>
+    </message>
+    <message>
+        <source>no other console sends commands</source>
+        <translation>žádná jiná konzole nevysílá povely</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP nedrží</translation>
+    </message>
+    <message>
+        <source>the link is good</source>
+        <translation>spojení je dobré</translation>
+    </message>
+    <message>
+        <source>nobody else has armed the robot</source>
+        <translation>nikdo jiný robota neaktivoval</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1209,6 +1280,10 @@ Poslední deaktivace: %1</translation>
         <source>NO COMMANDS</source>
         <translation>BEZ POVELŮ</translation>
     </message>
+    <message>
+        <source>Not possible now:</source>
+        <translation>Teď nelze:</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AtemPanel</name>
@@ -1269,10 +1344,6 @@ Poslední deaktivace: %1</translation>
         <translation>Běží průzkum: nejdřív ho ukončete klávesou Esc</translation>
     </message>
     <message>
-        <source>Not possible now: %1</source>
-        <translation>Teď to nejde: %1</translation>
-    </message>
-    <message>
         <source>Halts the robot, presses the front flippers down and estimates the terrain</source>
         <translation>Zastaví robota, přitlačí přední flippery a odhadne terén</translation>
     </message>
@@ -1309,8 +1380,20 @@ Poslední deaktivace: %1</translation>
         <translation>%1 (přebito)</translation>
     </message>
     <message>
-        <source>Doubtful, override it first (O): %1</source>
-        <translation>Sporné, nejdřív přebít (O): %1</translation>
+        <source>about %1 left</source>
+        <translation>zbývá asi %1</translation>
+    </message>
+    <message>
+        <source>gives up in %1</source>
+        <translation>vzdá to za %1</translation>
+    </message>
+    <message>
+        <source>Not possible now:</source>
+        <translation>Teď nelze:</translation>
+    </message>
+    <message>
+        <source>Doubtful, override it first (O):</source>
+        <translation>Pochybné, nejdřív přebijte (O):</translation>
     </message>
 </context>
 <context>
@@ -1388,6 +1471,14 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Keys</source>
         <translation>Klávesy</translation>
+    </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: this window has no robot. Go to the console&apos;s own window</source>
+        <translation>STOP TU NEPŮSOBÍ: toto okno nemá robota. Přejděte do okna konzole</translation>
+    </message>
+    <message>
+        <source>no STOP: this window has no robot</source>
+        <translation>žádný STOP: toto okno nemá robota</translation>
     </message>
 </context>
 <context>
@@ -1756,18 +1847,6 @@ Poslední deaktivace: %1</translation>
         <translation>Bez odhadu: %1</translation>
     </message>
     <message>
-        <source>STOP is latched: release it first</source>
-        <translation>STOP drží: nejdřív ho uvolněte</translation>
-    </message>
-    <message>
-        <source>An exploration is running: end it with Esc first</source>
-        <translation>Běží průzkum: nejdřív ho ukončete klávesou Esc</translation>
-    </message>
-    <message>
-        <source>No telemetry from the robot</source>
-        <translation>Žádná telemetrie z robota</translation>
-    </message>
-    <message>
         <source>No estimate yet: it comes when the robot presses its flippers</source>
         <translation>Zatím bez odhadu: přijde, až robot přitlačí flippery</translation>
     </message>
@@ -1788,10 +1867,6 @@ Poslední deaktivace: %1</translation>
         <translation>příští odhad: %1, %2 vzorků, kontakty nad %3 N</translation>
     </message>
     <message>
-        <source>the override has ended: left and right agree again</source>
-        <translation>přebití skončilo: vlevo a vpravo zase souhlasí</translation>
-    </message>
-    <message>
         <source>overridden by the operator: %1</source>
         <translation>operátor přebil: %1</translation>
     </message>
@@ -1806,6 +1881,22 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>No estimate yet: the model is being loaded</source>
         <translation>Zatím bez odhadu: model se načítá</translation>
+    </message>
+    <message>
+        <source>STOP has no effect: %1</source>
+        <translation>STOP nepůsobí: %1</translation>
+    </message>
+    <message>
+        <source>the robot says that it is stopped</source>
+        <translation>robot hlásí, že je zastaven</translation>
+    </message>
+    <message>
+        <source>STOP sent, not confirmed by the robot</source>
+        <translation>STOP odeslán, robot ho nepotvrdil</translation>
+    </message>
+    <message>
+        <source>the override has ended: %1</source>
+        <translation>přebití skončilo: %1</translation>
     </message>
 </context>
 <context>
@@ -2107,6 +2198,10 @@ Poslední deaktivace: %1</translation>
         <source>Forces, attitude and the last events</source>
         <translation>Síly, náklon a poslední události</translation>
     </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: %1</source>
+        <translation>STOP TU NEPŮSOBÍ: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2214,6 +2309,14 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>the operator&apos;s panel answers</source>
         <translation>panel operátora odpovídá</translation>
+    </message>
+    <message>
+        <source>not approved: the question is not on the screen (Terrain, F2)</source>
+        <translation>neschváleno: otázka není na obrazovce (Terén, F2)</translation>
+    </message>
+    <message>
+        <source>not approved: the panel&apos;s button has to be held for 1.5 s</source>
+        <translation>neschváleno: tlačítko panelu je třeba držet 1,5 s</translation>
     </message>
 </context>
 <context>
@@ -2706,10 +2809,6 @@ Poslední deaktivace: %1</translation>
         <translation>Pomaleji</translation>
     </message>
     <message>
-        <source>Half as fast (S)</source>
-        <translation>Poloviční rychlostí (S)</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Rychlost</translation>
     </message>
@@ -2880,6 +2979,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>to a time</source>
         <translation>na čas</translation>
+    </message>
+    <message>
+        <source>Half as fast (H)</source>
+        <translation>Poloviční rychlost (H)</translation>
     </message>
 </context>
 <context>
@@ -3704,6 +3807,34 @@ F1</translation>
         <source>link %1 Hz · ≤ %2</source>
         <translation>spoj %1 Hz · ≤ %2</translation>
     </message>
+    <message>
+        <source>STOP SENT …</source>
+        <translation>STOP ODESLÁN …</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT</source>
+        <translation>STOP NEODESLÁN</translation>
+    </message>
+    <message>
+        <source>STOP: no commands</source>
+        <translation>STOP: bez povelů</translation>
+    </message>
+    <message>
+        <source>STOP was sent, the robot has not confirmed it; it is sent again</source>
+        <translation>STOP byl odeslán, robot ho nepotvrdil; posílá se znovu</translation>
+    </message>
+    <message>
+        <source>STOP was not sent: %1</source>
+        <translation>STOP nebyl odeslán: %1</translation>
+    </message>
+    <message>
+        <source>The robot says that it is stopped; another press stops it again</source>
+        <translation>Robot hlásí, že je zastaven; další stisk ho zastaví znovu</translation>
+    </message>
+    <message>
+        <source>STOP has no effect here: %1</source>
+        <translation>STOP tu nepůsobí: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainPage</name>
@@ -4491,10 +4622,6 @@ vpředu</translation>
         <translation>Nastaví vše podle záznamu</translation>
     </message>
     <message>
-        <source>Estimate again (R)</source>
-        <translation>Odhadnout znovu (R)</translation>
-    </message>
-    <message>
         <source>Estimates the recorded scene with what is set here</source>
         <translation>Odhadne zaznamenanou scénu s tímto nastavením</translation>
     </message>
@@ -4541,6 +4668,10 @@ vpředu</translation>
     <message>
         <source>Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.</source>
         <translation>Stupně přes %1 m: tehdy %2 (%3 %), nyní %4 (%5 %).</translation>
+    </message>
+    <message>
+        <source>Estimate again (E)</source>
+        <translation>Odhadnout znovu (E)</translation>
     </message>
 </context>
 </TS>

@@ -267,6 +267,18 @@
         <source>left and right agree, roll is small</source>
         <translation>links und rechts gleich, Rollen klein</translation>
     </message>
+    <message>
+        <source>the roll is small again</source>
+        <translation>das Rollen ist wieder klein</translation>
+    </message>
+    <message>
+        <source>left and right flippers agree again</source>
+        <translation>linke und rechte Flipper stimmen wieder überein</translation>
+    </message>
+    <message>
+        <source>%1, more than what was overridden</source>
+        <translation>%1, mehr als übergangen wurde</translation>
+    </message>
 </context>
 <context>
     <name>Preconditions</name>
@@ -309,6 +321,34 @@
     <message>
         <source>model %1 is ready</source>
         <translation>Modell %1 ist bereit</translation>
+    </message>
+    <message>
+        <source>STOP is latched: release it first</source>
+        <translation>STOP ist aktiv: erst lösen</translation>
+    </message>
+    <message>
+        <source>An exploration is running: end it with Esc first</source>
+        <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
+    </message>
+    <message>
+        <source>nothing is being explored</source>
+        <translation>keine Erkundung läuft</translation>
+    </message>
+    <message>
+        <source>scene, settings and model are those of the question</source>
+        <translation>Szene, Einstellungen und Modell sind die der Frage</translation>
+    </message>
+    <message>
+        <source>scene, settings or model have changed since the question</source>
+        <translation>Szene, Einstellungen oder Modell haben sich seit der Frage geändert</translation>
+    </message>
+    <message>
+        <source>the robot says that it is stopped</source>
+        <translation>der Roboter meldet, dass er gestoppt ist</translation>
+    </message>
+    <message>
+        <source>the robot has not confirmed STOP</source>
+        <translation>der Roboter hat STOP nicht bestätigt</translation>
     </message>
 </context>
 <context>
@@ -618,6 +658,17 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>stopped</source>
         <translation>gestoppt</translation>
+    </message>
+</context>
+<context>
+    <name>StopDisplay</name>
+    <message>
+        <source>STOP NOT SENT for %1: %2. It is tried again; use the robot&apos;s own switch</source>
+        <translation>STOP NICHT GESENDET seit %1: %2. Es wird weiter versucht; den Schalter am Roboter benutzen</translation>
+    </message>
+    <message>
+        <source>STOP SENT, NOT CONFIRMED for %1: the robot may still move; STOP is sent again</source>
+        <translation>STOP GESENDET, NICHT BESTÄTIGT seit %1: der Roboter fährt womöglich noch; STOP wird erneut gesendet</translation>
     </message>
 </context>
 <context>
@@ -1046,6 +1097,26 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the flippers differ, left and right ground differ</source>
         <translation>die Flipper weichen ab, Boden links und rechts verschieden</translation>
     </message>
+    <message>
+        <source>commands can leave</source>
+        <translation>Befehle können gesendet werden</translation>
+    </message>
+    <message>
+        <source>no other console sends commands</source>
+        <translation>keine andere Konsole sendet Befehle</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP ist nicht aktiv</translation>
+    </message>
+    <message>
+        <source>the link is good</source>
+        <translation>die Verbindung ist gut</translation>
+    </message>
+    <message>
+        <source>nobody else has armed the robot</source>
+        <translation>niemand sonst hat den Roboter freigegeben</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1209,6 +1280,10 @@ Zuletzt gesperrt: %1</translation>
         <source>NO COMMANDS</source>
         <translation>KEINE BEFEHLE</translation>
     </message>
+    <message>
+        <source>Not possible now:</source>
+        <translation>Jetzt nicht möglich:</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AtemPanel</name>
@@ -1269,10 +1344,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
     </message>
     <message>
-        <source>Not possible now: %1</source>
-        <translation>Jetzt nicht möglich: %1</translation>
-    </message>
-    <message>
         <source>Halts the robot, presses the front flippers down and estimates the terrain</source>
         <translation>Hält den Roboter an, drückt die vorderen Flipper an und schätzt das Gelände</translation>
     </message>
@@ -1309,8 +1380,20 @@ Zuletzt gesperrt: %1</translation>
         <translation>%1 (übergangen)</translation>
     </message>
     <message>
-        <source>Doubtful, override it first (O): %1</source>
-        <translation>Zweifelhaft, erst übergehen (O): %1</translation>
+        <source>about %1 left</source>
+        <translation>noch etwa %1</translation>
+    </message>
+    <message>
+        <source>gives up in %1</source>
+        <translation>gibt auf in %1</translation>
+    </message>
+    <message>
+        <source>Not possible now:</source>
+        <translation>Jetzt nicht möglich:</translation>
+    </message>
+    <message>
+        <source>Doubtful, override it first (O):</source>
+        <translation>Zweifelhaft, erst übergehen (O):</translation>
     </message>
 </context>
 <context>
@@ -1388,6 +1471,14 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Keys</source>
         <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: this window has no robot. Go to the console&apos;s own window</source>
+        <translation>STOP WIRKT HIER NICHT: dieses Fenster hat keinen Roboter. Zum Fenster der Konsole wechseln</translation>
+    </message>
+    <message>
+        <source>no STOP: this window has no robot</source>
+        <translation>kein STOP: dieses Fenster hat keinen Roboter</translation>
     </message>
 </context>
 <context>
@@ -1756,18 +1847,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>STOP is latched: release it first</source>
-        <translation>STOP ist eingerastet: erst lösen</translation>
-    </message>
-    <message>
-        <source>An exploration is running: end it with Esc first</source>
-        <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
-    </message>
-    <message>
-        <source>No telemetry from the robot</source>
-        <translation>Keine Telemetrie vom Roboter</translation>
-    </message>
-    <message>
         <source>No estimate yet: it comes when the robot presses its flippers</source>
         <translation>Noch keine Schätzung: sie kommt, wenn der Roboter die Flipper andrückt</translation>
     </message>
@@ -1788,10 +1867,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>nächste Schätzung: %1, %2 Ziehungen, Kontakte über %3 N</translation>
     </message>
     <message>
-        <source>the override has ended: left and right agree again</source>
-        <translation>Übergehen beendet: links und rechts stimmen wieder überein</translation>
-    </message>
-    <message>
         <source>overridden by the operator: %1</source>
         <translation>vom Bediener übergangen: %1</translation>
     </message>
@@ -1806,6 +1881,22 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>No estimate yet: the model is being loaded</source>
         <translation>Noch keine Schätzung: das Modell wird geladen</translation>
+    </message>
+    <message>
+        <source>STOP has no effect: %1</source>
+        <translation>STOP wirkt nicht: %1</translation>
+    </message>
+    <message>
+        <source>the robot says that it is stopped</source>
+        <translation>der Roboter meldet, dass er gestoppt ist</translation>
+    </message>
+    <message>
+        <source>STOP sent, not confirmed by the robot</source>
+        <translation>STOP gesendet, vom Roboter nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>the override has ended: %1</source>
+        <translation>das Übergehen ist beendet: %1</translation>
     </message>
 </context>
 <context>
@@ -2107,6 +2198,10 @@ Zuletzt gesperrt: %1</translation>
         <source>Forces, attitude and the last events</source>
         <translation>Kräfte, Lage und die letzten Ereignisse</translation>
     </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: %1</source>
+        <translation>STOP WIRKT HIER NICHT: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2214,6 +2309,14 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>the operator&apos;s panel answers</source>
         <translation>das Bedienpult antwortet</translation>
+    </message>
+    <message>
+        <source>not approved: the question is not on the screen (Terrain, F2)</source>
+        <translation>nicht genehmigt: die Frage ist nicht auf dem Bildschirm (Gelände, F2)</translation>
+    </message>
+    <message>
+        <source>not approved: the panel&apos;s button has to be held for 1.5 s</source>
+        <translation>nicht genehmigt: der Knopf am Pult muss 1,5 s gehalten werden</translation>
     </message>
 </context>
 <context>
@@ -2706,10 +2809,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Langsamer</translation>
     </message>
     <message>
-        <source>Half as fast (S)</source>
-        <translation>Halb so schnell (S)</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
@@ -2880,6 +2979,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>to a time</source>
         <translation>zu einer Zeit</translation>
+    </message>
+    <message>
+        <source>Half as fast (H)</source>
+        <translation>Halb so schnell (H)</translation>
     </message>
 </context>
 <context>
@@ -3704,6 +3807,34 @@ F1</translation>
         <source>link %1 Hz · ≤ %2</source>
         <translation>Link %1 Hz · ≤ %2</translation>
     </message>
+    <message>
+        <source>STOP SENT …</source>
+        <translation>STOP GESENDET …</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT</source>
+        <translation>STOP UNGESENDET</translation>
+    </message>
+    <message>
+        <source>STOP: no commands</source>
+        <translation>STOP: keine Befehle</translation>
+    </message>
+    <message>
+        <source>STOP was sent, the robot has not confirmed it; it is sent again</source>
+        <translation>STOP wurde gesendet, der Roboter hat es nicht bestätigt; es wird erneut gesendet</translation>
+    </message>
+    <message>
+        <source>STOP was not sent: %1</source>
+        <translation>STOP wurde nicht gesendet: %1</translation>
+    </message>
+    <message>
+        <source>The robot says that it is stopped; another press stops it again</source>
+        <translation>Der Roboter meldet, dass er gestoppt ist; ein weiterer Druck stoppt ihn erneut</translation>
+    </message>
+    <message>
+        <source>STOP has no effect here: %1</source>
+        <translation>STOP wirkt hier nicht: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainPage</name>
@@ -4491,10 +4622,6 @@ voraus</translation>
         <translation>Setzt alles auf das Aufgezeichnete</translation>
     </message>
     <message>
-        <source>Estimate again (R)</source>
-        <translation>Noch einmal schätzen (R)</translation>
-    </message>
-    <message>
         <source>Estimates the recorded scene with what is set here</source>
         <translation>Schätzt die aufgezeichnete Szene mit dem, was hier steht</translation>
     </message>
@@ -4541,6 +4668,10 @@ voraus</translation>
     <message>
         <source>Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.</source>
         <translation>Stufen über %1 m: damals %2 (%3 %), jetzt %4 (%5 %).</translation>
+    </message>
+    <message>
+        <source>Estimate again (E)</source>
+        <translation>Erneut schätzen (E)</translation>
     </message>
 </context>
 </TS>

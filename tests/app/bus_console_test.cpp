@@ -226,6 +226,11 @@ TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
     EXPECT_EQ(window->header()->sourceName(), "can0");
     ASSERT_TRUE(eventually([&] { return window->header()->arming()->armButton()->isEnabled(); }));
     picture("disarmed");
+    EXPECT_TRUE(window->header()->arming()->armButton()->toolTip().contains(
+        QStringLiteral("✔ commands can leave\n✔ no other console sends commands\n")))
+        << window->header()->arming()->armButton()->toolTip().toStdString();
+    EXPECT_TRUE(window->drivePad()->forwardButton()->toolTip().contains(
+        QStringLiteral("✔ telemetry is live\n✘ not armed")));
     EXPECT_FALSE(window->drivePad()->forwardButton()->isEnabled());
     EXPECT_FALSE(window->atemPanel()->requestButton()->isEnabled());
     QTest::qWait(400);

@@ -664,6 +664,26 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
 }
 
+TEST_F(Bench, everyCommandListsWhatItNeeds)
+{
+    EXPECT_EQ(linesOf(exploration->toDrive()),
+              "✔ STOP is not latched\n✔ nothing is being explored\n✔ telemetry is live");
+    propose();
+    EXPECT_TRUE(linesOf(exploration->toDrive()).contains("✘ An exploration is running"));
+    EXPECT_EQ(linesOf(exploration->toProbe()),
+              "✔ telemetry is live\n✔ scene, settings and model are those of the question");
+    exploration->stop();
+    tick();
+    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("✘ STOP is latched: release it first"));
+    EXPECT_TRUE(linesOf(exploration->toReleaseStop()).contains("! the robot has not confirmed"));
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
+              "✔ telemetry is live\n✔ the robot says that it is stopped");
+    tickInSilence(10);
+    EXPECT_TRUE(linesOf(exploration->toReleaseStop()).startsWith("✘ no telemetry"));
+}
+
 TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)
 {
     using Level = Precondition::Level;

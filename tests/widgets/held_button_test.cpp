@@ -162,9 +162,10 @@ TEST(DrivePadTest, drivesWhileHeldAndHaltsWhenLetGo)
     QTest::mouseRelease(pad.forwardButton(), Qt::LeftButton);
     QTest::mousePress(pad.backButton(), Qt::LeftButton);
     EXPECT_EQ(said, (QList<int>{1, 0, -1}));
-    pad.setBlocked("STOP is latched");
+    pad.setPreconditions({{Precondition::Level::Met, "telemetry is live"},
+                          {Precondition::Level::Missing, "STOP is latched"}});
     EXPECT_EQ(said, (QList<int>{1, 0, -1, 0})) << "blocked while held is let go";
-    EXPECT_EQ(pad.forwardButton()->toolTip(), "STOP is latched");
+    EXPECT_TRUE(pad.forwardButton()->toolTip().endsWith("✔ telemetry is live\n✘ STOP is latched"));
     QTest::mousePress(pad.forwardButton(), Qt::LeftButton);
     EXPECT_EQ(said.size(), 4);
 }
