@@ -301,6 +301,7 @@ TEST_F(BusConsole, saysWhyTheRobotRefusedTheProbeInEveryLayout)
     EXPECT_FALSE(says("exploration failed: " + why)) << "a banner would only move the page";
     EXPECT_TRUE(window->events()->item(0)->text().endsWith("exploration failed: " + why))
         << window->events()->item(0)->text().toStdString();
+    EXPECT_TRUE(eventually([&] { return gui::cramped(*window).empty(); })) << "all can be read";
     picture("refused");
 }
 

@@ -126,6 +126,12 @@ struct Console : testing::Test {
             return latest && latest->sample.measurement.activity == activity;
         });
     }
+    bool says(const QString& words) const
+    {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
     bool readyToExplore()
     {
         return eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); });
@@ -433,11 +439,6 @@ TEST_F(Console, keysActOnlyOnWhatIsSeen)
 TEST_F(Console, stopClaimsNoMoreThanIsKnown)
 {
     ScriptedSource* source = openScripted();
-    const auto says = [this](const QString& words) {
-        for (const QLabel* label : window->findChildren<QLabel*>())
-            if (label->isVisible() && label->text().contains(words)) return true;
-        return false;
-    };
     const QPushButton& stop = *window->header()->stopButton();
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
     source->setDeaf(true);
@@ -449,6 +450,8 @@ TEST_F(Console, stopClaimsNoMoreThanIsKnown)
     EXPECT_TRUE(eventually([&] { return says("STOP SENT, NOT CONFIRMED for"); }));
     EXPECT_TRUE(stop.text().startsWith("STOP SENT")) << stop.text().toStdString();
     EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty())
+        window->grab().save(folder + "/stop-not-confirmed.png");
     Measurement stopped;
     stopped.activity = RobotActivity::Stopped;
     source->setMeasurement(stopped);
@@ -535,11 +538,6 @@ TEST_F(Console, escapeAbortsAnExploration)
 TEST_F(Console, whatGoesWrongIsSaidWhereTheLastMinutesAreNotSeen)
 {
     ScriptedSource* source = openScripted();
-    const auto says = [this](const QString& words) {
-        for (const QLabel* label : window->findChildren<QLabel*>())
-            if (label->isVisible() && label->text().contains(words)) return true;
-        return false;
-    };
     ASSERT_TRUE(readyToExplore());
     source->setDeaf(true);
     window->exploration().drive(+1);
