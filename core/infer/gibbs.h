@@ -33,7 +33,7 @@ struct GibbsProblem {
     std::uint64_t seed = 1;
 };
 
-/// Throws std::invalid_argument where a number of the settings is out of range.
+/// Throws std::invalid_argument, a sentence, where a number of the settings is out of range.
 void checkSettings(const Settings& settings);
 
 /// Kept sweeps per chain after which chains are first judged; again after half as many more, and so on.

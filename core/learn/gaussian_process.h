@@ -77,7 +77,7 @@ private:
 
     /// From a sparse process over the rows Z.
     GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,
-                    double outputMean);
+                    double outputMean, const Poll& poll);
 
     Eigen::MatrixXd X_;
     Hyperparameters hyper_;

@@ -16,12 +16,6 @@ namespace {
 
 constexpr double kLeastVarianceShare = 1e-9;  // of σ_f²: a row that adds less is not worth inducing
 constexpr int kCandidatesPerRow = 4;
-constexpr double kMultiplications = 1e8;  // between two polls
-
-void call(const Poll& poll)
-{
-    if (poll) poll();
-}
 
 int size(Eigen::Index n)
 {
@@ -32,7 +26,7 @@ int size(Eigen::Index n)
 Eigen::Index rowsAtOnce(Eigen::Index m)
 {
     const auto each = static_cast<double>(m * m);
-    return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kMultiplications / each));
+    return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kMostMultiplications / each));
 }
 
 /// k(row of A, b) for rows in length scales.
@@ -69,7 +63,7 @@ Inducing chooseInducing(const Eigen::MatrixXd& scaled, int count, double signal2
     std::vector<int> pivots;
     for (Eigen::Index j = 0; j < most; ++j) {
         Eigen::Index p = 0;
-        call(poll);
+        callPoll(poll);
         if (!(variance.maxCoeff(&p) > kLeastVarianceShare * signal2)) break;
         V.col(j) = covarianceColumn(X, X.row(p), signal2);
         const Eigen::VectorXd ofPivot = V.row(p).head(j);
@@ -92,7 +86,7 @@ void divide(Eigen::MatrixXd& A, const Eigen::MatrixXd& L, CBLAS_TRANSPOSE transp
 {
     const Eigen::Index step = rowsAtOnce(L.rows());
     for (Eigen::Index first = 0; first < A.rows(); first += step) {
-        call(poll);
+        callPoll(poll);
         cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, transpose, CblasNonUnit,
                     size(std::min(step, A.rows() - first)), size(L.rows()), 1.0, L.data(),
                     size(L.rows()), &A(first, 0), size(A.rows()));
@@ -106,7 +100,7 @@ Eigen::MatrixXd projection(const Eigen::MatrixXd& scaled, const Inducing& induci
     const Eigen::Index m = inducing.L.rows();
     Eigen::MatrixXd V(scaled.rows(), m);
     for (Eigen::Index k = 0; k < m; ++k) {
-        call(poll);
+        callPoll(poll);
         V.col(k) = covarianceColumn(scaled, scaled.row(inducing.rows[static_cast<std::size_t>(k)]),
                                     signal2);
     }
@@ -121,7 +115,7 @@ Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
     Eigen::MatrixXd B = Eigen::MatrixXd::Identity(m, m);
     const Eigen::Index step = rowsAtOnce(m);
     for (Eigen::Index first = 0; first < V.rows(); first += step) {
-        call(poll);
+        callPoll(poll);
         cblas_dsyrk(CblasColMajor, CblasUpper, CblasTrans, m,
                     size(std::min(step, V.rows() - first)), 1.0, &V(first, 0), size(V.rows()), 1.0,
                     B.data(), m);
@@ -144,7 +138,7 @@ Eigen::MatrixXd gramOfRows(const Eigen::MatrixXd& U, const Poll& poll)
     Eigen::MatrixXd product = U.transpose();
     const Eigen::Index step = rowsAtOnce(U.rows());
     for (Eigen::Index first = 0; first < U.rows(); first += step) {
-        call(poll);
+        callPoll(poll);
         cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit,
                     size(U.rows()), size(std::min(step, U.rows() - first)), 1.0, U.data(),
                     size(U.rows()), &product(0, first), size(U.rows()));

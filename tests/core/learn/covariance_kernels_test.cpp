@@ -137,9 +137,9 @@ struct Product {
     {
         AlignedArray<double> out(static_cast<std::size_t>(groups) * kGroup);
         if constexpr (sizeof(T) == sizeof(double))
-            kernels.sumsOfSquares(panels.data(), K.data(), U, groups, out.data());
+            kernels.sumsOfSquares(panels.data(), K.data(), U, groups, out.data(), {});
         else
-            kernels.sumsOfSquaresSingle(panels.data(), K.data(), U, groups, out.data());
+            kernels.sumsOfSquaresSingle(panels.data(), K.data(), U, groups, out.data(), {});
         return {out.data(), out.data() + out.size()};
     }
 
