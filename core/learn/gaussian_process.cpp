@@ -181,6 +181,12 @@ std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
         new GaussianProcess(std::move(Z), std::move(process), std::move(hyper), outputMean, poll));
 }
 
+double GaussianProcess::errorBound() const
+{
+    constexpr double kPerCondition = 1e-2 * kLeastRcond;
+    return std::max(1e-9, kPerCondition / rcond_);
+}
+
 Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const
 {
     Eigen::MatrixXd K = noisyCovariance(X_, hyper_, jitter_, poll);

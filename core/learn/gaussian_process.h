@@ -29,8 +29,7 @@ inline constexpr double kLeastVariance = 1e-15;
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
 /// Where K is singular to working precision (doubled rows without noise, length scales beyond the data),
 /// K + jitter (σ_f² + σ_n²) I takes its place, with the least jitter of 1e-10, 1e-9 … 1e-6 that mends it.
-/// Mean and variance (in double precision) are right to max(1e-9, 4e-15 U / rcond()) of max |y| and of
-/// σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
+/// Mean and variance (in double precision) are right to errorBound() of max |y| and of σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
 /// Immutable once built; safe to share between threads.  L⁻¹ is inverted and packed at the first prediction.
 class GaussianProcess {
 public:
@@ -58,6 +57,9 @@ public:
     /// Estimated reciprocal condition number of K with its jitter, 1-norm; 1 for a sparse one, whose factors are
     /// well conditioned by themselves.
     double rcond() const { return rcond_; }
+
+    /// max(1e-9, 1e-14 / rcond()), at most 1e-2: kLeastRcond.  Seen were up to 0.4 of that where rcond() decides.
+    double errorBound() const;
 
     /// InverseFactor::singleError of this process [m²].  Elsewhere a variance was seen to be off by up to three
     /// times as much, and a standard deviation of the shipped model by up to 6e-6 m (heights).
