@@ -17,15 +17,21 @@ namespace {
 
 constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
 
-void judge(TerrainEstimate& estimate, const std::vector<int>& bins)
+void judge(TerrainEstimate& estimate, const GibbsDraws& draws)
 {
     double worstRhat = 1.0;
     double worstEss = std::numeric_limits<double>::infinity();
-    for (const int bin : bins) {
+    for (const int bin : draws.bins) {
         worstRhat = std::max(worstRhat, estimate.rhat[static_cast<std::size_t>(bin)]);
         worstEss = std::min(worstEss, estimate.ess[static_cast<std::size_t>(bin)]);
     }
-    estimate.converged = worstRhat <= kRhatLimit && worstEss >= kEssLimit;
+    if (draws.burnInLeftOut > 0)
+        estimate.warnings.push_back(fmt::format(
+            "time was out {} sweeps before the burn-in's end: the draws depend on where "
+            "the chains started",
+            draws.burnInLeftOut));
+    estimate.converged =
+        worstRhat <= kRhatLimit && worstEss >= kEssLimit && draws.burnInLeftOut == 0;
     if (!estimate.converged)
         estimate.warnings.push_back(
             fmt::format("chains not converged{}: R-hat {:.3f} (limit {}), effective draws {:.0f} "
@@ -117,7 +123,7 @@ void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const Optional
     estimate.ending = draws.ending;
     for (std::size_t i = 0; i < kBins; ++i)
         if (known[i]) estimate.ess[i] = static_cast<double>(estimate.draws.size());
-    judge(estimate, draws.bins);
+    judge(estimate, draws);
 }
 
 TerrainEstimate finite(TerrainEstimate estimate, const Poll& poll)

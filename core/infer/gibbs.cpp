@@ -155,18 +155,31 @@ struct GibbsRun::Chains {
                     group.bins()[k], group.states()(static_cast<Eigen::Index>(k), c));
     }
 
+    bool outOfTime() const { return watch.outOfTime && watch.outOfTime(); }
+
     void count(int sweeps)
     {
         done += sweeps;
+        if (done < 0) {
+            if (outOfTime()) leaveOutBurnIn();
+            return;
+        }
         if (done == check) {
+            if (result.burnInLeftOut > 0) return end(Ending::Time);
             if (problem.stopEarly && judge.converged(result.draws, poll))
                 return end(Ending::Converged);
             if (done == problem.keptPerChain) return end(Ending::Sweeps);
             goOnTo(check + (check + 1) / 2);
         }
-        if (done >= std::min(kLeastKept, problem.keptPerChain) && watch.outOfTime
-            && watch.outOfTime())
-            end(Ending::Time);
+        if (done >= std::min(kLeastKept, problem.keptPerChain) && outOfTime()) end(Ending::Time);
+    }
+
+    /// The next few sweeps are kept, and the last.
+    void leaveOutBurnIn()
+    {
+        result.burnInLeftOut = -done;
+        done = 0;
+        goOnTo(kLeastKept);
     }
 
     void end(Ending why)
