@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "core/learn/cholesky.h"
+#include "core/learn/covariance_column.h"
 #include "core/learn/gaussian_process.h"
 
 namespace terratact {
@@ -27,15 +29,6 @@ Eigen::Index rowsAtOnce(Eigen::Index m)
 {
     const auto each = static_cast<double>(m * m);
     return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kMostMultiplications / each));
-}
-
-/// k(row of A, b) for rows in length scales.
-Eigen::VectorXd covarianceColumn(const Eigen::MatrixXd& A, const Eigen::RowVectorXd& b,
-                                 double signal2)
-{
-    Eigen::ArrayXd distance2 = Eigen::ArrayXd::Zero(A.rows());
-    for (Eigen::Index d = 0; d < A.cols(); ++d) distance2 += (A.col(d).array() - b[d]).square();
-    return signal2 * (-0.5 * distance2).exp();
 }
 
 std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
@@ -165,6 +158,8 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
     requireTrainable(X, y, hyper);
     if (count < 1) throw std::invalid_argument("sparse Gaussian process: no inducing rows");
     const double signal2 = hyper.signalSd * hyper.signalSd;
+    if (!(signal2 >= std::numeric_limits<double>::min()))
+        throw std::invalid_argument("sparse Gaussian process: the signal's variance underflows");
     const double noise2 = std::max(hyper.noiseSd * hyper.noiseSd, kLeastVarianceShare * signal2);
     const Eigen::MatrixXd scaled = X.array().rowwise() / hyper.lengthScale.transpose().array();
     if (!scaled.allFinite())
