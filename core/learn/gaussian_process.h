@@ -24,6 +24,9 @@ inline constexpr double kLeastRcond = 1e-12;
 /// Share of the prior's variance below which rounding leaves nothing of a predicted one.
 inline constexpr double kLeastVariance = 1e-15;
 
+/// By how much a variance in single precision may be further off than where that is measured.
+inline constexpr double kSingleErrorElsewhere = 5.0;
+
 /// Gaussian process regression with the kernel of Hyperparameters (Rasmussen & Williams 2006, ch. 2):
 ///   K = k(X, X) + σ_n² I = L Lᵀ,  α = K⁻¹ y
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
@@ -61,12 +64,12 @@ public:
     /// max(1e-9, 1e-14 / rcond()), at most 1e-2: kLeastRcond.  Seen were up to 0.4 of that where rcond() decides.
     double errorBound() const;
 
-    /// InverseFactor::singleError of this process [m²].  Elsewhere a variance was seen to be off by up to three
-    /// times as much, and a standard deviation of the shipped model by up to 6e-6 m (heights).
+    /// InverseFactor::singleError of this process [m²].  Elsewhere a variance is off by at most
+    /// kSingleErrorElsewhere times as much.
     double singleError(const Poll& poll = {}) const { return inverse_->singleError(poll); }
 
     /// The precision that a wish for `wanted` gets: single only where singleError is at most 0.2 % of σ_n², the
-    /// least a variance can be, which is 0.1 % of a standard deviation.  A process with next to no noise, or
+    /// least a variance can be: elsewhere 1 % of it at most, or 0.5 % of a standard deviation.  A process with next to no noise, or
     /// ill-conditioned, is computed in double.  poll: while L⁻¹ is inverted and packed, see InverseFactor.
     Precision usable(Precision wanted, const Poll& poll = {}) const;
 
