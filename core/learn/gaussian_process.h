@@ -37,7 +37,7 @@ inline constexpr double kSingleErrorElsewhere = 5.0;
 class GaussianProcess {
 public:
     /// X: U × d standardised inputs; y: U outputs, centred; outputMean: ȳ, added to every prediction.
-    /// poll: called every few milliseconds; what it throws comes out of here, and nothing is built.
+    /// poll: as in cholesky.h; what it throws comes out of here, and nothing is built.
     /// Throws std::invalid_argument if sizes disagree, a number is not finite, a length scale is not
     /// positive, or rcond() would be below kLeastRcond with every jitter.
     GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
