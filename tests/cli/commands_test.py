@@ -385,6 +385,11 @@ class Commands(unittest.TestCase):
 
     def test_the_shipped_model_tells_how_it_was_made(self):
         text = run("model", "show", f"{SOURCE}/resources/models/default.ttm")
+        for models in ("pa", "paf"):
+            rcond = float(re.search(rf"least reciprocal condition number of the {models} models: (\S+)", text)[1])
+            self.assertTrue(1e-12 <= rcond < 1.0, rcond)
+        self.assertIn("with a jitter of 1e-06", text)
+        self.assertNotIn("is singular", text)
         self.assertIn("terratact train", text)
         self.assertLess((pathlib.Path(SOURCE) / "resources/models/default.ttm").stat().st_size, 8_000_000)
 

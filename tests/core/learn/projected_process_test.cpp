@@ -134,7 +134,7 @@ TEST(ProjectedProcess, atTheExtremesIsRightOrRefused)
     int right = 0, refused = 0;
     for (const double length : {1e-8, 1e-3, 1.0, 1e3, 1e8})
         for (const double offset :
-             {0.0, 1e6})  // of an input, where |a|² − 2 a·b + |b|² would cancel
+             {0.0, 1e8})  // of an input, where |a|² − 2 a·b + |b|² would cancel
             for (const double signal : {1e-160, 1e-12, 0.3, 1e6})
                 for (const double noise : {1e-12, 1e-3, 0.2, 1e6}) {
                     Data data;
