@@ -113,8 +113,15 @@ Tally timed(const TradeSetting& trade, const std::vector<Scene>& scenes,
     return tally;
 }
 
-std::vector<TradePoint> measure(Method method, const std::vector<Scene>& scenes,
-                                const Toolbox& toolbox, const TradeoffOptions& options)
+/// What measuring a method gives.
+struct Measured {
+    std::vector<TradePoint> points;
+    ReferenceQuality reference;
+    int leastReferenceDraws = 0;
+};
+
+Measured measure(Method method, const std::vector<Scene>& scenes, const Toolbox& toolbox,
+                 const TradeoffOptions& options)
 {
     const auto settings = tradeSettings(method, options.seed);
     Progress progress(fmt::format("{}: setting", name(method)),
@@ -122,13 +129,31 @@ std::vector<TradePoint> measure(Method method, const std::vector<Scene>& scenes,
     const auto reference = estimates(
         scenes, toolbox,
         referenceSettings(method, options.referenceDraws, options.seed + kReferenceSeed), progress);
-    std::vector<TradePoint> points;
+    Measured measured{{}, {.method = method}, leastReferenceDraws(settings)};
+    for (const SceneEstimate& scene : reference)
+        if (scene.estimate) measured.reference.add(*scene.estimate);
     for (const TradeSetting& trade : settings) {
         const Tally tally = timed(trade, scenes, reference, toolbox);
-        if (!tally.empty()) points.push_back(tally.point(trade));
+        if (!tally.empty()) measured.points.push_back(tally.point(trade));
         progress.tick();
     }
-    return points;
+    return measured;
+}
+
+/// How good the long runs are that everything is compared with, and whether they are long enough.
+std::string referenceText(const Measured& measured)
+{
+    const ReferenceQuality& r = measured.reference;
+    if (isClosedForm(r.method)) return {};
+    std::string text =
+        fmt::format("{:<10} {} draws, worst R-hat {:.3f}, worst effective draws {:.0f}\n",
+                    name(r.method), r.draws, r.rhat, r.ess);
+    if (r.draws < measured.leastReferenceDraws)
+        text += fmt::format(
+            "{:<10} WARNING: fewer than {} draws, four times the longest setting's: distances "
+            "are mostly the long run's own error\n",
+            "", measured.leastReferenceDraws);
+    return text;
 }
 
 }  // namespace
@@ -143,9 +168,11 @@ Status tradeoff(const TradeoffOptions& options)
     if (Status made = makeDirectory(options.out); !made) return made;
 
     std::vector<TradePoint> points;
+    std::string references;
     for (const Method method : options.methods) {
-        const auto more = measure(method, *scenes, **toolbox, options);
-        points.insert(points.end(), more.begin(), more.end());
+        const Measured more = measure(method, *scenes, **toolbox, options);
+        points.insert(points.end(), more.points.begin(), more.points.end());
+        references += referenceText(more);
     }
     if (points.empty()) return fileError(options.data, "no method has an estimate of any scene");
     if (Status s = writeFileAtomically((out / "tradeoff.csv").string(), tradeoffCsv(points)); !s)
@@ -154,10 +181,10 @@ Status tradeoff(const TradeoffOptions& options)
         return s;
     for (const char* file : {"tradeoff.png", "tradeoff.svg"})
         if (Status s = writeTradeoffFigure((out / file).string(), points); !s) return s;
-    fmt::print(
-        "{} scenes, long runs of {} draws\n\n{}\nwritten to {}: tradeoff as CSV, PNG and SVG; "
-        "presets.csv\n",
-        scenes->size(), options.referenceDraws, tradeoffTable(points), options.out);
+    fmt::print("{} scenes; the long runs, over all scenes and sampled bins:\n{}\n{}\nwritten to "
+               "{}: tradeoff as CSV, "
+               "PNG and SVG; presets.csv\n",
+               scenes->size(), references, tradeoffTable(points), options.out);
     return Done{};
 }
 

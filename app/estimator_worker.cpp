@@ -130,9 +130,9 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
         // Here and not in the window's thread: Qt's painting leaves the upper halves of that thread's vector
         // registers in use, which made this ten times slower there.
-        const ProbeAdvice advice = request.prober
-                                     ? adviseProbe(estimate, *request.prober, request.stepLimit)
-                                     : ProbeAdvice{};
+        const ProbeAdvice advice = request.prober ? adviseProbe(estimate, *request.prober,
+                                                                request.stepLimit, pollOf(watch))
+                                                  : ProbeAdvice{};
         if (overtaken()) return;
         progress_ = -1.0;
         emit estimated(job, estimate, seconds, advice);

@@ -28,14 +28,15 @@ std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel
     return best ? best->bin : widest;
 }
 
-ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit)
+ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit,
+                        const Poll& poll)
 {
     ProbeAdvice advice;
     advice.stepLimit = stepLimit;
     advice.bin = proposeProbe(estimate, robot);
     if (!advice.bin || estimate.draws.empty()) return advice;
-    advice.before = uncertainty(estimate, stepLimit, kFirstAhead);
-    advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead);
+    advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
+    advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
     std::erase_if(advice.gains, [&](const ProbeGain& gain) {
         return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;
     });

@@ -28,6 +28,8 @@ struct ProbeAdvice {
     double stepLimit = 0.0;  ///< [m]
     bool operator==(const ProbeAdvice&) const = default;
 };
-ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit);
+/// poll: in the course of it, which takes longer than many an estimate.
+ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit,
+                        const Poll& poll = {});
 
 }  // namespace terratact

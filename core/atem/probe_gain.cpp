@@ -16,16 +16,20 @@ constexpr std::size_t kReadings = 48;
 /// Draws of all bins with what is asked of them.
 class Draws {
 public:
-    Draws(const std::vector<Heights>& heights, double stepLimit, int firstBin)
+    Draws(const std::vector<Heights>& heights, double stepLimit, int firstBin, const Poll& poll)
         : heights_(heights), centred_(heights)
     {
+        PolledWork work(poll);
         Heights mean{};
-        for (const Heights& h : heights)
+        for (const Heights& h : heights) {
+            work.done(kBins);
             for (std::size_t i = 0; i < kBins; ++i)
                 mean[i] += h[i] / static_cast<double>(heights.size());
+        }
         step_.reserve(heights.size());
         squares_.reserve(heights.size());
         for (Heights& h : centred_) {
+            work.done(kBins);
             step_.push_back(hasStep(h, stepLimit, firstBin) ? 1.0 : 0.0);
             double square = 0.0;
             for (std::size_t i = 0; i < kBins; ++i) {
@@ -49,11 +53,12 @@ public:
 
     /// V(w) [m²]; 0 where one draw has all the weight.  Σ w (h − m)² = Σ w h² − m² with m = Σ w h: one pass,
     /// and no loss of digits that matters, because the heights are centred.
-    double variance(const std::vector<double>& weight) const
+    double variance(const std::vector<double>& weight, PolledWork& work) const
     {
         Heights mean{};
         double alone = 0.0, second = 0.0;
         for (std::size_t d = 0; d < count(); ++d) {
+            work.done(1);
             const double w = weight[d];
             if (w == 0.0) continue;
             alone += w * w;
@@ -87,17 +92,21 @@ private:
 };
 
 /// Evenly spaced quantiles of the readings to expect of a bin with these draws.
-std::vector<double> readings(const std::vector<double>& heights, double armSd)
+std::vector<double> readings(const std::vector<double>& heights, double armSd, PolledWork& work)
 {
     std::vector<double> all(heights);
     double u = 0.5;
     for (double& z : all) {
+        work.done(4);
         z -= armSd * std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u);
         u += std::numbers::phi - 1.0;
         u -= std::floor(u);
         u = std::clamp(u, 1e-9, 1.0 - 1e-9);
     }
-    std::sort(all.begin(), all.end());
+    std::sort(all.begin(), all.end(), [&work](double a, double b) {
+        work.done();
+        return a < b;
+    });
     std::vector<double> picked(kReadings);
     for (std::size_t k = 0; k < kReadings; ++k)
         picked[k] = all[(2 * k + 1) * all.size() / (2 * kReadings)];
@@ -105,7 +114,8 @@ std::vector<double> readings(const std::vector<double>& heights, double armSd)
 }
 
 /// w_d ∝ N(reading; heights[d], armSd²), in logarithms until the largest is 1.
-std::vector<double> weights(const std::vector<double>& heights, double reading, double armSd)
+std::vector<double> weights(const std::vector<double>& heights, double reading, double armSd,
+                            PolledWork& work)
 {
     std::vector<double> w(heights.size());
     std::transform(heights.begin(), heights.end(), w.begin(), [&](double h) {
@@ -116,6 +126,7 @@ std::vector<double> weights(const std::vector<double>& heights, double reading, 
     constexpr double kNothing = -40.0;  // e^-40 of the largest changes no digit
     double sum = 0.0;
     for (double& weight : w) {
+        work.done();
         weight -= largest;
         sum += weight = weight > kNothing ? std::exp(weight) : 0.0;
     }
@@ -124,52 +135,55 @@ std::vector<double> weights(const std::vector<double>& heights, double reading, 
 }
 
 /// Mean of V and H over the readings.
-ProbeGain expectedAfter(const Draws& draws, int bin, double armSd)
+ProbeGain expectedAfter(const Draws& draws, int bin, double armSd, const Poll& poll)
 {
+    PolledWork work(poll);
     const std::vector<double> heights = draws.of(static_cast<std::size_t>(bin));
     ProbeGain after{bin, 0.0, 0.0};
-    for (const double z : readings(heights, armSd)) {
-        const std::vector<double> w = weights(heights, z, armSd);
-        after.varianceReduction += draws.variance(w) / kReadings;
+    for (const double z : readings(heights, armSd, work)) {
+        const std::vector<double> w = weights(heights, z, armSd, work);
+        after.varianceReduction += draws.variance(w, work) / kReadings;
         after.entropyReduction += draws.entropy(w) / kReadings;
     }
     return after;
 }
 
-Draws drawsOf(const TerrainEstimate& estimate, double stepLimit, int firstBin)
+Draws drawsOf(const TerrainEstimate& estimate, double stepLimit, int firstBin, const Poll& poll)
 {
     if (!(stepLimit >= 0.0) || !std::isfinite(stepLimit))
         throw std::invalid_argument("probeGains: stepLimit must be finite and 0 m or more");
     if (firstBin < 0 || firstBin >= kBins - 1)
         throw std::invalid_argument("probeGains: no such pair of bins");
     if (estimate.draws.empty()) throw std::invalid_argument("probeGains: no draws");
-    return {estimate.draws, stepLimit, firstBin};
+    return {estimate.draws, stepLimit, firstBin, poll};
 }
 
-Uncertainty uncertaintyOf(const Draws& draws)
+Uncertainty uncertaintyOf(const Draws& draws, const Poll& poll)
 {
+    PolledWork work(poll);
     const std::vector<double> equal = draws.equalWeights();
-    return {draws.variance(equal), draws.entropy(equal)};
+    return {draws.variance(equal, work), draws.entropy(equal)};
 }
 
 }  // namespace
 
-Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int firstBin)
+Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int firstBin,
+                        const Poll& poll)
 {
-    return uncertaintyOf(drawsOf(estimate, stepLimit, firstBin));
+    return uncertaintyOf(drawsOf(estimate, stepLimit, firstBin, poll), poll);
 }
 
 std::vector<ProbeGain> probeGains(const TerrainEstimate& estimate, const RobotModel& robot,
-                                  double armSd, double stepLimit, int firstBin)
+                                  double armSd, double stepLimit, int firstBin, const Poll& poll)
 {
     if (!(armSd > 0.0) || !std::isfinite(armSd))
         throw std::invalid_argument("probeGains: armSd must be finite and above 0 m");
-    const Draws draws = drawsOf(estimate, stepLimit, firstBin);
-    const Uncertainty before = uncertaintyOf(draws);
+    const Draws draws = drawsOf(estimate, stepLimit, firstBin, poll);
+    const Uncertainty before = uncertaintyOf(draws, poll);
     std::vector<ProbeGain> gains;
     for (int bin = 0; bin < kBins; ++bin) {
         if (!robot.armReaches(bin)) continue;
-        const ProbeGain after = expectedAfter(draws, bin, armSd);
+        const ProbeGain after = expectedAfter(draws, bin, armSd, poll);
         gains.push_back({bin, before.variance - after.varianceReduction,
                          before.entropy - after.entropyReduction});
     }

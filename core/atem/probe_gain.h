@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/infer/estimate.h"
+#include "core/poll.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
@@ -23,8 +24,9 @@ struct Uncertainty {
     bool operator==(const Uncertainty&) const = default;
 };
 
-/// Of a step within firstBin … 10.  Throws as probeGains does.
-Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int firstBin = 0);
+/// Of a step within firstBin … 10.  Throws as probeGains does.  poll: here and below, in the course of it.
+Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int firstBin = 0,
+                        const Poll& poll = {});
 
 /// The expected gain of measuring each bin that the arm reaches, the largest varianceReduction first (of
 /// equals the nearer bin).  For readings z of bin b the n draws h^d are reweighted,
@@ -41,7 +43,8 @@ Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int f
 /// Source: self-normalised importance sampling, Owen, "Monte Carlo theory, methods and examples" (2013)
 /// ch. 9; expected gain of an experiment, Lindley, Ann. Math. Stat. 27 (1956).
 std::vector<ProbeGain> probeGains(const TerrainEstimate& estimate, const RobotModel& robot,
-                                  double armSd, double stepLimit, int firstBin = 0);
+                                  double armSd, double stepLimit, int firstBin = 0,
+                                  const Poll& poll = {});
 
 /// The first of probeGains whose bin was sampled; empty where the arm reaches none.
 std::optional<ProbeGain> bestProbe(const TerrainEstimate& estimate, const RobotModel& robot,

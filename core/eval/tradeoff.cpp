@@ -41,8 +41,10 @@ std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed)
     const Settings base = wholeBudget(method, seed);
     std::vector<TradeSetting> all;
     all.reserve(20);
-    for (const Quality quality : kQualities)
+    for (const Quality quality : kQualities) {
         all.push_back({std::string(name(quality)), withQuality(base, quality), quality});
+        all.back().settings.stopEarly = Settings{}.stopEarly;
+    }
     for (const int draws : {125, 250, 500, 1000, 2000, 4000}) {
         all.push_back({"draws", base, {}});
         all.back().settings.draws = draws;
@@ -59,6 +61,23 @@ Settings referenceSettings(Method method, int draws, std::uint64_t seed)
     settings.burnIn = 100;
     settings.precision = Precision::Double;
     return settings;
+}
+
+int leastReferenceDraws(std::span<const TradeSetting> settings)
+{
+    int most = 0;
+    for (const TradeSetting& trade : settings) most = std::max(most, trade.settings.draws);
+    return 4 * most;
+}
+
+void ReferenceQuality::add(const TerrainEstimate& estimate)
+{
+    method = estimate.settings.method;
+    const bool first = draws == 0;
+    draws = std::max(draws, static_cast<int>(estimate.draws.size()));
+    const double least = *std::min_element(estimate.ess.begin(), estimate.ess.end());
+    ess = first ? least : std::min(ess, least);
+    rhat = std::max(rhat, *std::max_element(estimate.rhat.begin(), estimate.rhat.end()));
 }
 
 EstimateDistance distance(const TerrainEstimate& a, const TerrainEstimate& b)

@@ -21,11 +21,25 @@ struct TradeSetting {
 
 /// The settings whose cost and error `tradeoff` measures for a method: the presets, and 1000 draws of 16
 /// chains in single precision from all training rows with one thing varied at a time.  Closed forms have
-/// nothing but their draws to vary.  All but "early stop" use their whole budget.
+/// nothing but their draws to vary.  The presets end as early as the program lets them; of the others all but
+/// "early stop" use their whole budget.
 std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed);
 
 /// The long run that the others are compared with: 64 chains of `draws` in all, double precision, all rows.
 Settings referenceSettings(Method method, int draws, std::uint64_t seed);
+
+/// Draws of a long run that is worth comparing with: four times those of the setting with most.
+int leastReferenceDraws(std::span<const TradeSetting> settings);
+
+/// What the long runs of a method came to: the worst of their sampled bins, over all scenes.
+struct ReferenceQuality {
+    Method method = Method::Local;
+    int draws = 0;
+    double rhat = 1.0;
+    double ess = 0.0;  ///< the number of draws where nothing was sampled
+
+    void add(const TerrainEstimate& estimate);
+};
 
 /// How far two estimates of one scene lie apart [m], on average over the bins.
 struct EstimateDistance {

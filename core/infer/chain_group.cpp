@@ -82,8 +82,10 @@ ChainGroup::ChainGroup(const Conditionals& conditionals, const GibbsProblem& pro
 void ChainGroup::startRandomly(const Conditionals& conditionals)
 {
     states_.resize(static_cast<Eigen::Index>(bins_.size()), static_cast<Eigen::Index>(rng_.size()));
+    PolledWork work(poll_);
     for (std::size_t c = 0; c < rng_.size(); ++c)
         for (std::size_t k = 0; k < bins_.size(); ++k) {
+            work.done(2);
             const StartDraw start = conditionals.start(bins_[k]);
             drawState(k, c, start.mean, start.sd);
         }
@@ -110,7 +112,7 @@ std::optional<int> ChainGroup::nextBin() const
 /// What the next bin's draws need; where no process is asked, they have it then.
 std::optional<ScenePrediction> ChainGroup::ask()
 {
-    poll_();
+    callPoll(poll_);
     auto asked = conditionals_->ask(left_.front(), states_, mean_, variance_);
     if (!asked) conditionals_->predict(left_.front(), states_, mean_, variance_);
     return asked;
@@ -121,7 +123,9 @@ void ChainGroup::drawNext()
     const std::size_t k = left_.front();
     left_ = left_.subspan(1);
     conditionals_->complete(k, mean_, variance_);
+    PolledWork work(poll_);
     for (std::size_t c = 0; c < rng_.size(); ++c) {
+        work.done(2);
         const auto column = static_cast<Eigen::Index>(c);
         drawState(k, c, mean_[column], std::sqrt(variance_[column]));
     }
@@ -129,6 +133,9 @@ void ChainGroup::drawNext()
 
 void ChainGroup::sweep(std::span<ChainGroup* const> groups, PredictionRoom& room)
 {
+    const Poll poll = [groups] {
+        for (const ChainGroup* group : groups) callPoll(group->poll_);
+    };
     for (ChainGroup* group : groups) group->begin();
     std::vector<ScenePrediction> asked;
     for (;;) {
@@ -141,7 +148,7 @@ void ChainGroup::sweep(std::span<ChainGroup* const> groups, PredictionRoom& room
             if (group->nextBin() != bin) continue;
             if (const auto one = group->ask()) asked.push_back(*one);
         }
-        predictTogether(asked, room);
+        predictTogether(asked, room, poll);
         for (ChainGroup* group : groups) {
             if (group->nextBin() != bin) continue;
             group->drawNext();

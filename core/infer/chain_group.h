@@ -33,7 +33,8 @@ private:
 /// Some of a scene's chains, side by side.
 class ChainGroup {
 public:
-    /// first, count: among the problem's chains.  poll: before each bin that is drawn.
+    /// first, count: among the problem's chains.  poll: before each bin that is drawn, and
+    /// in between where that is long; may be empty.
     ChainGroup(const Conditionals& conditionals, const GibbsProblem& problem, int first, int count,
                Poll poll);
 

@@ -22,7 +22,8 @@ void check(const Settings& settings)
     if (!isClosedForm(settings.method))
         throw std::invalid_argument(
             fmt::format("method {} has no closed form", name(settings.method)));
-    if (settings.draws < 1) throw std::invalid_argument("an estimate needs at least one draw");
+    if (settings.draws < 1 || settings.draws > kMostDraws)
+        throw std::invalid_argument(fmt::format("an estimate needs 1 to {} draws", kMostDraws));
     if (!(settings.forceThreshold >= 0.0))
         throw std::invalid_argument("the force threshold must be 0 or more");
 }
@@ -93,15 +94,19 @@ void quantilesOf(const GaussianMixture& distribution, std::size_t bin, TerrainEs
 }
 
 std::vector<Heights> heightDraws(const GaussianMixture& distribution,
-                                 const TerrainEstimate& estimate)
+                                 const TerrainEstimate& estimate, const Poll& poll)
 {
     std::mt19937_64 rng(estimate.settings.seed);
-    const Eigen::MatrixXd y = distribution.draw(estimate.settings.draws, rng);
-    std::vector<Heights> draws(static_cast<std::size_t>(y.cols()));
-    for (Eigen::Index d = 0; d < y.cols(); ++d)
+    const Eigen::MatrixXd y = distribution.draw(estimate.settings.draws, rng, poll);
+    PolledWork work(poll);
+    std::vector<Heights> draws;
+    draws.reserve(static_cast<std::size_t>(y.cols()));
+    for (Eigen::Index d = 0; d < y.cols(); ++d) {
+        work.done(2 * kBins);
+        Heights& draw = draws.emplace_back();
         for (std::size_t i = 0; i < kBins; ++i)
-            draws[static_cast<std::size_t>(d)][i] =
-                toHeight(y(static_cast<Eigen::Index>(i), d), estimate.ceiling[i]);
+            draw[i] = toHeight(y(static_cast<Eigen::Index>(i), d), estimate.ceiling[i]);
+    }
     return draws;
 }
 
@@ -130,9 +135,11 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings, const WeakHeights& weak)
+                                      const Settings& settings, const WeakHeights& weak,
+                                      const Poll& poll)
 {
     check(settings);
+    callPoll(poll);
     TerrainEstimate estimate;
     estimate.settings = settings;
     estimate.ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
@@ -154,8 +161,8 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
         estimate.rhat[i] = 1.0;
         estimate.ess[i] = settings.draws;
     }
-    estimate.draws = heightDraws(distribution, estimate);
-    return finite(std::move(estimate));
+    estimate.draws = heightDraws(distribution, estimate, poll);
+    return finite(std::move(estimate), poll);
 }
 
 }  // namespace terratact

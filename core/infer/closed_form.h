@@ -27,11 +27,13 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 /// measurements (measured_bins.h), weak heights too, conditioned exactly in the surface coordinate y (core/learn/clearance.h).
 /// Their error there is the change of y when the ground lies one sd lower.  A measurement more than two standard
 /// deviations from every component makes one Gaussian of the mixture first.
+/// poll: at the start and while draws are made.
 /// height is the median; settings.draws joint draws; rhat is 1 and ess the number of draws.
 /// Throws std::invalid_argument for another method than Joint and Local, settings out of range, an s that
 /// lacks a feature, or a model that gives no finite estimate.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings, const WeakHeights& weak = {});
+                                      const Settings& settings, const WeakHeights& weak = {},
+                                      const Poll& poll = {});
 
 }  // namespace terratact

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace terratact {
@@ -41,7 +42,7 @@ Eigen::MatrixXd halves(const Draws& x)
 }
 
 /// Ranks 1 … S over the whole matrix; equal values share their average rank.
-Eigen::MatrixXd ranks(const Eigen::MatrixXd& x)
+Eigen::MatrixXd ranks(const Eigen::MatrixXd& x, PolledWork& work)
 {
     struct Placed {
         double value;
@@ -49,14 +50,20 @@ Eigen::MatrixXd ranks(const Eigen::MatrixXd& x)
     };
     std::vector<Placed> order;
     order.reserve(static_cast<std::size_t>(x.size()));
-    for (Index at = 0; at < x.size(); ++at) order.push_back({x(at), at});
-    std::sort(order.begin(), order.end(),
-              [](const Placed& a, const Placed& b) { return a.value < b.value; });
+    for (Index at = 0; at < x.size(); ++at) {
+        work.done();
+        order.push_back({x(at), at});
+    }
+    std::sort(order.begin(), order.end(), [&work](const Placed& a, const Placed& b) {
+        work.done();
+        return a.value < b.value;
+    });
 
     Eigen::MatrixXd rank(x.rows(), x.cols());
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
         while (end < order.size() && order[end].value == order[begin].value) ++end;
         const double shared = 0.5 * static_cast<double>(begin + 1 + end);
+        work.done(static_cast<long>(end - begin));
         for (std::size_t i = begin; i < end; ++i) rank(order[i].at) = shared;
     }
     return rank;
@@ -66,20 +73,27 @@ Eigen::MatrixXd ranks(const Eigen::MatrixXd& x)
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 /// Vehtari et al. (2021), eq. 14: z = Φ⁻¹((r − 3/8) / (S + 1/4)).
-Eigen::MatrixXd normalScores(const Eigen::MatrixXd& x)
+Eigen::MatrixXd normalScores(const Eigen::MatrixXd& x, const Poll& poll)
 {
+    constexpr long kUnits = 4;  // of work
+    PolledWork work(poll);
     const double size = static_cast<double>(x.size());
-    return ranks(x).unaryExpr([size](double r) {
+    return ranks(x, work).unaryExpr([size, &work](double r) {
+        work.done(kUnits);
         const double p = (r - 0.375) / (size + 0.25);
         return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, InDouble());
     });
 }
 
-double median(Eigen::MatrixXd draws)
+double median(Eigen::MatrixXd draws, const Poll& poll)
 {
+    PolledWork work(poll);
     double* const begin = draws.data();
     double* const middle = begin + draws.size() / 2;
-    std::nth_element(begin, middle, begin + draws.size());
+    std::nth_element(begin, middle, begin + draws.size(), [&work](double a, double b) {
+        work.done();
+        return a < b;
+    });
     if (draws.size() % 2 == 1) return *middle;
     return 0.5 * (*middle + *std::max_element(begin, middle));
 }
@@ -113,8 +127,9 @@ double autocovariance(const Eigen::MatrixXd& centred, Index lag)
 
 /// Estimated autocorrelations up to where the sums of neighbouring pairs turn negative, then a last
 /// even one (Geyer's initial positive sequence).
-std::vector<double> positiveSequence(const Eigen::MatrixXd& z)
+std::vector<double> positiveSequence(const Eigen::MatrixXd& z, const Poll& poll)
 {
+    PolledWork work(poll);
     const Index n = z.rows();
     const Eigen::MatrixXd centred = z.rowwise() - z.colwise().mean();
     const Eigen::VectorXd means = z.colwise().mean();
@@ -122,6 +137,7 @@ std::vector<double> positiveSequence(const Eigen::MatrixXd& z)
     const double meanVariance = atZero * static_cast<double>(n) / static_cast<double>(n - 1);
     const double total = atZero + sampleVariance(means);  // var⁺, eq. 3
     const auto rho = [&](Index lag) {                     // eq. 10
+        work.done(z.size() / 4);
         return 1.0 - (meanVariance - autocovariance(centred, lag)) / total;
     };
 
@@ -153,14 +169,15 @@ void makeMonotone(std::vector<double>& rho)
 
 }  // namespace
 
-RankedDraws::RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws) : draws_(draws)
+RankedDraws::RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws, Poll poll)
+    : draws_(draws), poll_(std::move(poll))
 {
     require(draws);
 }
 
 const Eigen::MatrixXd& RankedDraws::scores()
 {
-    if (scores_.size() == 0) scores_ = normalScores(halves(draws_));
+    if (scores_.size() == 0) scores_ = normalScores(halves(draws_), poll_);
     return scores_;
 }
 
@@ -168,8 +185,9 @@ double RankedDraws::rhat()
 {
     if (allEqual(draws_)) return 1.0;
     if (draws_.rows() < 4) return kRhatNever;
-    const Eigen::MatrixXd folded = (draws_.array() - median(draws_)).abs();
-    return std::max(splitRhat(scores()), splitRhat(normalScores(halves(folded))));
+    callPoll(poll_);
+    const Eigen::MatrixXd folded = (draws_.array() - median(draws_, poll_)).abs();
+    return std::max(splitRhat(scores()), splitRhat(normalScores(halves(folded), poll_)));
 }
 
 double RankedDraws::ess()
@@ -177,10 +195,11 @@ double RankedDraws::ess()
     if (allEqual(draws_)) return static_cast<double>(draws_.size());
     if (draws_.rows() < 6) return static_cast<double>(draws_.cols());
     const Eigen::MatrixXd& z = scores();
+    callPoll(poll_);
     if (allEqual(z)) return static_cast<double>(draws_.size());
     if (columnsConstant(z)) return static_cast<double>(draws_.cols());
 
-    std::vector<double> rho = positiveSequence(z);
+    std::vector<double> rho = positiveSequence(z, poll_);
     makeMonotone(rho);
     // τ = −1 + 2 Σ ρ_t + ρ_last, eq. 12 and 13
     const double sum = std::accumulate(rho.begin(), rho.end() - 1, 0.0);

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "core/poll.h"
+
 namespace terratact {
 
 /// R-hat of chains that stand still at different heights, and the largest value returned: it would be
@@ -12,8 +14,9 @@ inline constexpr double kRhatNever = 1e6;
 class RankedDraws {
 public:
     /// draws: n × chains, one chain per column, any unit; must outlive it.
+    /// poll: during the ranking.
     /// Throws std::invalid_argument for no draws or a value that is not finite.
-    explicit RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws);
+    explicit RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws, Poll poll = {});
 
     /// Rank-normalised split R-hat.
     ///
@@ -38,6 +41,7 @@ private:
     const Eigen::MatrixXd& scores();
 
     Eigen::Ref<const Eigen::MatrixXd> draws_;
+    Poll poll_;
     Eigen::MatrixXd scores_;  ///< of the half chains; empty: not yet needed
 };
 

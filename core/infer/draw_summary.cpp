@@ -17,21 +17,39 @@ namespace {
 
 constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
 
-void judge(TerrainEstimate& estimate, const std::vector<int>& bins)
+void judge(TerrainEstimate& estimate, const GibbsDraws& draws)
 {
     double worstRhat = 1.0;
     double worstEss = std::numeric_limits<double>::infinity();
-    for (const int bin : bins) {
+    for (const int bin : draws.bins) {
         worstRhat = std::max(worstRhat, estimate.rhat[static_cast<std::size_t>(bin)]);
         worstEss = std::min(worstEss, estimate.ess[static_cast<std::size_t>(bin)]);
     }
-    estimate.converged = worstRhat <= kRhatLimit && worstEss >= kEssLimit;
+    if (draws.burnInLeftOut > 0)
+        estimate.warnings.push_back(fmt::format(
+            "time was out {} sweeps before the burn-in's end: the draws depend on where "
+            "the chains started",
+            draws.burnInLeftOut));
+    estimate.converged =
+        worstRhat <= kRhatLimit && worstEss >= kEssLimit && draws.burnInLeftOut == 0;
     if (!estimate.converged)
         estimate.warnings.push_back(
             fmt::format("chains not converged{}: R-hat {:.3f} (limit {}), effective draws {:.0f} "
                         "(limit {:.0f})",
                         estimate.ending == Ending::Time ? " when time was out" : "", worstRhat,
                         kRhatLimit, worstEss, kEssLimit));
+}
+
+/// All draws in ascending order.
+std::vector<double> sorted(const Eigen::MatrixXd& draws, const Poll& poll)
+{
+    PolledWork work(poll);
+    std::vector<double> all(draws.data(), draws.data() + draws.size());
+    std::sort(all.begin(), all.end(), [&work](double a, double b) {
+        work.done();
+        return a < b;
+    });
+    return all;
 }
 
 bool allFinite(const Heights& values)
@@ -42,18 +60,20 @@ bool allFinite(const Heights& values)
 }  // namespace
 
 void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& draws, Origin origin,
-                    Centre centre)
+                    Centre centre, const Poll& poll)
 {
     const auto i = static_cast<std::size_t>(bin);
+    callPoll(poll);
     const double mean = draws.mean();
-    const std::vector<double> all(draws.data(), draws.data() + draws.size());
+    const std::vector<double> all = sorted(draws, poll);
     estimate.mean[i] = mean;
-    estimate.height[i] = centre == Centre::Mean ? mean : quantile(all, 0.5);
+    estimate.height[i] = centre == Centre::Mean ? mean : quantileOfSorted(all, 0.5);
     estimate.sd[i] = std::sqrt((draws.array() - mean).square().mean());
-    estimate.q10[i] = quantile(all, 0.1);
-    estimate.q90[i] = quantile(all, 0.9);
+    estimate.q10[i] = quantileOfSorted(all, 0.1);
+    estimate.q90[i] = quantileOfSorted(all, 0.9);
     estimate.origin[i] = origin;
-    RankedDraws ranked(draws);
+    callPoll(poll);
+    RankedDraws ranked(draws, poll);
     estimate.rhat[i] = ranked.rhat();
     estimate.ess[i] = ranked.ess();
 }
@@ -78,32 +98,43 @@ void warnIfMended(TerrainEstimate& estimate, int bin, const GaussianProcess& mod
             binCentre(bin), model.jitter()));
 }
 
-std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known)
+std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known,
+                                const Poll& poll)
 {
+    PolledWork work(poll);
     Heights start{};
     for (std::size_t i = 0; i < kBins; ++i) start[i] = known[i].value_or(0.0);
     const Eigen::Index count = draws.draws.empty() ? 1 : draws.draws.front().size();
-    std::vector<Heights> all(static_cast<std::size_t>(count), start);
-    for (std::size_t k = 0; k < draws.bins.size(); ++k)
-        for (Eigen::Index d = 0; d < count; ++d)
-            all[static_cast<std::size_t>(d)][static_cast<std::size_t>(draws.bins[k])] =
-                draws.draws[k].data()[d];
+    std::vector<Heights> all;
+    all.reserve(static_cast<std::size_t>(count));
+    for (Eigen::Index d = 0; d < count; ++d) {
+        work.done(kBins);
+        Heights& draw = all.emplace_back(start);
+        for (std::size_t k = 0; k < draws.bins.size(); ++k)
+            draw[static_cast<std::size_t>(draws.bins[k])] = draws.draws[k].data()[d];
+    }
     return all;
 }
 
-void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known)
+void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known,
+              const Poll& poll)
 {
-    estimate.draws = jointDraws(draws, known);
+    estimate.draws = jointDraws(draws, known, poll);
     estimate.ending = draws.ending;
     for (std::size_t i = 0; i < kBins; ++i)
         if (known[i]) estimate.ess[i] = static_cast<double>(estimate.draws.size());
-    judge(estimate, draws.bins);
+    judge(estimate, draws);
 }
 
-TerrainEstimate finite(TerrainEstimate estimate)
+TerrainEstimate finite(TerrainEstimate estimate, const Poll& poll)
 {
-    bool holds = std::isfinite(estimate.novelty)
-              && std::all_of(estimate.draws.begin(), estimate.draws.end(), allFinite);
+    PolledWork work(poll);
+    bool holds =
+        std::isfinite(estimate.novelty)
+        && std::all_of(estimate.draws.begin(), estimate.draws.end(), [&work](const Heights& h) {
+               work.done(kBins);
+               return allFinite(h);
+           });
     for (const Heights& numbers : {estimate.mean, estimate.sd, estimate.q10, estimate.q90,
                                    estimate.height, estimate.rhat, estimate.ess})
         holds = holds && allFinite(numbers);

@@ -13,9 +13,9 @@ namespace terratact {
 enum class Centre : std::uint8_t { Mean, Median };
 
 /// Writes one bin of an estimate from its draws: mean, sd, quantiles, the height to show, R-hat and ESS.
-/// draws: kept sweeps × chains, heights [m].
+/// draws: kept sweeps × chains, heights [m].  poll: here and below, in the course of it.
 void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& draws, Origin origin,
-                    Centre centre);
+                    Centre centre, const Poll& poll = {});
 
 /// Writes a bin that was not sampled: the measured height, and a Gaussian's quantiles about it.
 void fixBin(TerrainEstimate& estimate, int bin, const MeasuredHeight& measured);
@@ -24,15 +24,17 @@ void fixBin(TerrainEstimate& estimate, int bin, const MeasuredHeight& measured);
 void warnIfMended(TerrainEstimate& estimate, int bin, const GaussianProcess& model);
 
 /// The chains' draws one after the other; known bins stand still at their heights.
-std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known);
+std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known,
+                                const Poll& poll = {});
 
 /// How sampling ended, for an estimate whose bins are all written: joint draws, ending, the known bins' ESS, and
 /// `converged` by the worst R-hat and ESS of the sampled bins, with a warning where it is not.
 ///   known: heights [m]
-void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known);
+void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known,
+              const Poll& poll = {});
 
 /// The estimate.  Throws std::invalid_argument unless every number is finite that has to be (TerrainEstimate): a model
 /// whose numbers are finite, but absurd, may leave a scene without one.
-TerrainEstimate finite(TerrainEstimate estimate);
+TerrainEstimate finite(TerrainEstimate estimate, const Poll& poll = {});
 
 }  // namespace terratact

@@ -28,10 +28,9 @@ void EstimateBatch::add(std::size_t number, const Proprioception& s,
                         std::span<const ArmReading> arm, const Settings& settings,
                         const Watch& watch, const WeakHeights& weak)
 {
-    stopIfCancelled(watch);
     if (isClosedForm(settings.method))
-        ready_.push_back(
-            {number, reconstructClosedForm(s, arm, robot_, models_.clearance, settings, weak)});
+        ready_.push_back({number, reconstructClosedForm(s, arm, robot_, models_.clearance, settings,
+                                                        weak, pollOf(watch))});
     else
         scenes_.emplace_back(number, sceneSampling(s, arm, robot_, models_, settings, watch, weak),
                              watch);

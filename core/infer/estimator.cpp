@@ -43,9 +43,9 @@ TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmRead
                                 const Settings& settings, const Watch& watch,
                                 const WeakHeights& weak)
 {
-    stopIfCancelled(watch);
     if (isClosedForm(settings.method))
-        return reconstructClosedForm(s, arm, robot, models.clearance, settings, weak);
+        return reconstructClosedForm(s, arm, robot, models.clearance, settings, weak,
+                                     pollOf(watch));
     return sampleScene(sceneSampling(s, arm, robot, models, settings, watch, weak), watch);
 }
 

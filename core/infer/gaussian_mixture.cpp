@@ -104,8 +104,9 @@ double GaussianMixture::quantile(int i, double p) const
     return x;
 }
 
-Eigen::MatrixXd GaussianMixture::draw(int count, std::mt19937_64& rng) const
+Eigen::MatrixXd GaussianMixture::draw(int count, std::mt19937_64& rng, const Poll& poll) const
 {
+    PolledWork work(poll);
     const Eigen::MatrixXd root = squareRoot(covariance);
     const double infinity = std::numeric_limits<double>::infinity();
     Eigen::MatrixXd draws(mean.rows(), count);
@@ -114,6 +115,7 @@ Eigen::MatrixXd GaussianMixture::draw(int count, std::mt19937_64& rng) const
     double sum = weight[0];
     Eigen::VectorXd normal(mean.rows());
     for (int d = 0; d < count; ++d) {
+        work.done(2 * mean.rows());
         const double target = (static_cast<double>(d) + start) / count;
         while (sum < target && k + 1 < weight.size()) sum += weight[++k];
         for (double& z : normal) z = drawBelow(infinity, 0.0, 1.0, rng);

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <random>
 
+#include "core/poll.h"
+
 namespace terratact {
 
 /// p(y) = Σ_k weight_k N(y; mean_k, covariance): K Gaussians in n dimensions with one covariance.
@@ -31,7 +33,8 @@ struct GaussianMixture {
     double quantile(int i, double p) const;
 
     /// count draws, n × count, the components in proportion to their weights (systematic resampling).
-    Eigen::MatrixXd draw(int count, std::mt19937_64& rng) const;
+    /// poll: now and then.
+    Eigen::MatrixXd draw(int count, std::mt19937_64& rng, const Poll& poll = {}) const;
 };
 
 }  // namespace terratact

@@ -1,6 +1,9 @@
 #include "core/infer/gibbs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -18,7 +21,7 @@ namespace {
 /// Speaks to the watch for all threads.
 class Reporter {
 public:
-    Reporter(const Watch& watch, int total) : watch_(watch), total_(total) {}
+    Reporter(const Watch& watch, double total) : watch_(watch), total_(total) {}
 
     void stopIfCancelled()
     {
@@ -30,8 +33,8 @@ public:
     void step()
     {
         const std::scoped_lock lock(mutex_);
-        if (watch_.progress) watch_.progress(static_cast<double>(done_) / total_);
-        ++done_;
+        if (watch_.progress) watch_.progress(done_ / total_);
+        done_ += 1.0;
     }
 
     void end()
@@ -42,9 +45,9 @@ public:
 
 private:
     const Watch& watch_;
-    int total_;
+    double total_;
     std::mutex mutex_;
-    int done_ = 0;
+    double done_ = 0.0;
 };
 
 /// Chains that one thread runs: full groups of columns, two where that still makes several parts.
@@ -57,11 +60,11 @@ int chainsPerPart(const GibbsProblem& problem, const Watch& watch)
 /// Whether every bin's draws are within the limits.
 class Judge {
 public:
-    bool converged(const std::vector<Eigen::MatrixXd>& draws)
+    bool converged(const std::vector<Eigen::MatrixXd>& draws, const Poll& poll)
     {
         for (std::size_t k = 0; k < draws.size(); ++k) {
             const std::size_t bin = (doubtful_ + k) % draws.size();
-            RankedDraws ranked(draws[bin]);
+            RankedDraws ranked(draws[bin], poll);
             if (ranked.ess() >= kEssLimit && ranked.rhat() <= kRhatLimit) continue;
             doubtful_ = bin;
             return false;
@@ -77,9 +80,11 @@ private:
 
 void checkSettings(const Settings& settings)
 {
-    if (settings.draws < 1 || settings.chains < 1 || settings.burnIn < 0)
-        throw std::invalid_argument(
-            "an estimate needs at least one draw, one chain and no negative burn-in");
+    if (settings.draws < 1 || settings.draws > kMostDraws || settings.chains < 1
+        || settings.chains > kMostChains || settings.burnIn < 0 || settings.burnIn > kMostBurnIn)
+        throw std::invalid_argument(fmt::format(
+            "an estimate needs 1 to {} draws, 1 to {} chains and a burn-in of 0 to {} sweeps",
+            kMostDraws, kMostChains, kMostBurnIn));
     if (settings.inducing < 0)
         throw std::invalid_argument("the number of inducing rows must be 0 or more");
     if (!(settings.contactSd > 0.0) || !(settings.forceThreshold >= 0.0))
@@ -106,7 +111,8 @@ struct GibbsRun::Chains {
     Chains(const Conditionals& from, const GibbsProblem& asked, const Watch& who)
         : conditionals(from), problem(asked), watch(who), each(chainsPerPart(asked, who)),
           done(-asked.burnIn),
-          reporter(watch, (asked.chains + each - 1) / each * (asked.burnIn + asked.keptPerChain))
+          reporter(watch, std::ceil(static_cast<double>(asked.chains) / each)
+                              * (static_cast<double>(asked.burnIn) + asked.keptPerChain))
     {
         stopIfCancelled(watch);
         result.bins = unknownBins(problem.known);
@@ -116,9 +122,8 @@ struct GibbsRun::Chains {
         }
         result.draws.assign(result.bins.size(), Eigen::MatrixXd(0, problem.chains));
         for (int first = 0; first < problem.chains; first += each)  // here: one thread polls
-            parts.push_back(std::make_unique<ChainGroup>(conditionals, problem, first,
-                                                         std::min(each, problem.chains - first),
-                                                         [this] { reporter.stopIfCancelled(); }));
+            parts.push_back(std::make_unique<ChainGroup>(
+                conditionals, problem, first, std::min(each, problem.chains - first), poll));
         rooms.resize(parts.size());
         goOnTo(problem.stopEarly ? kFirstCheck : problem.keptPerChain);
     }
@@ -150,17 +155,31 @@ struct GibbsRun::Chains {
                     group.bins()[k], group.states()(static_cast<Eigen::Index>(k), c));
     }
 
+    bool outOfTime() const { return watch.outOfTime && watch.outOfTime(); }
+
     void count(int sweeps)
     {
         done += sweeps;
+        if (done < 0) {
+            if (outOfTime()) leaveOutBurnIn();
+            return;
+        }
         if (done == check) {
-            if (problem.stopEarly && judge.converged(result.draws)) return end(Ending::Converged);
+            if (result.burnInLeftOut > 0) return end(Ending::Time);
+            if (problem.stopEarly && judge.converged(result.draws, poll))
+                return end(Ending::Converged);
             if (done == problem.keptPerChain) return end(Ending::Sweeps);
             goOnTo(check + (check + 1) / 2);
         }
-        if (done >= std::min(kLeastKept, problem.keptPerChain) && watch.outOfTime
-            && watch.outOfTime())
-            end(Ending::Time);
+        if (done >= std::min(kLeastKept, problem.keptPerChain) && outOfTime()) end(Ending::Time);
+    }
+
+    /// The next few sweeps are kept, and the last.
+    void leaveOutBurnIn()
+    {
+        result.burnInLeftOut = -done;
+        done = 0;
+        goOnTo(kLeastKept);
     }
 
     void end(Ending why)
@@ -181,6 +200,7 @@ struct GibbsRun::Chains {
     GibbsDraws result;
     Judge judge;
     Reporter reporter;
+    const Poll poll = [this] { reporter.stopIfCancelled(); };
     std::vector<std::unique_ptr<ChainGroup>> parts;
     std::vector<PredictionRoom> rooms;  // of the parts
 };
@@ -259,10 +279,9 @@ GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& pr
 
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)
 {
-    const Poll poll = [&watch] { stopIfCancelled(watch); };
     return sampleStates(
-        BinConditionals(models, problem.s, problem.precision, problem.inducing, poll), problem,
-        watch);
+        BinConditionals(models, problem.s, problem.precision, problem.inducing, pollOf(watch)),
+        problem, watch);
 }
 
 }  // namespace terratact

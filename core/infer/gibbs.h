@@ -33,7 +33,7 @@ struct GibbsProblem {
     std::uint64_t seed = 1;
 };
 
-/// Throws std::invalid_argument where a number of the settings is out of range.
+/// Throws std::invalid_argument, a sentence, where a number of the settings is out of range.
 void checkSettings(const Settings& settings);
 
 /// Kept sweeps per chain after which chains are first judged; again after half as many more, and so on.
@@ -48,6 +48,7 @@ struct GibbsDraws {
     std::vector<int> bins;               ///< I, rear to front
     std::vector<Eigen::MatrixXd> draws;  ///< per bin of I: kept sweeps × chains, heights [m]
     Ending ending = Ending::NotSampled;
+    int burnInLeftOut = 0;  ///< sweeps of the burn-in that there was no time for
 };
 
 /// Section 4.3: random start (Conditionals::start, the ceiling applied), then sweeps that draw every
@@ -60,8 +61,9 @@ struct GibbsDraws {
 ///   - with stopEarly, where the heights of every bin have R-hat ≤ kRhatLimit and ESS ≥ kEssLimit, judged after 25,
 ///     38, 57 … and after the last kept sweep (Ending::Converged): numbers of sweeps that do not depend on the
 ///     machine, so the same seed gives the same draws;
-///   - when watch.outOfTime says so, but not before the burn-in and kLeastKept kept sweeps (Ending::Time): the
-///     draws are the first of those that more time would have given.
+///   - when watch.outOfTime says so, but not before kLeastKept kept sweeps (Ending::Time): the draws are the first
+///     of those that more time would have given.  Said during the burn-in, the next kLeastKept sweeps are kept and
+///     the rest of the burn-in is left out: draws that still depend on where the chains started.
 /// Throws std::invalid_argument unless chains ≥ 1, firstChain ≥ 0, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
                         const Watch& watch = {});

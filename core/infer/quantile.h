@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace terratact {
@@ -7,5 +8,8 @@ namespace terratact {
 /// Quantile p ∈ [0, 1] with linear interpolation between order statistics (type 7 of Hyndman & Fan 1996,
 /// R's default).  Throws std::invalid_argument for no values or another p.
 double quantile(std::vector<double> values, double p);
+
+/// The same of values in ascending order.
+double quantileOfSorted(std::span<const double> sorted, double p);
 
 }  // namespace terratact

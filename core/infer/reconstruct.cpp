@@ -55,9 +55,8 @@ SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading>
     }
     sampling.known = problem.known;
     sampling.centre = Centre::Mean;
-    sampling.conditionals =
-        std::make_unique<BinConditionals>(models, problem.s, problem.precision, problem.inducing,
-                                          [watch] { stopIfCancelled(watch); });
+    sampling.conditionals = std::make_unique<BinConditionals>(models, problem.s, problem.precision,
+                                                              problem.inducing, pollOf(watch));
     sampling.process = [&models, settings](int bin) -> const GaussianProcess& {
         return models.bin(bin, settings.inducing);
     };

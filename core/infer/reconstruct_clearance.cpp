@@ -75,9 +75,9 @@ SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmRead
     const ClearanceStates::Measured measuredStates = states(measured, estimate.ceiling);
     sampling.known = fixExact(measured, measuredStates, problem, estimate);
     sampling.centre = Centre::Median;
-    sampling.conditionals = std::make_unique<ClearanceStates>(
-        models, estimate.ceiling, x, measuredStates, settings.precision, settings.inducing,
-        [watch] { stopIfCancelled(watch); });
+    sampling.conditionals =
+        std::make_unique<ClearanceStates>(models, estimate.ceiling, x, measuredStates,
+                                          settings.precision, settings.inducing, pollOf(watch));
     sampling.process = [&models, settings,
                         ceiling = estimate.ceiling](int bin) -> const GaussianProcess& {
         return models.gp(bin, regimeOf(ceiling[static_cast<std::size_t>(bin)]), settings.inducing);

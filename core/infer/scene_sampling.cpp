@@ -7,15 +7,15 @@ namespace terratact {
 TerrainEstimate estimateFrom(SceneSampling sampling, const GibbsDraws& draws, const Watch& watch)
 {
     TerrainEstimate& estimate = sampling.estimate;
+    const Poll poll = pollOf(watch);
     for (std::size_t k = 0; k < draws.bins.size(); ++k) {
-        stopIfCancelled(watch);
         const int bin = draws.bins[k];
         summariseDraws(estimate, bin, draws.draws[k],
-                       estimate.origin[static_cast<std::size_t>(bin)], sampling.centre);
+                       estimate.origin[static_cast<std::size_t>(bin)], sampling.centre, poll);
         warnIfMended(estimate, bin, sampling.process(bin));
     }
-    conclude(estimate, draws, sampling.known);
-    return finite(std::move(estimate));
+    conclude(estimate, draws, sampling.known, poll);
+    return finite(std::move(estimate), poll);
 }
 
 TerrainEstimate sampleScene(SceneSampling sampling, const Watch& watch)

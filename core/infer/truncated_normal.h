@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <random>
 
 namespace terratact {
+
+/// Of one draw.
+inline constexpr int kMostProposals = 1000;
 
 /// Draws one bin height from N(mean, sigma²) cut off above `ceiling`:
 ///   p(h) ∝ exp(-(h - mean)² / 2σ²) for h ≤ ceiling, and 0 above it.
@@ -16,7 +21,9 @@ namespace terratact {
 /// nothing is kept between calls), exponentials −log u.
 ///
 /// Effort: every proposal is accepted with probability ≥ 0.38, whatever the arguments, and takes two
-/// numbers of the generator: more than n are used with probability ≤ 0.62^⌊n/2⌋ (n = 100: 5e-11).
+/// numbers of the generator: more than n are used with probability ≤ 0.62^⌊n/2⌋ (n = 100: 5e-11).  After
+/// kMostProposals the last one is taken, moved inside the bounds: no generator but a broken one, and no
+/// distribution, shows it (0.62^1000 = 1e-208), and a draw ends with every one.
 ///
 /// Throws std::invalid_argument unless sigma > 0, mean and sigma are finite, ceiling > −infinity.
 /// Source: Robert, "Simulation of truncated normal variables", Stat. Comput. 5 (1995); the ceiling is the
@@ -26,8 +33,13 @@ double drawBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng
 /// The same cut off on both sides: p(h) ∝ exp(-(h - mean)² / 2σ²) for floor ≤ h ≤ ceiling.
 /// floor may be −infinity (then this is drawBelow) and ceiling +infinity; floor = ceiling returns it.
 /// The mirrored problem (−ceiling, −floor, −mean) gives the negative of the same draw, unless the bounds lie
-/// equally far from the mean.
+/// equally far from the mean, two infinite ones among them: there both problems are drawn from the same side, and
+/// only the distribution is mirrored.
 /// Throws std::invalid_argument as drawBelow, and unless floor ≤ ceiling, floor < +infinity.
 double drawBetween(double floor, double ceiling, double mean, double sigma, std::mt19937_64& rng);
+
+/// The same from any source of 64 random bits.
+double drawBetween(double floor, double ceiling, double mean, double sigma,
+                   const std::function<std::uint64_t()>& bits);
 
 }  // namespace terratact

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "core/for_each.h"
+#include "core/poll.h"
 
 namespace terratact {
 
@@ -25,6 +26,15 @@ struct Cancelled {};
 inline void stopIfCancelled(const Watch& watch)
 {
     if (watch.cancelled && watch.cancelled()) throw Cancelled{};
+}
+
+/// The same as a poll; keeps a copy of `cancelled`.
+inline Poll pollOf(const Watch& watch)
+{
+    if (!watch.cancelled) return {};
+    return [cancelled = watch.cancelled] {
+        if (cancelled()) throw Cancelled{};
+    };
 }
 
 }  // namespace terratact

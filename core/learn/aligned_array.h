@@ -6,12 +6,18 @@
 
 namespace terratact {
 
-/// Numbers on a 64-byte boundary, zero at first.
+/// For an AlignedArray that is filled before it is read.
+struct Unset {};
+
+/// Numbers on a 64-byte boundary, zero at first unless the caller says Unset.
 template <class T>
 class AlignedArray {
 public:
-    explicit AlignedArray(std::size_t size = 0)
+    AlignedArray(std::size_t size, Unset)
         : size_(size), values_(static_cast<T*>(::operator new(size * sizeof(T), kBoundary)))
+    {
+    }
+    explicit AlignedArray(std::size_t size = 0) : AlignedArray(size, Unset{})
     {
         for (std::size_t k = 0; k < size; ++k) values_[k] = T{};
     }

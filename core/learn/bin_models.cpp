@@ -44,14 +44,17 @@ const GaussianProcess& BinModels::bin(int i, int inducing, const Poll& poll) con
     if (i < 0 || i >= kBins) throw std::invalid_argument("bins are numbered 0 to 10");
     if (inducing < 0) throw std::invalid_argument("the number of inducing rows must be 0 or more");
     const int rows = rowsToInduce(inducing, inducing_, standardised_.rows());
-    return lazy_[static_cast<std::size_t>(i)].get(rows, [&] {
-        const double mean = data_.mean[i];
-        auto gp =
-            GaussianProcess::sparse(withoutBin(standardised_, i), heights_.col(i).array() - mean,
-                                    rows, data_.bins[static_cast<std::size_t>(i)], mean, poll);
-        factorised_ |= 1UL << static_cast<unsigned>(i);
-        return gp;
-    });
+    return lazy_[static_cast<std::size_t>(i)].get(
+        rows,
+        [&] {
+            const double mean = data_.mean[i];
+            auto gp = GaussianProcess::sparse(withoutBin(standardised_, i),
+                                              heights_.col(i).array() - mean, rows,
+                                              data_.bins[static_cast<std::size_t>(i)], mean, poll);
+            factorised_ |= 1UL << static_cast<unsigned>(i);
+            return gp;
+        },
+        poll);
 }
 
 Eigen::VectorXd BinModels::input(int i, const Heights& h, const Eigen::VectorXd& s) const

@@ -32,7 +32,7 @@ public:
 
     /// The Gaussian process of a bin, through at most `inducing` rows; as trained where that is 0.  Factorised at the
     /// first call with these numbers.  poll: as for GaussianProcess; what it throws leaves the bin to the next
-    /// caller.  A thread that waits for another one's factorisation does not poll.
+    /// caller.  A thread that waits for another one's factorisation polls, too.
     /// Throws std::invalid_argument unless i is 0 to 10 and inducing ≥ 0.
     const GaussianProcess& bin(int i, int inducing = 0, const Poll& poll = {}) const;
 

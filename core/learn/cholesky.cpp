@@ -13,12 +13,7 @@ namespace terratact {
 namespace {
 
 constexpr int kBlock = 128;
-constexpr double kMultiplications = 1e8;  // between two polls
-
-void call(const Poll& poll)
-{
-    if (poll) poll();
-}
+constexpr int kVectorBlock = 2048;  // its square is kMostRead
 
 int size(const Eigen::MatrixXd& A)
 {
@@ -28,7 +23,7 @@ int size(const Eigen::MatrixXd& A)
 /// Columns of a product with `inner` × kBlock multiplications each that lie between two polls.
 int columnsAtOnce(int inner)
 {
-    return std::max(kBlock, static_cast<int>(kMultiplications / (kBlock * (1.0 + inner))));
+    return std::max(1, static_cast<int>(kMostMultiplications / (kBlock * (1.0 + inner))));
 }
 
 /// Rows first … first + rows of R right of the diagonal block, from the rows above them.
@@ -38,7 +33,7 @@ void solveRow(Eigen::MatrixXd& K, int first, int rows, const Poll& poll)
     const int step = columnsAtOnce(first);
     for (int c = first + rows; c < n; c += step) {
         const int columns = std::min(step, n - c);
-        call(poll);
+        callPoll(poll);
         cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, first, -1.0,
                     &K(0, first), n, &K(0, c), n, 1.0, &K(first, c), n);
         cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows, columns,
@@ -46,13 +41,49 @@ void solveRow(Eigen::MatrixXd& K, int first, int rows, const Poll& poll)
     }
 }
 
-/// y := K⁻¹ y.
-void solve(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& poll)
+/// For every block of kVectorBlock rows from the first to the last: work(its first row, how many).
+template <class Work>
+void forBlocks(int from, int to, Work work)
 {
-    for (const CBLAS_TRANSPOSE side : {CblasTrans, CblasNoTrans}) {
-        call(poll);
-        cblas_dtrsv(CblasColMajor, CblasUpper, side, CblasNonUnit, size(R), R.data(), size(R),
-                    y.data(), 1);
+    for (int first = from; first < to; first += kVectorBlock)
+        work(first, std::min(kVectorBlock, to - first));
+}
+
+/// A block's rows of y, from its own triangle.
+void solveBlock(const Eigen::MatrixXd& R, CBLAS_TRANSPOSE side, int first, int rows,
+                Eigen::VectorXd& y, const Poll& poll)
+{
+    callPoll(poll);
+    cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, side, CblasNonUnit, rows, 1, 1.0,
+                &R(first, first), size(R), &y[first], size(R));
+}
+
+/// y := R⁻ᵀ y
+void solveForward(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& poll)
+{
+    const int n = size(R);
+    forBlocks(0, n, [&](int first, int rows) {
+        forBlocks(0, first, [&](int above, int height) {
+            callPoll(poll);
+            cblas_dgemv(CblasColMajor, CblasTrans, height, rows, -1.0, &R(above, first), n,
+                        &y[above], 1, 1.0, &y[first], 1);
+        });
+        solveBlock(R, CblasTrans, first, rows, y, poll);
+    });
+}
+
+/// y := R⁻¹ y
+void solveBackward(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& poll)
+{
+    const int n = size(R);
+    for (int first = (n - 1) / kVectorBlock * kVectorBlock; first >= 0; first -= kVectorBlock) {
+        const int rows = std::min(kVectorBlock, n - first);
+        forBlocks(first + rows, n, [&](int right, int width) {
+            callPoll(poll);
+            cblas_dgemv(CblasColMajor, CblasNoTrans, rows, width, -1.0, &R(first, right), n,
+                        &y[right], 1, 1.0, &y[first], 1);
+        });
+        solveBlock(R, CblasNoTrans, first, rows, y, poll);
     }
 }
 
@@ -64,7 +95,7 @@ bool choleskyUpper(Eigen::MatrixXd& K, const Poll& poll)
     const int n = size(K);
     for (int first = 0; first < n; first += kBlock) {
         const int rows = std::min(kBlock, n - first);
-        call(poll);
+        callPoll(poll);
         cblas_dsyrk(CblasColMajor, CblasUpper, CblasTrans, rows, first, -1.0, &K(0, first), n, 1.0,
                     &K(first, first), n);
         const int info = LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', rows, &K(first, first), n);
@@ -81,19 +112,45 @@ void invertUpper(Eigen::MatrixXd& R, const Poll& poll)
     for (int first = 0; first < n; first += kBlock) {
         const int columns = std::min(kBlock, n - first);
         for (int r = 0; r < first; r += kBlock) {
-            call(poll);
+            callPoll(poll);
             cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, kBlock,
                         columns, 1.0, &R(r, r), n, &R(r, first), n);
             const int right = r + kBlock;
-            if (right < first)
-                cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, kBlock, columns,
-                            first - right, 1.0, &R(r, right), n, &R(right, first), n, 1.0,
-                            &R(r, first), n);
+            const int step = columnsAtOnce(first - right);
+            for (int c = 0; right < first && c < columns; c += step) {
+                callPoll(poll);
+                cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, kBlock,
+                            std::min(step, columns - c), first - right, 1.0, &R(r, right), n,
+                            &R(right, first + c), n, 1.0, &R(r, first + c), n);
+            }
         }
-        call(poll);
+        callPoll(poll);
         cblas_dtrsm(CblasColMajor, CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, first,
                     columns, -1.0, &R(first, first), n, &R(0, first), n);
         LAPACKE_dtrtri_work(LAPACK_COL_MAJOR, 'U', 'N', columns, &R(first, first), n);
+    }
+}
+
+void solveWithFactor(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& poll)
+{
+    solveForward(R, y, poll);
+    solveBackward(R, y, poll);
+}
+
+void multiplyTransposed(const Eigen::MatrixXd& U, Eigen::MatrixXd& B, const Poll& poll)
+{
+    const int n = size(U);
+    const auto columns = static_cast<int>(B.cols());
+    for (int first = (n - 1) / kVectorBlock * kVectorBlock; first >= 0; first -= kVectorBlock) {
+        const int rows = std::min(kVectorBlock, n - first);
+        callPoll(poll);
+        cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows, columns,
+                    1.0, &U(first, first), n, &B(first, 0), n);
+        forBlocks(0, first, [&](int above, int height) {
+            callPoll(poll);
+            cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, height, 1.0,
+                        &U(above, first), n, &B(above, 0), n, 1.0, &B(first, 0), n);
+        });
     }
 }
 
@@ -109,16 +166,18 @@ double reciprocalCondition(const Eigen::MatrixXd& R, double norm, const Poll& po
     for (;;) {
         LAPACKE_dlacn2_work(n, v.data(), x.data(), sign.data(), &inverseNorm, &next, memory.data());
         if (next == 0) break;
-        solve(R, x, poll);  // K⁻¹ is symmetric: the same where K⁻ᵀ is wanted
+        solveWithFactor(R, x, poll);  // K⁻¹ is symmetric: the same where K⁻ᵀ is wanted
         if (!x.allFinite()) return 0.0;
     }
     return 1.0 / (norm * inverseNorm);
 }
 
-double symmetricNorm(const Eigen::MatrixXd& K)
+double symmetricNorm(const Eigen::MatrixXd& K, const Poll& poll)
 {
+    PolledWork work(poll);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(K.cols());
     for (Eigen::Index j = 0; j < K.cols(); ++j) {
+        work.done(j);
         sum.head(j) += K.col(j).head(j).cwiseAbs();
         sum[j] += K.col(j).head(j + 1).lpNorm<1>();
     }

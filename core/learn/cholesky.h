@@ -1,20 +1,27 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
+
+#include "core/poll.h"
 
 namespace terratact {
 
-/// Called every few milliseconds by a long computation; what it throws ends the computation.
-using Poll = std::function<void()>;
+/// What lies between two polls at most, here and below: some milliseconds of arithmetic, or of memory's.
+inline constexpr double kMostMultiplications = 1e8;
+inline constexpr long kMostRead = 1L << 22;  ///< numbers, each read once
 
 /// Factorises K = Rᵀ R in place: R in the upper triangle, the lower one is not read and not changed.
 /// False where K is not positive definite or holds a value that is not finite; K is then spoilt.
-/// Blocked, so that between two polls lie at most about 1e8 multiplications.
 bool choleskyUpper(Eigen::MatrixXd& K, const Poll& poll = {});
 
 /// R := R⁻¹ in place, upper triangle; every diagonal element must be other than 0.  Polls likewise.
 void invertUpper(Eigen::MatrixXd& R, const Poll& poll = {});
+
+/// y := K⁻¹ y from R.  Polls likewise.
+void solveWithFactor(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& poll = {});
+
+/// B := Uᵀ B for an upper triangle U and at most 16 columns.  Polls likewise.
+void multiplyTransposed(const Eigen::MatrixXd& U, Eigen::MatrixXd& B, const Poll& poll = {});
 
 /// Estimate of 1 / (‖K‖₁ ‖K⁻¹‖₁) from R and norm = ‖K‖₁: never below the truth, seldom above three times it;
 /// 0 where K⁻¹ overflows.
@@ -22,6 +29,6 @@ void invertUpper(Eigen::MatrixXd& R, const Poll& poll = {});
 double reciprocalCondition(const Eigen::MatrixXd& R, double norm, const Poll& poll = {});
 
 /// ‖K‖₁ of a symmetric matrix from its upper triangle.
-double symmetricNorm(const Eigen::MatrixXd& K);
+double symmetricNorm(const Eigen::MatrixXd& K, const Poll& poll = {});
 
 }  // namespace terratact

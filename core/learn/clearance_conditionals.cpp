@@ -267,13 +267,16 @@ const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, int ind
         throw std::invalid_argument(
             fmt::format("bin {:+.1f} m {} has not been trained", binCentre(bin), words(regime)));
     const int rows = rowsToInduce(inducing, 0, std::min(own.rows, kMostClearanceRows));
-    return lazy_[static_cast<std::size_t>(bin)][static_cast<std::size_t>(regime)].get(rows, [&] {
-        Rows data = rowsFor(training_, data_, bin, regime);
-        auto gp =
-            GaussianProcess::sparse(std::move(data.X), data.y, rows, own.hyper, own.mean, poll);
-        factorised_[static_cast<std::size_t>(regime)] |= 1UL << static_cast<unsigned>(bin);
-        return gp;
-    });
+    return lazy_[static_cast<std::size_t>(bin)][static_cast<std::size_t>(regime)].get(
+        rows,
+        [&] {
+            Rows data = rowsFor(training_, data_, bin, regime);
+            auto gp =
+                GaussianProcess::sparse(std::move(data.X), data.y, rows, own.hyper, own.mean, poll);
+            factorised_[static_cast<std::size_t>(regime)] |= 1UL << static_cast<unsigned>(bin);
+            return gp;
+        },
+        poll);
 }
 
 Eigen::VectorXd ClearanceConditionals::input(int i, const Heights& y, const Heights& ceiling,

@@ -22,6 +22,16 @@ struct CovarianceInput {
     double signal2 = 1.0;
 };
 
+/// What a kernel calls every few milliseconds; may throw.  Not a std::function, whose code would be shared between
+/// instruction sets.
+struct KernelPoll {
+    void (*call)(const void* context) = nullptr;
+    const void* context = nullptr;
+};
+
+/// Multiplications of a kernel between two polls, give or take a panel's.
+inline constexpr long kKernelMultiplications = 1L << 26;
+
 /// The loops that everything else waits for, compiled for several instruction sets from one source
 /// (covariance_kernels.inl).  All pointers 64-byte aligned.  A column's result does not depend on the columns
 /// beside it; AVX-512 and AVX2 give the same bits, for both use fused products in the same order.
@@ -36,10 +46,11 @@ struct CovarianceKernels {
 
     /// out[g·8 + c] = Σ_{i < U} (Σ_{j ≤ i} T[i][j] K_g[j·8 + c])², c < 8, for `groups` blocks K_g, each
     /// paddedRows(U) × 8 and zero from row U on, one behind the other; a lower triangle T in panels.
-    void (*sumsOfSquares)(const double* panels, const double* K, int U, int groups, double* out);
+    void (*sumsOfSquares)(const double* panels, const double* K, int U, int groups, double* out,
+                          KernelPoll poll);
     /// The same with products and squares in float; the last sum over 16 is double.
-    void (*sumsOfSquaresSingle)(const float* panels, const float* K, int U, int groups,
-                                double* out);
+    void (*sumsOfSquaresSingle)(const float* panels, const float* K, int U, int groups, double* out,
+                                KernelPoll poll);
 };
 
 /// Rows of a block of covariances: U, to full panels of either precision.

@@ -97,8 +97,9 @@ inline void storeRounded(float* p, Doubles v, double least)
     *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half);
 }
 
-/// e^x for x ≤ 0 by x = n ln 2 + r, Taylor to degree 13 on |r| ≤ ½ ln 2; below −300 it is e^−300,
-/// whose square is still a normal number: processors take many times as long over subnormal ones.
+/// e^x for x ≤ 0 by x = n ln 2 + r, Taylor to degree 13 on |r| ≤ ½ ln 2; below −300 it is e^−300:
+/// with a signal sd above 2e-12 even a covariance's square is then a normal number, and processors take many times as
+/// long over subnormal ones.
 inline Doubles expNegative(Doubles x)
 {
     const Doubles lowest = spread(-300.0);
@@ -250,15 +251,31 @@ inline void multiplyPanel(const T* panel, const T* K, int first, int U, T* squar
 
 constexpr int kMostGroups = 8;  // whose partial sums lie on the stack
 
+/// Counts multiplications and polls.
+struct Meter {
+    KernelPoll poll;
+    long done = 0;
+
+    void add(long multiplications)
+    {
+        done += multiplications;
+        if (done < kKernelMultiplications) return;
+        done = 0;
+        if (poll.call) poll.call(poll.context);
+    }
+};
+
 template <class T>
-void sumsOfSquaresOf(const T* panels, const T* K, int U, int groups, double* out)
+void sumsOfSquaresOf(const T* panels, const T* K, int U, int groups, double* out, Meter& meter)
 {
     alignas(64) T squares[kMostGroups * kGroup * kSquareLanes] = {};
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
     for (int first = 0; first < U; first += kPanelRows<T>)  // a panel stays in the cache for all groups
-        for (int g = 0; g < groups; ++g)
+        for (int g = 0; g < groups; ++g) {
+            meter.add(static_cast<long>(first + kPanelRows<T>) * kPanelRows<T> * kGroup);
             multiplyPanel(panels + panelStart<T>(first), K + g * block, first, U,
                           squares + g * kGroup * kSquareLanes);
+        }
     for (int c = 0; c < groups * kGroup; ++c) {
         out[c] = 0.0;
         for (int lane = 0; lane < kSquareLanes; ++lane)
@@ -267,12 +284,13 @@ void sumsOfSquaresOf(const T* panels, const T* K, int U, int groups, double* out
 }
 
 template <class T>
-void sumsOfSquares(const T* panels, const T* K, int U, int groups, double* out)
+void sumsOfSquares(const T* panels, const T* K, int U, int groups, double* out, KernelPoll poll)
 {
+    Meter meter{poll};
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
     for (int g = 0; g < groups; g += kMostGroups)
         sumsOfSquaresOf(panels, K + g * block, U, groups - g < kMostGroups ? groups - g : kMostGroups,
-                        out + g * kGroup);
+                        out + g * kGroup, meter);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "core/learn/gaussian_process.h"
 
 #include <fmt/format.h>
-#include <lapacke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +39,7 @@ AlignedArray<double> scaledRows(const Eigen::MatrixXd& X, const Eigen::VectorXd&
 
 /// The signal part k(X, X), upper triangle (lower one not set), by blocks of columns.
 Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
-                                 const Poll& poll = {})
+                                 const Poll& poll)
 {
     const int U = static_cast<int>(X.rows());
     const int d = static_cast<int>(X.cols());
@@ -52,7 +51,7 @@ Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters
     Eigen::MatrixXd K(U, U);
     for (int first = 0; first < U; first += kGroup) {
         const int columns = std::min(kGroup, U - first);
-        if (poll && first % kColumnsPerPoll == 0) poll();
+        if (first % kColumnsPerPoll == 0) callPoll(poll);
         for (int c = 0; c < columns; ++c)
             for (int j = 0; j < d; ++j) z.data()[j * kGroup + c] = rows.data()[(first + c) * d + j];
         // Rows before the block are the upper triangle of its columns.
@@ -90,7 +89,7 @@ Factor tryFactor(const Eigen::MatrixXd& X, const Hyperparameters& hyper, double 
                  const Poll& poll)
 {
     Factor factor{noisyCovariance(X, hyper, jitter, poll), jitter, 0.0};
-    const double norm = symmetricNorm(factor.R);
+    const double norm = symmetricNorm(factor.R, poll);
     if (choleskyUpper(factor.R, poll)) factor.rcond = reciprocalCondition(factor.R, norm, poll);
     return factor;
 }
@@ -109,20 +108,12 @@ Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper, 
                     X.rows(), kLeastRcond, hyper.signalSd, hyper.noiseSd));
 }
 
-/// α = K⁻¹ y from the factor.
-Eigen::VectorXd solve(const Eigen::MatrixXd& R, const Eigen::VectorXd& y)
-{
-    Eigen::VectorXd alpha = y;
-    const auto n = static_cast<lapack_int>(R.rows());
-    LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', n, 1, R.data(), n, alpha.data(), n);
-    return alpha;
-}
-
 /// k(Z, z) at rows z from the first to the last, to judge single precision at.
-Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters& hyper)
+Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters& hyper,
+                                const Poll& poll)
 {
     const Eigen::MatrixXd K =
-        signalCovariance(Z, hyper).selfadjointView<Eigen::Upper>().toDenseMatrix();
+        signalCovariance(Z, hyper, poll).selfadjointView<Eigen::Upper>().toDenseMatrix();
     std::vector<Eigen::Index> rows;
     for (Eigen::Index p = 0; p < InverseFactor::kProbes; ++p)
         rows.push_back(p * (Z.rows() - 1) / (InverseFactor::kProbes - 1));
@@ -157,7 +148,8 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hy
     Factor found = factorWithJitter(X_, hyper_, poll);
     jitter_ = found.jitter;
     rcond_ = found.rcond;
-    alpha_ = solve(found.R, y);
+    alpha_ = y;
+    solveWithFactor(found.R, alpha_, poll);
     const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
     if (!std::isfinite(largestMean))
         throw std::invalid_argument("Gaussian process: the outputs overflow in units of the noise");
@@ -165,14 +157,14 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hy
 }
 
 GaussianProcess::GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,
-                                 double outputMean)
+                                 double outputMean, const Poll& poll)
     : X_(std::move(Z)), hyper_(std::move(hyper)), outputMean_(outputMean),
       alpha_(std::move(process.weights))
 {
     const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
     if (!std::isfinite(outputMean) || !std::isfinite(largestMean) || !process.F.allFinite())
         throw std::invalid_argument("sparse Gaussian process: numbers overflow");
-    inverse_.emplace(GivenInverse{process.F.transpose(), someCovariances(X_, hyper_)});
+    inverse_.emplace(GivenInverse{process.F.transpose(), someCovariances(X_, hyper_, poll)});
 }
 
 std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
@@ -186,7 +178,13 @@ std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
     SparseProcess process = sparseProcess(X, y, inducing, hyper, poll);
     Eigen::MatrixXd Z = X(process.inducing, Eigen::all);
     return std::unique_ptr<GaussianProcess>(
-        new GaussianProcess(std::move(Z), std::move(process), std::move(hyper), outputMean));
+        new GaussianProcess(std::move(Z), std::move(process), std::move(hyper), outputMean, poll));
+}
+
+double GaussianProcess::errorBound() const
+{
+    constexpr double kPerCondition = 1e-2 * kLeastRcond;
+    return std::max(1e-9, kPerCondition / rcond_);
 }
 
 Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const

@@ -24,18 +24,20 @@ inline constexpr double kLeastRcond = 1e-12;
 /// Share of the prior's variance below which rounding leaves nothing of a predicted one.
 inline constexpr double kLeastVariance = 1e-15;
 
+/// By how much a variance in single precision may be further off than where that is measured.
+inline constexpr double kSingleErrorElsewhere = 5.0;
+
 /// Gaussian process regression with the kernel of Hyperparameters (Rasmussen & Williams 2006, ch. 2):
 ///   K = k(X, X) + σ_n² I = L Lᵀ,  α = K⁻¹ y
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
 /// Where K is singular to working precision (doubled rows without noise, length scales beyond the data),
 /// K + jitter (σ_f² + σ_n²) I takes its place, with the least jitter of 1e-10, 1e-9 … 1e-6 that mends it.
-/// Mean and variance (in double precision) are right to max(1e-9, 4e-15 U / rcond()) of max |y| and of
-/// σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
+/// Mean and variance (in double precision) are right to errorBound() of max |y| and of σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
 /// Immutable once built; safe to share between threads.  L⁻¹ is inverted and packed at the first prediction.
 class GaussianProcess {
 public:
     /// X: U × d standardised inputs; y: U outputs, centred; outputMean: ȳ, added to every prediction.
-    /// poll: called every few milliseconds; what it throws comes out of here, and nothing is built.
+    /// poll: as in cholesky.h; what it throws comes out of here, and nothing is built.
     /// Throws std::invalid_argument if sizes disagree, a number is not finite, a length scale is not
     /// positive, or rcond() would be below kLeastRcond with every jitter.
     GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
@@ -59,12 +61,15 @@ public:
     /// well conditioned by themselves.
     double rcond() const { return rcond_; }
 
-    /// InverseFactor::singleError of this process [m²].  Elsewhere a variance was seen to be off by up to three
-    /// times as much, and a standard deviation of the shipped model by up to 6e-6 m (heights).
+    /// max(1e-9, 1e-14 / rcond()), at most 1e-2: kLeastRcond.  Seen were up to 0.4 of that where rcond() decides.
+    double errorBound() const;
+
+    /// InverseFactor::singleError of this process [m²].  Elsewhere a variance is off by at most
+    /// kSingleErrorElsewhere times as much.
     double singleError(const Poll& poll = {}) const { return inverse_->singleError(poll); }
 
     /// The precision that a wish for `wanted` gets: single only where singleError is at most 0.2 % of σ_n², the
-    /// least a variance can be, which is 0.1 % of a standard deviation.  A process with next to no noise, or
+    /// least a variance can be: elsewhere 1 % of it at most, or 0.5 % of a standard deviation.  A process with next to no noise, or
     /// ill-conditioned, is computed in double.  poll: while L⁻¹ is inverted and packed, see InverseFactor.
     Precision usable(Precision wanted, const Poll& poll = {}) const;
 
@@ -77,7 +82,7 @@ private:
 
     /// From a sparse process over the rows Z.
     GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,
-                    double outputMean);
+                    double outputMean, const Poll& poll);
 
     Eigen::MatrixXd X_;
     Hyperparameters hyper_;

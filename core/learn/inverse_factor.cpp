@@ -1,13 +1,12 @@
 #include "core/learn/inverse_factor.h"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "core/learn/covariance_kernels.h"
+#include "core/learn/kernel_poll.h"
 
 namespace terratact {
 
@@ -21,10 +20,15 @@ AlignedArray<T> pack(const Eigen::MatrixXd& inverseR, const Poll& poll)
 {
     constexpr int kRows = kPanelRows<T>;
     const auto U = static_cast<int>(inverseR.rows());
-    AlignedArray<T> panels(static_cast<std::size_t>(panelStart<T>(paddedRows(U))));
+    AlignedArray<T> panels(static_cast<std::size_t>(panelStart<T>(paddedRows(U))), Unset{});
+    for (int first = 0; first < paddedRows(U); first += kRows) {
+        callPoll(poll);
+        std::fill(panels.data() + panelStart<T>(first),
+                  panels.data() + panelStart<T>(first + kRows), T{});
+    }
     for (int i = 0; i < U; ++i) {
         const int first = i / kRows * kRows;
-        if (poll && i == first) poll();
+        if (i == first) callPoll(poll);
         T* out = panels.data() + panelStart<T>(first) + (i - first);
         const double* row = inverseR.data() + static_cast<Eigen::Index>(i) * U;
         for (int j = 0; j <= i; ++j) out[static_cast<long>(j) * kRows] = static_cast<T>(row[j]);
@@ -38,7 +42,7 @@ Eigen::Index probe(int p, Eigen::Index U)
 }
 
 /// K e_i = Rᵀ R e_i for the rows that singleError looks at: U × kProbes.
-Eigen::MatrixXd probeColumns(const Eigen::MatrixXd& R)
+Eigen::MatrixXd probeColumns(const Eigen::MatrixXd& R, const Poll& poll)
 {
     const Eigen::Index U = R.rows();
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(U, kProbes);
@@ -46,23 +50,20 @@ Eigen::MatrixXd probeColumns(const Eigen::MatrixXd& R)
         const Eigen::Index i = probe(p, U);
         columns.col(p).head(i + 1) = R.col(i).head(i + 1);
     }
-    const auto n = static_cast<int>(U);
-    cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, n, kProbes, 1.0,
-                R.data(), n, columns.data(), n);
+    multiplyTransposed(R, columns, poll);
     return columns;
 }
 
 /// |T k|² of every column k, from Tᵀ.
-Eigen::VectorXd squaresOf(const Eigen::MatrixXd& transposed, Eigen::MatrixXd columns)
+Eigen::VectorXd squaresOf(const Eigen::MatrixXd& transposed, Eigen::MatrixXd columns,
+                          const Poll& poll)
 {
-    const auto n = static_cast<int>(transposed.rows());
-    cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, n,
-                static_cast<int>(columns.cols()), 1.0, transposed.data(), n, columns.data(), n);
+    multiplyTransposed(transposed, columns, poll);
     return columns.colwise().squaredNorm();
 }
 
 double errorAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
-               const AlignedArray<float>& panels)
+               const AlignedArray<float>& panels, const Poll& poll)
 {
     const auto U = static_cast<int>(columns.rows());
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
@@ -73,7 +74,7 @@ double errorAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
             K.data()[p / kGroup * block + static_cast<long>(u) * kGroup + p % kGroup] =
                 static_cast<float>(columns(u, p));
     covarianceKernels().sumsOfSquaresSingle(panels.data(), K.data(), U, kProbes / kGroup,
-                                            squares.data());
+                                            squares.data(), kernelPoll(poll));
     double error = 0.0;
     for (int p = 0; p < kProbes; ++p) {
         const double difference = std::abs(squares.data()[p] - expected[p]);
@@ -114,9 +115,10 @@ Eigen::MatrixXd InverseFactor::inverse(const Poll& poll) const
 InverseFactor::Judged InverseFactor::judged(const Poll& poll) const
 {
     if (given_)
-        return {given_->transposed, given_->probes, squaresOf(given_->transposed, given_->probes)};
+        return {given_->transposed, given_->probes,
+                squaresOf(given_->transposed, given_->probes, poll)};
     Judged judged{takeFactor(poll), {}, Eigen::VectorXd(kProbes)};
-    judged.columns = probeColumns(judged.inverse);
+    judged.columns = probeColumns(judged.inverse, poll);
     for (int p = 0; p < kProbes; ++p)
         judged.squares[p] = judged.columns(probe(p, judged.columns.rows()), p);
     invertUpper(judged.inverse, poll);
@@ -125,18 +127,18 @@ InverseFactor::Judged InverseFactor::judged(const Poll& poll) const
 
 const double* InverseFactor::panels(const Poll& poll) const
 {
-    const std::scoped_lock lock(mutex_);
+    const PolledMutex::Lock lock(mutex_, poll);
     if (!double_) double_ = pack<double>(inverse(poll), poll);
     return double_->data();
 }
 
 const InverseFactor::Single& InverseFactor::single(const Poll& poll) const
 {
-    const std::scoped_lock lock(mutex_);
+    const PolledMutex::Lock lock(mutex_, poll);
     if (!single_) {
         const Judged from = judged(poll);
         AlignedArray<float> panels = pack<float>(from.inverse, poll);
-        const double error = errorAt(from.columns, from.squares, panels);
+        const double error = errorAt(from.columns, from.squares, panels, poll);
         single_ = Single{std::move(panels), error};
     }
     return *single_;

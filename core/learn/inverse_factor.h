@@ -2,13 +2,13 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <mutex>
 #include <optional>
 
 #include "core/learn/aligned_array.h"
 #include "core/learn/cholesky.h"
 #include "core/learn/covariance_kernels.h"
 #include "core/learn/precision.h"
+#include "core/polled_mutex.h"
 
 namespace terratact {
 
@@ -19,8 +19,8 @@ struct GivenInverse {
 };
 
 /// L⁻¹ of K = L Lᵀ, U × U, packed in panels for CovarianceKernels when it is first needed, in the precision that
-/// is needed: U² / 2 numbers each.  Safe to share between threads; one that waits for another's packing does not
-/// poll.  What a poll throws leaves the packing to the next caller.
+/// is needed: U² / 2 numbers each.  Safe to share between threads; one that waits for another's packing polls, too.
+/// What a poll throws leaves the packing to the next caller.
 ///
 /// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8, and the products grow with
 /// the condition of K.  The error is therefore measured, at columns of K itself, where |L⁻¹ K e_i|² = K_ii is
@@ -62,7 +62,7 @@ private:
     int rows_;
     std::optional<GivenInverse> given_;
     std::function<Eigen::MatrixXd(const Poll&)> again_;
-    mutable std::mutex mutex_;  // of everything below; the values never change once there
+    mutable PolledMutex mutex_;  // of everything below; the values never change once there
     mutable std::optional<Eigen::MatrixXd> R_;
     mutable std::optional<AlignedArray<double>> double_;
     mutable std::optional<Single> single_;

@@ -13,14 +13,14 @@ int rowsToInduce(int wanted, int trained, Eigen::Index rows)
 }
 
 const GaussianProcess&
-LazyProcesses::get(int inducing,
-                   const std::function<std::unique_ptr<GaussianProcess>()>& make) const
+LazyProcesses::get(int inducing, const std::function<std::unique_ptr<GaussianProcess>()>& make,
+                   const Poll& poll) const
 {
     Entry& entry = [&]() -> Entry& {
         const std::scoped_lock lock(mutex_);
         return entries_[inducing];
     }();
-    const std::scoped_lock lock(entry.mutex);
+    const PolledMutex::Lock lock(entry.mutex, poll);
     if (!entry.gp) entry.gp = make();
     return *entry.gp;
 }

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "core/learn/gaussian_process.h"
+#include "core/polled_mutex.h"
 
 namespace terratact {
 
@@ -16,13 +17,14 @@ int rowsToInduce(int wanted, int trained, Eigen::Index rows);
 /// needed.  Safe to share between threads; what get() returned stays where it is.
 class LazyProcesses {
 public:
-    /// What make() throws leaves the making to the next caller.
+    /// What make() throws leaves the making to the next caller.  poll: while another thread makes it.
     const GaussianProcess& get(int inducing,
-                               const std::function<std::unique_ptr<GaussianProcess>()>& make) const;
+                               const std::function<std::unique_ptr<GaussianProcess>()>& make,
+                               const Poll& poll) const;
 
 private:
     struct Entry {
-        std::mutex mutex;  // of the making
+        PolledMutex mutex;  // of the making
         std::unique_ptr<GaussianProcess> gp;
     };
     mutable std::mutex mutex_;  // of the map; an entry's making does not hold it

@@ -1,17 +1,19 @@
 #include "core/learn/projected_process.h"
 
 #include <cblas.h>
+#include <fmt/format.h>
 #include <lapacke.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "core/learn/covariance_column.h"
+#include "core/learn/gaussian_process.h"
 
 namespace terratact {
 
 namespace {
-
-constexpr double kJitter =
-    1e-6;  // share of σ_f² on K_mm's diagonal: inducing rows may nearly repeat
 
 int size(Eigen::Index n)
 {
@@ -37,20 +39,25 @@ void check(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const std::vector
 Eigen::MatrixXd covariance(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, double signalSd)
 {
     Eigen::MatrixXd K(A.rows(), B.rows());
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, size(A.rows()), size(B.rows()),
-                size(A.cols()), 1.0, A.data(), size(A.rows()), B.data(), size(B.rows()), 0.0,
-                K.data(), size(K.rows()));
-    K.colwise() -= 0.5 * A.rowwise().squaredNorm();
-    K.rowwise() -= 0.5 * B.rowwise().squaredNorm().transpose();
-    K = signalSd * signalSd * K.array().min(0.0).exp();
+    for (Eigen::Index b = 0; b < B.rows(); ++b)
+        K.col(b) = covarianceColumn(A, B.row(b), signalSd * signalSd);
     return K;
 }
 
-/// Cholesky factor in the lower triangle, in place.
-void factorise(Eigen::MatrixXd& K)
+/// Cholesky factor in the lower triangle, in place.  The reciprocal condition number.
+double factorise(Eigen::MatrixXd& K)
 {
-    if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', size(K.rows()), K.data(), size(K.rows())) != 0)
-        throw std::invalid_argument("projected process: K is not positive definite");
+    const int n = size(K.rows());
+    const double norm = LAPACKE_dlansy(LAPACK_COL_MAJOR, '1', 'L', n, K.data(), n);
+    double rcond = 0.0;
+    if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, K.data(), n) == 0)
+        LAPACKE_dpocon(LAPACK_COL_MAJOR, 'L', n, K.data(), n, norm, &rcond);
+    if (!(rcond >= kLeastRcond))
+        throw std::invalid_argument(
+            fmt::format("projected process: a covariance of {} inducing rows is singular "
+                        "(reciprocal condition number below {:.0e})",
+                        n, kLeastRcond));
+    return rcond;
 }
 
 /// B := L⁻¹ B.
@@ -69,8 +76,9 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
     const Eigen::MatrixXd scaled = X.array().rowwise() / hyper.lengthScale.transpose().array();
     const Eigen::MatrixXd Z = scaled(inducing, Eigen::all);
     Eigen::MatrixXd outer = covariance(Z, Z, hyper.signalSd);
-    outer.diagonal().array() += kJitter * hyper.signalSd * hyper.signalSd;
-    factorise(outer);
+    outer.diagonal().array() += kProjectionJitter * hyper.signalSd * hyper.signalSd;
+    ProjectedProcess process;
+    process.rcond = factorise(outer);
 
     // V = L⁻¹ K_mn / σ_n, so that A = L (1 + V Vᵀ) Lᵀ is well conditioned.
     Eigen::MatrixXd V = covariance(Z, scaled, hyper.signalSd) / hyper.noiseSd;
@@ -78,14 +86,13 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
     Eigen::MatrixXd inner = Eigen::MatrixXd::Identity(Z.rows(), Z.rows());
     cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, size(V.rows()), size(V.cols()), 1.0,
                 V.data(), size(V.rows()), 1.0, inner.data(), size(V.rows()));
-    factorise(inner);
+    process.rcond = std::min(process.rcond, factorise(inner));
     solveLower(inner, V);
 
     const Eigen::VectorXd c = V * y / hyper.noiseSd;
     const Eigen::ArrayXd fit = hyper.noiseSd * (V.transpose() * c).array();
     const Eigen::ArrayXd hat = V.colwise().squaredNorm().transpose().array();
-    ProjectedProcess process;
-    process.leaveOneOut = (y.array() - fit) / (1.0 - hat).max(1e-9);
+    process.leaveOneOut = (y.array() - fit) / (1.0 - hat).max(kLeastFreedom);
     process.weights = inner.triangularView<Eigen::Lower>().transpose().solve(c);
     outer.triangularView<Eigen::Lower>().transpose().solveInPlace(process.weights);
     return process;

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/learn/kernel_poll.h"
+
 namespace terratact {
 
 namespace {
@@ -69,15 +71,15 @@ void compute(const CovarianceKernels& kernels, const CovarianceInput& in, const 
 }
 
 void square(const CovarianceKernels& kernels, const double* panels, const double* K, int U,
-            int groups, double* out)
+            int groups, double* out, const Poll& poll)
 {
-    kernels.sumsOfSquares(panels, K, U, groups, out);
+    kernels.sumsOfSquares(panels, K, U, groups, out, kernelPoll(poll));
 }
 
 void square(const CovarianceKernels& kernels, const float* panels, const float* K, int U,
-            int groups, double* out)
+            int groups, double* out, const Poll& poll)
 {
-    kernels.sumsOfSquaresSingle(panels, K, U, groups, out);
+    kernels.sumsOfSquaresSingle(panels, K, U, groups, out, kernelPoll(poll));
 }
 
 }  // namespace
@@ -133,8 +135,8 @@ void SceneConditional::scaleInputs(const Eigen::MatrixXd& inputs, Eigen::Index f
 /// Writes the scene's covariances and means into the columns from `first` on of those that are predicted together.
 /// What is behind them in their last block is undefined until the next scene's are written.
 template <class T>
-void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first,
-                                   PredictionRoom& room) const
+void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, PredictionRoom& room,
+                                   const Poll& poll) const
 {
     const CovarianceInput in{scaledX_.data(),
                              logWeight_.data(),
@@ -145,6 +147,7 @@ void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first,
     auto& K = covariancesIn(room, T{});
     const auto n = static_cast<int>(inputs.cols());
     for (int c = 0, count = 0; c < n; c += count) {
+        callPoll(poll);
         const int column = first + c;
         const int lane = column % kGroup;
         count = std::min(kGroup - lane, n - c);
@@ -163,7 +166,8 @@ void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first,
 
 /// asked: of one process.
 template <class T>
-void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRoom& room)
+void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRoom& room,
+                            const Poll& poll)
 {
     const SceneConditional& any = *asked.front().conditional;
     int columns = 0;
@@ -181,7 +185,7 @@ void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRo
     makeRoom(room.squares, entries(groups, kGroup));
     int first = 0;
     for (const ScenePrediction& one : asked) {
-        one.conditional->covariances<T>(*one.inputs, first, room);
+        one.conditional->covariances<T>(*one.inputs, first, room, poll);
         first += static_cast<int>(one.inputs->cols());
     }
     const T* panels = nullptr;
@@ -190,7 +194,7 @@ void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRo
     else
         panels = any.panels_;
     square(any.kernels_, panels, K.all.data(), static_cast<int>(any.gp_.rows()), groups,
-           room.squares.data());
+           room.squares.data(), poll);
     first = 0;
     for (const ScenePrediction& one : asked) {
         one.conditional->finish(room, first, *one.mean, *one.variance);
@@ -221,7 +225,7 @@ void SceneConditional::predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& m
     predictTogether({&one, 1}, room);
 }
 
-void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room)
+void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room, const Poll& poll)
 {
     std::vector<ScenePrediction> left(asked.begin(), asked.end());
     for (const ScenePrediction& one : left) {
@@ -236,9 +240,9 @@ void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& roo
             return one.conditional->sharesFactorWith(any);
         });
         if (any.panelsSingle_)
-            SceneConditional::pass<float>({from, to}, room);
+            SceneConditional::pass<float>({from, to}, room, poll);
         else
-            SceneConditional::pass<double>({from, to}, room);
+            SceneConditional::pass<double>({from, to}, room, poll);
         from = to;
     }
 }

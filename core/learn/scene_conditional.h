@@ -31,13 +31,16 @@ public:
                  Eigen::VectorXd& variance) const;
 
 private:
-    friend void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room);
+    friend void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room,
+                                const Poll& poll);
     bool sharesFactorWith(const SceneConditional& other) const;
     void scaleInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count, double* z) const;
     template <class T>
-    void covariances(const Eigen::MatrixXd& inputs, int first, PredictionRoom& room) const;
+    void covariances(const Eigen::MatrixXd& inputs, int first, PredictionRoom& room,
+                     const Poll& poll) const;
     template <class T>
-    static void pass(std::span<const ScenePrediction> asked, PredictionRoom& room);
+    static void pass(std::span<const ScenePrediction> asked, PredictionRoom& room,
+                     const Poll& poll);
     void finish(const PredictionRoom& room, int first, Eigen::VectorXd& mean,
                 Eigen::VectorXd& variance) const;
 
@@ -73,7 +76,8 @@ struct ScenePrediction {
 /// SceneConditional::predict for every one, bit for bit the same.  The columns of scenes of one process go through
 /// its factor side by side, whatever inputs move in each: the factor, which is what fills the caches, is then
 /// read once, and groups of columns are full that a scene alone would leave half empty.
-/// Throws as predict; then some means and variances may be new and others not.
-void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room);
+/// Throws as predict, and what the poll throws; then some means and variances may be new and others not.
+void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room,
+                     const Poll& poll = {});
 
 }  // namespace terratact

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "core/learn/cholesky.h"
+#include "core/learn/covariance_column.h"
 #include "core/learn/gaussian_process.h"
 
 namespace terratact {
@@ -16,12 +18,6 @@ namespace {
 
 constexpr double kLeastVarianceShare = 1e-9;  // of σ_f²: a row that adds less is not worth inducing
 constexpr int kCandidatesPerRow = 4;
-constexpr double kMultiplications = 1e8;  // between two polls
-
-void call(const Poll& poll)
-{
-    if (poll) poll();
-}
 
 int size(Eigen::Index n)
 {
@@ -32,16 +28,7 @@ int size(Eigen::Index n)
 Eigen::Index rowsAtOnce(Eigen::Index m)
 {
     const auto each = static_cast<double>(m * m);
-    return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kMultiplications / each));
-}
-
-/// k(row of A, b) for rows in length scales.
-Eigen::VectorXd covarianceColumn(const Eigen::MatrixXd& A, const Eigen::RowVectorXd& b,
-                                 double signal2)
-{
-    Eigen::ArrayXd distance2 = Eigen::ArrayXd::Zero(A.rows());
-    for (Eigen::Index d = 0; d < A.cols(); ++d) distance2 += (A.col(d).array() - b[d]).square();
-    return signal2 * (-0.5 * distance2).exp();
+    return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kMostMultiplications / each));
 }
 
 std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
@@ -69,7 +56,7 @@ Inducing chooseInducing(const Eigen::MatrixXd& scaled, int count, double signal2
     std::vector<int> pivots;
     for (Eigen::Index j = 0; j < most; ++j) {
         Eigen::Index p = 0;
-        call(poll);
+        callPoll(poll);
         if (!(variance.maxCoeff(&p) > kLeastVarianceShare * signal2)) break;
         V.col(j) = covarianceColumn(X, X.row(p), signal2);
         const Eigen::VectorXd ofPivot = V.row(p).head(j);
@@ -92,7 +79,7 @@ void divide(Eigen::MatrixXd& A, const Eigen::MatrixXd& L, CBLAS_TRANSPOSE transp
 {
     const Eigen::Index step = rowsAtOnce(L.rows());
     for (Eigen::Index first = 0; first < A.rows(); first += step) {
-        call(poll);
+        callPoll(poll);
         cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, transpose, CblasNonUnit,
                     size(std::min(step, A.rows() - first)), size(L.rows()), 1.0, L.data(),
                     size(L.rows()), &A(first, 0), size(A.rows()));
@@ -106,7 +93,7 @@ Eigen::MatrixXd projection(const Eigen::MatrixXd& scaled, const Inducing& induci
     const Eigen::Index m = inducing.L.rows();
     Eigen::MatrixXd V(scaled.rows(), m);
     for (Eigen::Index k = 0; k < m; ++k) {
-        call(poll);
+        callPoll(poll);
         V.col(k) = covarianceColumn(scaled, scaled.row(inducing.rows[static_cast<std::size_t>(k)]),
                                     signal2);
     }
@@ -121,7 +108,7 @@ Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
     Eigen::MatrixXd B = Eigen::MatrixXd::Identity(m, m);
     const Eigen::Index step = rowsAtOnce(m);
     for (Eigen::Index first = 0; first < V.rows(); first += step) {
-        call(poll);
+        callPoll(poll);
         cblas_dsyrk(CblasColMajor, CblasUpper, CblasTrans, m,
                     size(std::min(step, V.rows() - first)), 1.0, &V(first, 0), size(V.rows()), 1.0,
                     B.data(), m);
@@ -144,7 +131,7 @@ Eigen::MatrixXd gramOfRows(const Eigen::MatrixXd& U, const Poll& poll)
     Eigen::MatrixXd product = U.transpose();
     const Eigen::Index step = rowsAtOnce(U.rows());
     for (Eigen::Index first = 0; first < U.rows(); first += step) {
-        call(poll);
+        callPoll(poll);
         cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit,
                     size(U.rows()), size(std::min(step, U.rows() - first)), 1.0, U.data(),
                     size(U.rows()), &product(0, first), size(U.rows()));
@@ -171,6 +158,8 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
     requireTrainable(X, y, hyper);
     if (count < 1) throw std::invalid_argument("sparse Gaussian process: no inducing rows");
     const double signal2 = hyper.signalSd * hyper.signalSd;
+    if (!(signal2 >= std::numeric_limits<double>::min()))
+        throw std::invalid_argument("sparse Gaussian process: the signal's variance underflows");
     const double noise2 = std::max(hyper.noiseSd * hyper.noiseSd, kLeastVarianceShare * signal2);
     const Eigen::MatrixXd scaled = X.array().rowwise() / hyper.lengthScale.transpose().array();
     if (!scaled.allFinite())

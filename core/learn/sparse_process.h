@@ -23,7 +23,7 @@ struct SparseProcess {
 /// variance given the rows chosen so far (pivoted Cholesky), among at most 4 · count evenly spread rows; the
 /// first of equals.  No random numbers.
 ///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
-/// poll: called every few milliseconds; what it throws comes out of here.
+/// poll: as in cholesky.h; what it throws comes out of here.
 /// Throws std::invalid_argument as requireTrainable, for count < 1 and for numbers that overflow.
 SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
                             const Hyperparameters& hyper, const Poll& poll = {});

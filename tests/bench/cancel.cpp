@@ -5,10 +5,18 @@
 #include <cblas.h>
 
 #include <algorithm>
+#include <array>
 #include <ctime>
+#include <functional>
+#include <memory>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/infer/estimator.h"
+#include "core/infer/quality.h"
+#include "core/infer/reconstruct.h"
 #include "core/learn/model_file.h"
 #include "tests/support/toy_model.h"
 
@@ -22,8 +30,7 @@ double milliseconds()
 }
 
 /// The longest wait in one estimate [ms].
-double longestWait(const Scene& scene, const RobotModel& robot, const Models& models,
-                   const Settings& settings)
+double longestWait(const std::function<void(const Watch&)>& estimate)
 {
     double last = milliseconds();
     double longest = 0.0;
@@ -37,36 +44,100 @@ double longestWait(const Scene& scene, const RobotModel& robot, const Models& mo
         seen();
         return false;
     };
-    benchmark::DoNotOptimize(estimateTerrain(scene.s, {}, robot, models, settings, watch));
+    estimate(watch);
     seen();
     return longest;
+}
+
+/// What is estimated: the shipped model, or one of 5600 made-up rows.
+enum Effort : int { Balanced, Accurate, AllChains, ManyRows, ManyDraws };
+constexpr std::array kEffortNames{"balanced", "accurate", "64 chains", "5600 rows", "1e6 draws"};
+
+Settings settingsFor(Method method, Effort effort)
+{
+    Settings settings = withQuality({.method = method}, Quality::Balanced);
+    if (effort == Accurate) settings = withQuality(settings, Quality::Accurate);
+    if (effort == AllChains) settings = {.method = method, .stopEarly = false, .chains = 64};
+    if (effort == ManyRows)
+        settings = {.method = method, .draws = 128, .stopEarly = false, .chains = 64, .burnIn = 1};
+    if (effort == ManyDraws) settings.draws = 1'000'000;
+    return settings;
+}
+
+/// The shipped model, its conditionals' training rows repeated with a little noise.
+ModelData manyRows(ModelData model)
+{
+    constexpr Eigen::Index kRows = 5600;
+    std::mt19937_64 rng(1);
+    std::normal_distribution<double> noise(0.0, 0.02);
+    const Eigen::Index rows = model.scannedHeights.rows();
+    const auto repeat = [&](Eigen::MatrixXd& X) {
+        Eigen::MatrixXd more(kRows, X.cols());
+        for (Eigen::Index u = 0; u < kRows; ++u)
+            for (Eigen::Index d = 0; d < X.cols(); ++d) more(u, d) = X(u % rows, d) + noise(rng);
+        X = std::move(more);
+    };
+    repeat(model.scannedHeights);
+    repeat(model.features);
+    return model;
+}
+
+using Estimate = std::function<void(const Watch&)>;
+
+/// An estimate with a model that has not been used before.
+Estimate estimateOf(const Scene& scene, const RobotModel& robot, const ModelData& shipped,
+                    const Settings& settings, Effort effort)
+{
+    if (effort == ManyRows) {
+        auto models = std::make_shared<const BinModels>(manyRows(shipped), FeatureSet::Paf);
+        std::vector<ArmReading> arm;  // leaves three bins, each of which takes seconds
+        for (int bin = 0; bin < 8; ++bin) arm.push_back({bin, -0.3, 0.03});
+        return [=](const Watch& watch) {
+            benchmark::DoNotOptimize(reconstruct(scene.s, arm, robot, *models, settings, watch));
+        };
+    }
+    auto models = std::make_shared<const Models>(shipped, robot);
+    return [=](const Watch& watch) {
+        benchmark::DoNotOptimize(estimateTerrain(scene.s, {}, robot, *models, settings, watch));
+    };
 }
 
 void cancelWaits(benchmark::State& state)
 {
     openblas_set_num_threads(1);
+    const auto method = kMethods[static_cast<std::size_t>(state.range(0))];
+    const auto effort = static_cast<Effort>(state.range(1));
     const RobotModel robot = absolem();
     const auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
     if (!stored) throw std::runtime_error(stored.error().text);
     const Scene scene = someScenes(1, 7)[3];
-    Settings settings;
-    settings.method = kMethods[static_cast<std::size_t>(state.range(0))];
+    const Settings settings = settingsFor(method, effort);
     double first = 0.0, later = 0.0;
     for (auto _ : state) {
         state.PauseTiming();
-        const Models models(stored->data, robot);
+        const Estimate estimate = estimateOf(scene, robot, stored->data, settings, effort);
         state.ResumeTiming();
-        first = std::max(first, longestWait(scene, robot, models, settings));
-        later = std::max(later, longestWait(scene, robot, models, settings));
+        first = std::max(first, longestWait(estimate));
+        later = std::max(later, longestWait(estimate));
     }
-    state.SetLabel(std::string(name(settings.method)));
+    state.SetLabel(std::string(name(method)) + ", "
+                   + kEffortNames[static_cast<std::size_t>(effort)]);
     state.counters["first_ms"] = first;
     state.counters["later_ms"] = later;
 }
-BENCHMARK(cancelWaits)
-    ->DenseRange(0, static_cast<int>(kMethods.size()) - 1)
-    ->Iterations(3)
-    ->Unit(benchmark::kMillisecond);
+
+void efforts(benchmark::internal::Benchmark* bench)
+{
+    for (std::size_t m = 0; m < kMethods.size(); ++m)
+        for (const Effort effort : {Balanced, Accurate, AllChains, ManyRows, ManyDraws}) {
+            const bool closed = isClosedForm(kMethods[m]);
+            const bool sensible = effort == ManyRows  ? kMethods[m] == Method::Pafc
+                                : effort == ManyDraws ? closed
+                                                      : !closed || effort == Balanced;
+            if (sensible) bench->Args({static_cast<long>(m), effort});
+        }
+}
+BENCHMARK(cancelWaits)->Apply(efforts)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace terratact

@@ -121,9 +121,9 @@ void quadraticForm(benchmark::State& state, const CovarianceKernels& kernels)
     for (std::size_t k = 0; k < K.size(); ++k) K.data()[k] = T(0.01);
     for (auto _ : state) {
         if constexpr (sizeof(T) == sizeof(float))
-            kernels.sumsOfSquaresSingle(panels.data(), K.data(), U, groups, out.data());
+            kernels.sumsOfSquaresSingle(panels.data(), K.data(), U, groups, out.data(), {});
         else
-            kernels.sumsOfSquares(panels.data(), K.data(), U, groups, out.data());
+            kernels.sumsOfSquares(panels.data(), K.data(), U, groups, out.data(), {});
         benchmark::ClobberMemory();
     }
     state.counters["flops"] = benchmark::Counter(static_cast<double>(U) * (U + 1) * groups * kGroup,

@@ -59,6 +59,33 @@ class Commands(unittest.TestCase):
         self.assertIn("when time was out", hurried[0]["note"])
         self.assertEqual({r["ending"] for r in self.reconstruct("--method", "local", data=data)}, {"not sampled"})
 
+    def test_time_that_is_out_ends_the_burn_in(self):
+        data = self.first_scenes(2)
+        hurried = self.reconstruct("--method", "pa", "--burn-in", 1000000, "--seconds", "0.05", data=data)
+        self.assertEqual({(r["ending"], r["draws"]) for r in hurried}, {("time", "16")})
+        self.assertRegex(hurried[0]["note"], r"time was out \d+ sweeps before the burn-in's end")
+
+    def test_tradeoff_measures_a_method(self):
+        data, out = self.first_scenes(1), self.path / "tradeoff"
+        text = run("tradeoff", "--model", self.model, "--data", data, "--methods", "pafc,local", "--reference-sweeps",
+                   640, "--out", out)
+        self.assertRegex(text, r"pafc +640 draws, worst R-hat \d\.\d+, worst effective draws \d+")
+        self.assertIn("WARNING: fewer than 16000 draws", text)
+        points = rows(out / "tradeoff.csv")
+        self.assertEqual({(p["method"], p["varied"]) for p in points},
+                         {(m, v) for m in ("pafc", "local") for v in ("fast", "balanced", "accurate", "draws")}
+                         | {("pafc", v) for v in ("chains", "inducing", "precision", "early stop")})
+        for p in points:
+            for number in ("ms", "mean_off_mm", "quantile_off_mm", "error_mm", "crps_mm"):
+                self.assertTrue(0.0 <= float(p[number]) < 1e5, p)
+        self.assertTrue(all(float(p["quantile_off_mm"]) > 0.0 for p in points if p["method"] == "pafc"))
+        self.assertIn("1", {p["front_reference"] for p in points})
+        presets = rows(out / "presets.csv")
+        self.assertEqual([(p["method"], p["quality"]) for p in presets],
+                         [(m, q) for m in ("pafc", "local") for q in ("fast", "balanced", "accurate")])
+        self.assertIn(b"<svg", (out / "tradeoff.svg").read_bytes())
+        self.assertEqual((out / "tradeoff.png").read_bytes()[:4], b"\x89PNG")
+
     def test_simulation_repeats_for_a_seed(self):
         again, other = self.path / "again.csv", self.path / "other.csv"
         run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--out", again)
@@ -358,6 +385,11 @@ class Commands(unittest.TestCase):
 
     def test_the_shipped_model_tells_how_it_was_made(self):
         text = run("model", "show", f"{SOURCE}/resources/models/default.ttm")
+        for models in ("pa", "paf"):
+            rcond = float(re.search(rf"least reciprocal condition number of the {models} models: (\S+)", text)[1])
+            self.assertTrue(1e-12 <= rcond < 1.0, rcond)
+        self.assertIn("with a jitter of 1e-06", text)
+        self.assertNotIn("is singular", text)
         self.assertIn("terratact train", text)
         self.assertLess((pathlib.Path(SOURCE) / "resources/models/default.ttm").stat().st_size, 8_000_000)
 

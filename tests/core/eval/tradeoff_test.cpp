@@ -55,9 +55,12 @@ TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
         for (const TradeSetting& t : tradeSettings(method, 7)) {
             EXPECT_EQ(t.settings.method, method);
             EXPECT_EQ(t.settings.seed, 7U);
-            EXPECT_EQ(t.settings.stopEarly, t.varied == "early stop");
+            EXPECT_EQ(t.settings.stopEarly, t.varied == "early stop" || t.preset);
             if (t.preset) {
                 EXPECT_TRUE(presets.insert(*t.preset).second);
+                Settings asRun = withQuality({.method = method}, *t.preset);
+                asRun.seed = 7;
+                EXPECT_EQ(t.settings, asRun);
             }
             if (t.varied == "inducing") {
                 EXPECT_EQ(t.settings.draws, Settings{}.draws);
@@ -66,6 +69,36 @@ TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
         EXPECT_EQ(presets.size(), kQualities.size());
         EXPECT_EQ(tradeSettings(method, 7).size(), isClosedForm(method) ? 9U : 20U);
     }
+}
+
+TEST(ReferenceSettings, areAtLeastFourTimesAsLongAsTheLongestSetting)
+{
+    const auto settings = tradeSettings(Method::Pafc, 7);
+    const int least = leastReferenceDraws(settings);
+    for (const TradeSetting& t : settings) EXPECT_LE(4 * t.settings.draws, least);
+    EXPECT_EQ(least, 4 * withQuality({}, Quality::Accurate).draws);
+    EXPECT_EQ(leastReferenceDraws({}), 0);
+}
+
+TEST(ReferenceQuality, isTheWorstBinOfTheWorstScene)
+{
+    TerrainEstimate a, b;
+    for (TerrainEstimate* e : {&a, &b}) {
+        e->settings.method = Method::Pafc;
+        e->draws.resize(640);
+        e->rhat.fill(1.0);
+        e->ess.fill(640.0);
+    }
+    a.rhat[3] = 1.04;
+    b.ess[10] = 77.0;
+    ReferenceQuality quality;
+    quality.add(a);
+    EXPECT_EQ(quality.ess, 640.0);
+    quality.add(b);
+    EXPECT_EQ(quality.method, Method::Pafc);
+    EXPECT_EQ(quality.draws, 640);
+    EXPECT_EQ(quality.rhat, 1.04);
+    EXPECT_EQ(quality.ess, 77.0);
 }
 
 TEST(Quality, namesGoBackAndForth)

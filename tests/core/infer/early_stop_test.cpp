@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "core/infer/convergence.h"
+#include "core/infer/draw_summary.h"
 #include "core/infer/gibbs.h"
 
 namespace terratact {
@@ -165,18 +168,62 @@ TEST(TimeOut, keepsWhatIsThereAndTheSameDrawsAsWithMoreTime)
     }
 }
 
-TEST(TimeOut, leavesFourKeptSweepsAndTheWholeBurnIn)
+TEST(TimeOut, afterTheBurnInLeavesFourKeptSweeps)
 {
     GibbsProblem problem = twoUnknown();
     const GibbsDraws all = sampleStates(stuck(), problem);
     Watch watch;
-    watch.outOfTime = [] { return true; };
+    int asked = 0;
+    watch.outOfTime = [&] { return ++asked >= problem.burnIn; };
     const GibbsDraws draws = sampleStates(stuck(), problem, watch);
     EXPECT_EQ(draws.ending, Ending::Time);
     EXPECT_EQ(draws.draws[0].rows(), kLeastKept);
     expectFirstRows(draws, all);
+    EXPECT_EQ(draws.burnInLeftOut, 0);
     problem.keptPerChain = 2;
+    asked = 0;
     EXPECT_EQ(sampleStates(stuck(), problem, watch).ending, Ending::Sweeps);
+}
+
+TEST(TimeOut, duringTheBurnInLeavesTheRestOfItOut)
+{
+    GibbsProblem problem = twoUnknown();
+    problem.burnIn = 1'000'000;
+    for (const bool threads : {false, true})
+        for (const int kept : {2, 2000}) {
+            problem.keptPerChain = kept;
+            Watch watch = threads ? inThreads() : Watch{};
+            int asked = 0;
+            watch.outOfTime = [&] { return ++asked >= 3; };
+            const GibbsDraws draws = sampleStates(independent(), problem, watch);
+            EXPECT_EQ(draws.ending, Ending::Time);
+            EXPECT_EQ(draws.draws[0].rows(), std::min(kept, kLeastKept));
+            EXPECT_GE(draws.burnInLeftOut, problem.burnIn - 12);
+            EXPECT_LE(draws.burnInLeftOut, problem.burnIn - 3);
+            EXPECT_EQ(asked, 3);
+        }
+}
+
+TEST(TimeOut, duringTheBurnInIsNeverCalledConverged)
+{
+    GibbsDraws draws;
+    draws.bins = {0};
+    draws.draws = {Eigen::MatrixXd::Zero(kLeastKept, 1000)};
+    draws.ending = Ending::Time;
+    for (const int leftOut : {0, 7}) {
+        draws.burnInLeftOut = leftOut;
+        TerrainEstimate estimate;
+        estimate.rhat[0] = 1.0;
+        estimate.ess[0] = 4000.0;
+        conclude(estimate, draws, {});
+        EXPECT_EQ(estimate.converged, leftOut == 0);
+        EXPECT_EQ(std::count_if(estimate.warnings.begin(), estimate.warnings.end(),
+                                [](const std::string& w) {
+                                    return w.find("7 sweeps before the burn-in's end")
+                                        != std::string::npos;
+                                }),
+                  leftOut == 0 ? 0 : 1);
+    }
 }
 
 TEST(TimeOut, isNoReasonToMissAConvergence)
@@ -189,7 +236,8 @@ TEST(TimeOut, isNoReasonToMissAConvergence)
     };
     const GibbsDraws draws = sampleStates(independent(), twoUnknown(), watch);
     EXPECT_EQ(draws.ending, Ending::Converged);
-    EXPECT_EQ(asked, draws.draws[0].rows() - kLeastKept);  // between all sweeps that may be last
+    // Between all sweeps of the burn-in, and of all that may be last.
+    EXPECT_EQ(asked, draws.draws[0].rows() - kLeastKept + twoUnknown().burnIn - 1);
 }
 
 TEST(Ending, ofAProblemWithoutUnknownsIsNotSampled)

@@ -1,4 +1,5 @@
-// Prints a hash of every bit of: truncated normal draws, the sampler's states, an estimate's numbers.
+// Prints a hash of every bit of: truncated normal draws, the sampler's states, an estimate's numbers; and of whole
+// estimates by the methods local, joint and clearance.
 // same_draws_test.py compares what builds of it by several compilers print: its own, or those of the presets.
 #include <algorithm>
 #include <cstdint>
@@ -6,12 +7,18 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "core/infer/closed_form.h"
 #include "core/infer/draw_summary.h"
 #include "core/infer/gibbs.h"
+#include "core/infer/reconstruct_clearance.h"
 #include "core/infer/truncated_normal.h"
+#include "core/learn/clearance_training.h"
+#include "core/learn/columns.h"
 
 namespace terratact {
 namespace {
@@ -121,6 +128,94 @@ Hashes hashesIn(int threads)
     return hashes.front();
 }
 
+/// Tracks and two flippers.
+RobotModel someRobot()
+{
+    RobotModel robot;
+    robot.baseHeight = 0.12;
+    robot.trackAxle = 0.5;
+    robot.trackRadius = 0.09;
+    robot.trackZ = -0.03;
+    robot.front = {{0.25, -0.03}, 0.09, 0.04, 0.35, 3.0, 0.15};
+    robot.rear = {{-0.25, -0.03}, 0.09, 0.04, 0.35, 3.0, 0.15};
+    robot.elementShare = {0.0, 0.2, 0.4, 0.6, 0.8, 1.0};
+    robot.forceSaturation = 150.0;
+    return robot;
+}
+
+/// A made-up model with surface processes over 300 scenes on nearly flat ground.
+ModelData someClearances(const RobotModel& robot)
+{
+    std::mt19937_64 rng(4);
+    ModelData model = someModel();
+    model.features.resize(model.heights.rows(), kFeatures);
+    for (double& x : model.features.reshaped()) x = 0.6 * (uniform(rng) - 0.5);
+    model.features.rightCols(kForceElements).array() += 0.5;
+    const Eigen::MatrixXd ceilings = bodyCeilings(model.features, robot);
+    prepareClearance(model, ceilings);
+    ClearanceData& data = model.clearance;
+    data.noveltyScale = 1.0;
+    data.contactSd = 0.03;
+    for (double& x : data.residuals.reshaped()) x = 0.4 * (uniform(rng) - 0.5);
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true}) {
+            auto& process = (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)];
+            const auto rows = inducingRows(rowsOf(data.coveredBins, bin, covered));
+            process.mean = covered ? 0.5 : -0.3;
+            process.residualSd = 0.1;
+            if (rows.empty()) continue;
+            process.hyper = {Eigen::VectorXd::Constant(kFeatures, 2.0), 0.2, 0.05};
+            process.weights.resize(static_cast<Eigen::Index>(rows.size()));
+            for (double& w : process.weights) w = 0.1 * (uniform(rng) - 0.5);
+        }
+    return model;
+}
+
+ClearanceConditionals someConditionals(const ModelData& model, const RobotModel& robot)
+{
+    ClearanceTraining training = clearanceTraining(model, robot);
+    ClearanceConditionalData data = prepareClearanceConditionals(training);
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const Regime regime : kRegimes) {
+            ClearanceRegimeData& own = data.at(bin, regime);
+            own.hyper = {Eigen::VectorXd::Constant(kBins - 1 + kFeatures, 4.0), own.sd,
+                         0.3 * own.sd};
+        }
+    return {std::move(training), std::move(data)};
+}
+
+Hash hashOf(const TerrainEstimate& estimate)
+{
+    Hash hash;
+    for (const Heights& h : {estimate.mean, estimate.sd, estimate.q10, estimate.q90,
+                             estimate.height, estimate.rhat, estimate.ess})
+        hash.add(h);
+    for (const Heights& h : estimate.draws) hash.add(h);
+    hash.add(&estimate.novelty, 1);
+    return hash;
+}
+
+/// An estimate of the model's first scene, with one probe.
+Hash hashOfEstimate(Method method)
+{
+    const RobotModel robot = someRobot();
+    const ModelData model = someClearances(robot);
+    FeatureValues values{};
+    for (std::size_t d = 0; d < kFeatures; ++d)
+        values[d] = model.features(0, static_cast<Eigen::Index>(d));
+    const Proprioception s = proprioception(values);
+    const std::vector<ArmReading> arm{{9, -0.27, 0.03}};
+    Settings settings;
+    settings.method = method;
+    settings.contacts = ContactRule::None;
+    settings.draws = 400;
+    settings.chains = 8;
+    settings.burnIn = 5;
+    if (method != Method::Clearance)
+        return hashOf(reconstructClosedForm(s, arm, robot, ClearanceModel(model), settings));
+    return hashOf(reconstructClearance(s, arm, robot, someConditionals(model, robot), settings));
+}
+
 void print(const char* what, const Hash& hash)
 {
     std::printf("%s %016llx\n", what, static_cast<unsigned long long>(hash.value()));
@@ -137,5 +232,7 @@ int main(int argc, char** argv)
     const Hashes hashes = hashesIn(argc > 1 ? std::atoi(argv[1]) : 1);
     print("states", hashes.states);
     print("estimate", hashes.estimate);
+    for (const Method method : {Method::Local, Method::Joint, Method::Clearance})
+        print(std::string(name(method)).c_str(), hashOfEstimate(method));
     return 0;
 }

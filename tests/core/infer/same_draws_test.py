@@ -45,7 +45,7 @@ def sources(native):
 
 
 def pkg_config(*arguments):
-    packages = ["eigen3", "lapacke", "openblas", "fmt"]
+    packages = ["eigen3", "lapacke", "openblas", "fmt", "nlopt"]
     out = subprocess.run(["pkg-config", *arguments, *packages], check=True, capture_output=True, text=True)
     return out.stdout.split()
 

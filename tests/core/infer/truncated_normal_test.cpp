@@ -146,6 +146,22 @@ TEST_P(DrawBetween, mirroredGivesTheNegativeOfTheSameDraws)
     EXPECT_EQ(h, mirrored);
 }
 
+TEST(DrawBetween, mirroredWithBoundsEquallyFarFromTheMeanIsDrawnFromTheSameSide)
+{
+    for (const double half : {0.375, 2.0, kInfinity})
+        for (const double mean : {0.0, 0.25}) {
+            const std::vector<double> h =
+                sampleBetween({mean - half, mean + half, mean, 1.0}, 2000);
+            std::vector<double> mirrored =
+                sampleBetween({-mean - half, -mean + half, -mean, 1.0}, 2000);
+            for (std::size_t k = 0; k < h.size(); ++k)  // not the negative: the same deviation
+                ASSERT_NEAR(h[k] - mean, mirrored[k] + mean, 1e-15);
+            for (double& x : mirrored) x = -x;
+            EXPECT_LT(kolmogorov(mirrored, truncatedCdf(mean - half, mean + half, mean, 1.0)),
+                      2.23);
+        }
+}
+
 double above(double x)
 {
     return std::nextafter(x, kInfinity);
@@ -174,7 +190,48 @@ INSTANTIATE_TEST_SUITE_P(
         Interval{-1e-6, 0.0, above(1e6), 1.0}, Interval{-1e-6, 0.0, 1e6, 1.0},
         Interval{-1e-6, 0.0, below(1e6), 1.0}, Interval{-kInfinity, 0.0, above(1e6), 1.0},
         Interval{-kInfinity, 0.0, 1e6, 1.0}, Interval{-kInfinity, 0.0, below(1e6), 1.0},
-        Interval{0.0, kInfinity, -2.0, 1.0}));
+        Interval{0.0, kInfinity, -2.0, 1.0},
+        // Which bound is nearer: the reflection.
+        Interval{-1.0, above(1.0), 0.0, 1.0}, Interval{-1.0, below(1.0), 0.0, 1.0},
+        Interval{-3.0, above(3.0), 0.0, 1.0}, Interval{-3.0, below(3.0), 0.0, 1.0},
+        // The interval ends where the proposal's rate is best, a = 2: 2 / (a + √(a² + 4)).
+        Interval{2.0, above(2.0 + 2.0 / (2.0 + std::sqrt(8.0))), 0.0, 1.0},
+        Interval{2.0, 2.0 + 2.0 / (2.0 + std::sqrt(8.0)), 0.0, 1.0},
+        Interval{2.0, below(2.0 + 2.0 / (2.0 + std::sqrt(8.0))), 0.0, 1.0}));
+
+TEST(DrawBetween, oneUnitInTheLastPlaceWideIsEitherBound)
+{
+    for (const double mean : {1.0, 0.0, -5.0, -1e7, 3.0}) {
+        int above1 = 0;
+        for (const double h : sampleBetween({1.0, above(1.0), mean, 1.0}, 2000)) {
+            ASSERT_TRUE(h == 1.0 || h == above(1.0)) << mean;
+            above1 += h > 1.0;
+        }
+        EXPECT_NEAR(above1, 1000, 110) << mean;  // 5 standard deviations
+        for (const double h : sampleBetween({1.0, 1.0, mean, 1.0}, 10)) ASSERT_EQ(h, 1.0);
+    }
+}
+
+TEST(DrawBetween, besideTheMeanIsUniformWhereTheDensityDoesNotFallThatFar)
+{
+    // The log density falls by 1e-300, by some of the least doubles, by 0 after rounding.
+    std::vector<double> h = sampleBetween({0.0, 1e-300, -1.0, 1.0}, 20000);
+    EXPECT_LT(kolmogorov(h, [](double x) { return x / 1e-300; }), 2.23);
+    for (const double width : {kLeast, 2.0 * kLeast, 5.0 * kLeast}) {
+        h = sampleBetween({0.0, width, -1.0, 1.0}, 2000);
+        EXPECT_LE(*std::max_element(h.begin(), h.end()), width);
+        EXPECT_GE(*std::min_element(h.begin(), h.end()), 0.0);
+    }
+}
+
+TEST(DrawBetween, soFarBesideTheMeanThatTheFallOverflowsIsTheNearerBound)
+{
+    constexpr double sigma = 1e-300;
+    for (const double mean : {1.7e8, 0.9e8, 1e10})  // 1.7e308, 0.9e308, ∞ deviations
+        for (const double width : {1.0, 2.0})
+            for (const double h : sampleBetween({-width * sigma, 0.0, mean, sigma}, 200))
+                ASSERT_EQ(h, 0.0) << mean << ", width " << width;
+}
 
 class DrawBelowExtreme : public testing::TestWithParam<Case> {};
 
@@ -281,7 +338,40 @@ TEST(DrawBetweenEffort, isAFewRandomNumbersHoweverFarAndNarrowTheInterval)
                 most = std::max(most, used);
             }
             EXPECT_LT(all, 500 * 6) << ceiling << ", width " << width;
-            EXPECT_LT(most, 70) << ceiling << ", width " << width;  // 1e-4 by the header's bound
+            // By the header's bound 5e-8 of a draw, 3e-5 of these 500.
+            EXPECT_LT(most, 70) << ceiling << ", width " << width;
+        }
+}
+
+TEST(DrawBetweenEffort, endsWithEveryGenerator)
+{
+    for (const double ceiling : {3.0, 0.0, -1.0, -38.0, -1e5})
+        for (const double width : {1e-12, 0.1, 2.4, 2.6, 40.0, kInfinity}) {
+            const Interval i{ceiling - width, ceiling, 0.0, 1.0};
+            for (const std::uint64_t word : {std::uint64_t{0}, ~std::uint64_t{0}}) {
+                // Always the same number, or the least and the largest by turns: outside the disc, and never below
+                // the density.
+                for (const bool turns : {false, true}) {
+                    long numbers = 0;
+                    const double h = drawBetween(i.floor, i.ceiling, i.mean, i.sigma, [&] {
+                        return ++numbers % 2 == 0 && turns ? ~word : word;
+                    });
+                    EXPECT_TRUE(std::isfinite(h) && h >= i.floor && h <= i.ceiling)
+                        << ceiling << ", width " << width;
+                    EXPECT_LE(numbers, 2L * kMostProposals * (kMostProposals + 1));
+                }
+            }
+        }
+}
+
+TEST(DrawBetweenEffort, isNoOtherDrawFromAnotherSourceOfTheSameBits)
+{
+    for (const double ceiling : {3.0, 0.1, -0.5, -8.0})
+        for (const double width : {0.1, 2.6, kInfinity}) {
+            std::mt19937_64 one(5), two(5);
+            for (int k = 0; k < 100; ++k)
+                EXPECT_EQ(drawBetween(ceiling - width, ceiling, 0.0, 1.0, one),
+                          drawBetween(ceiling - width, ceiling, 0.0, 1.0, [&] { return two(); }));
         }
 }
 

@@ -1,4 +1,5 @@
 #include "core/learn/covariance_kernels.h"
+#include "core/learn/kernel_poll.h"
 
 #include <gtest/gtest.h>
 
@@ -133,13 +134,13 @@ struct Product {
         }
         return sum;
     }
-    std::vector<double> sums(const CovarianceKernels& kernels) const
+    std::vector<double> sums(const CovarianceKernels& kernels, KernelPoll poll = {}) const
     {
         AlignedArray<double> out(static_cast<std::size_t>(groups) * kGroup);
         if constexpr (sizeof(T) == sizeof(double))
-            kernels.sumsOfSquares(panels.data(), K.data(), U, groups, out.data());
+            kernels.sumsOfSquares(panels.data(), K.data(), U, groups, out.data(), poll);
         else
-            kernels.sumsOfSquaresSingle(panels.data(), K.data(), U, groups, out.data());
+            kernels.sumsOfSquaresSingle(panels.data(), K.data(), U, groups, out.data(), poll);
         return {out.data(), out.data() + out.size()};
     }
 
@@ -168,6 +169,22 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheSumsOfSquaresInBothPrecisio
     for (const int groups : {1, 3}) {
         expectSums<double>(GetParam(), groups, 1e-13);
         expectSums<float>(GetParam(), groups, 3e-6);
+    }
+}
+
+TEST(CovarianceKernels, pollWhileTheySumSquares)
+{
+    struct Stop {};
+    const Poll stop = [] { throw Stop{}; };
+    constexpr int kRows = 1200, kGroups = 24;
+    constexpr long kAll = long{kRows} * kRows / 2 * kGroups * kGroup;
+    const Product<float> product(kRows, kGroups);
+    for (const CovarianceKernels* kernels : variants()) {
+        int polls = 0;
+        const Poll count = [&] { ++polls; };
+        EXPECT_EQ(product.sums(*kernels, kernelPoll(count)), product.sums(*kernels));
+        EXPECT_GE(polls, kAll / (kKernelMultiplications * 5 / 4)) << kernels->name;
+        EXPECT_THROW((void)product.sums(*kernels, kernelPoll(stop)), Stop);
     }
 }
 

@@ -3,12 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <chrono>
 #include <cmath>
+#include <functional>
+#include <future>
+#include <memory>
 #include <random>
 #include <thread>
 #include <vector>
 
 #include "core/learn/covariance_kernels.h"
+#include "core/learn/lazy_processes.h"
 
 namespace terratact {
 namespace {
@@ -85,6 +90,73 @@ TEST(InverseFactor, isPackedOnceForAllThreads)
             threads.emplace_back([&factor, &panels] { panels = factor.panelsSingle(); });
     }
     for (const float* panels : seen) EXPECT_EQ(panels, factor.panelsSingle());
+}
+
+struct Stopped {};
+
+/// Whether a caller is asked, and can leave, while another one is inside `held`, which calls its argument there.
+bool canLeaveWhileAnotherIsInside(const std::function<void(const std::function<void()>&)>& held,
+                                  const std::function<void(const Poll&)>& get)
+{
+    std::promise<void> inside, leave;
+    const std::jthread holder([&] {
+        held([&] {
+            inside.set_value();
+            leave.get_future().wait();
+        });
+    });
+    inside.get_future().wait();
+    auto waiting = std::async(std::launch::async, [&] {
+        try {
+            get([] { throw Stopped{}; });
+            return false;
+        } catch (const Stopped&) {
+            return true;
+        }
+    });
+    const bool left = waiting.wait_for(std::chrono::seconds(20)) == std::future_status::ready;
+    leave.set_value();
+    return left && waiting.get();
+}
+
+TEST(InverseFactor, asksACallerWhoWaitsForAnotherOnesPacking)
+{
+    const Eigen::MatrixXd R = someFactor(60, 0.01);
+    std::function<void()> pause = [] {};
+    const InverseFactor factor(R, [&](const Poll&) {
+        pause();
+        return R;
+    });
+    (void)factor.panels();  // R is given up
+    EXPECT_TRUE(canLeaveWhileAnotherIsInside(
+        [&](const std::function<void()>& wait) {
+            pause = wait;
+            (void)factor.panelsSingle();
+        },
+        [&](const Poll& poll) { (void)factor.panelsSingle(poll); }));
+    EXPECT_EQ(entry(factor.panelsSingle(), 59, 5),
+              static_cast<float>(entry(factor.panels(), 59, 5)));
+}
+
+TEST(LazyProcesses, askACallerWhoWaitsForAnotherOnesFactorisation)
+{
+    const LazyProcesses lazy;
+    const auto make = [] {
+        return std::make_unique<GaussianProcess>(
+            Eigen::MatrixXd::Identity(3, 2), Eigen::Vector3d::Ones(),
+            Hyperparameters{Eigen::Vector2d::Ones(), 1.0, 0.1}, 0.0);
+    };
+    EXPECT_TRUE(canLeaveWhileAnotherIsInside(
+        [&](const std::function<void()>& wait) {
+            (void)lazy.get(0,
+                           [&] {
+                               wait();
+                               return make();
+                           },
+                           {});
+        },
+        [&](const Poll& poll) { (void)lazy.get(0, make, poll); }));
+    EXPECT_EQ(lazy.get(0, make, {}).rows(), 3);
 }
 
 TEST(InverseFactor, isPackedByTheNextCallerWhereOneWasStopped)
