@@ -92,7 +92,10 @@ MainWindow::MainWindow(Options options)
     look();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    exploration_->leave();  // however the window goes
+}
 
 void MainWindow::build(const Options& options)
 {
@@ -223,7 +226,10 @@ void MainWindow::applyPreferences(const Preferences& before)
         exploration_->setSettings(wanted);
         offerQualities();
     }
-    if (now.robot != before.robot) emit reopenWanted();
+    if (now.robot != before.robot) {
+        leave();
+        emit reopenWanted();
+    }
     if (now.model != before.model) {
         models_->loadPreferred();
         offerQualities();
@@ -245,12 +251,17 @@ void MainWindow::showCards()
     const ModelInUse& model = exploration_->estimation().model();
     settings_->setModelCard(model.trouble.isEmpty() ? model.name + QLatin1Char('\n') + model.details
                                                     : tr("no model: %1").arg(model.trouble));
-    const bool commands = link_ && exploration_->armed();
-    const QString blocked = exploring(exploration_->state().phase)
-                              ? tr("An exploration is running: end it with Esc first")
-                          : commands ? tr("The robot is armed: disarm it first (M)")
-                                     : QString();
-    settings_->setRobotCard(robotDetails_, blocked);
+    settings_->setRobotCard(robotDetails_);
+    settings_->setReopenBlocked(whyNotReopening());
+}
+
+QString MainWindow::whyNotReopening() const
+{
+    if (exploration_->following()) return {};
+    if (exploring(exploration_->state().phase))
+        return tr("An exploration is running: end it with Esc first");
+    if (link_ && exploration_->armed()) return tr("The robot is armed: disarm it first (M)");
+    return {};
 }
 
 void MainWindow::offerQualities()
@@ -507,10 +518,15 @@ void MainWindow::defineKeys()
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
 }
 
-void MainWindow::closeEvent(QCloseEvent* event)
+void MainWindow::leave()
 {
     exploration_->leave();
     preferences_->change([this](Preferences& p) { p.window = saveGeometry(); });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    leave();
     event->accept();
 }
 

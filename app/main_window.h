@@ -90,7 +90,8 @@ public:
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
 
 signals:
-    void reopenWanted();  ///< another robot was chosen: the window has to be built anew
+    /// Another robot was chosen: the window has to be built anew.  What it had set in motion is ended.
+    void reopenWanted();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -118,6 +119,8 @@ private:
     void
     placeCards();  ///< forces, robot and events: on the page of the terrain, or on one of their own
     void showCards();  ///< of model and robot, on the page of the settings
+    void leave();
+    QString whyNotReopening() const;  ///< empty: the window may be built anew
     void offerQualities();
 
     std::unique_ptr<PreferenceStore> preferences_;

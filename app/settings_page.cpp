@@ -53,6 +53,11 @@ QString shippedTip()
     return SettingsPage::tr("Back to what came with the program; grey while that is in use");
 }
 
+QString defaultsTip()
+{
+    return SettingsPage::tr("Everything on this page, and the shipped model and robot");
+}
+
 }  // namespace
 
 SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> presets, QWidget* parent)
@@ -73,7 +78,7 @@ SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> prese
     const auto [look, lookForm] = card(tr("Look and sound"));
     buildLook(lookForm);
     defaults_ = new QPushButton(tr("All back to the defaults"), look);
-    defaults_->setToolTip(tr("Everything on this page, and the shipped model and robot"));
+    defaults_->setToolTip(defaultsTip());
     look->body()->addWidget(defaults_);
     connect(defaults_, &QPushButton::clicked, this, [this] {
         store_.change([](Preferences& p) {
@@ -344,13 +349,20 @@ void SettingsPage::setModelCard(const QString& card)
     if (model_->text() != card) model_->setText(card);
 }
 
-void SettingsPage::setRobotCard(const QString& card, const QString& robotBlocked)
+void SettingsPage::setRobotCard(const QString& card)
 {
     if (robot_->text() != card) robot_->setText(card);
-    chooseRobot_->setEnabled(robotBlocked.isEmpty());
-    shippedRobot_->setEnabled(robotBlocked.isEmpty() && !store_.current().robot.isEmpty());
-    chooseRobot_->setToolTip(robotBlocked.isEmpty() ? chooseTip() : robotBlocked);
-    shippedRobot_->setToolTip(robotBlocked.isEmpty() ? shippedTip() : robotBlocked);
+}
+
+void SettingsPage::setReopenBlocked(const QString& why)
+{
+    const auto block = [&why](QWidget* control, const QString& tip, bool mayBe = true) {
+        control->setEnabled(why.isEmpty() && mayBe);
+        control->setToolTip(why.isEmpty() ? tip : why);
+    };
+    block(chooseRobot_, chooseTip());
+    block(shippedRobot_, shippedTip(), !store_.current().robot.isEmpty());
+    block(defaults_, defaultsTip());
 }
 
 QString SettingsPage::modelCard() const

@@ -22,9 +22,11 @@ public:
     explicit SettingsPage(PreferenceStore& store, std::vector<PresetCost> presets,
                           QWidget* parent = nullptr);
 
-    /// What is in use, in a few lines; robotBlocked: why the robot file cannot be changed now, empty: it can.
+    // What is in use, in a few lines.
     void setModelCard(const QString& card);
-    void setRobotCard(const QString& card, const QString& robotBlocked);
+    void setRobotCard(const QString& card);
+    /// Why the window cannot be built anew now, as another robot needs it; empty: it can.
+    void setReopenBlocked(const QString& why);
     void refresh(double now) override;
 
     QComboBox* methodBox() const { return method_; }
@@ -36,6 +38,7 @@ public:
     QCheckBox* recordBox() const { return record_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
+    QPushButton* defaultsButton() const { return defaults_; }
     QString modelCard() const;
 
 private:

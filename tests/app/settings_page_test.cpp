@@ -6,6 +6,8 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <algorithm>
+#include <vector>
 
 #include "app/main_window.h"
 #include "core/sim/terrain_shapes.h"
@@ -13,6 +15,7 @@
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/sim_source.h"
+#include "widgets/atem_panel.h"
 #include "widgets/look.h"
 #include "widgets/verdict_strip.h"
 
@@ -21,6 +24,29 @@ namespace {
 
 using gui::eventually;
 
+/// Tells what it was told, also when the window that owned it is gone.
+class WitnessedRobot final : public MeasurementSource {
+public:
+    WitnessedRobot(const SimulatedRobot& robot, std::vector<Command>& told)
+        : robot_(robot, 1.0), told_(told)
+    {
+    }
+    std::string name() const override { return robot_.name(); }
+    Result<std::optional<Sample>> next(std::chrono::milliseconds patience) override
+    {
+        return robot_.next(patience);
+    }
+    Status send(const Command& command) override
+    {
+        told_.push_back(command);
+        return robot_.send(command);
+    }
+
+private:
+    SimSource robot_;
+    std::vector<Command>& told_;
+};
+
 struct SettingsInForce : testing::Test {
     SettingsInForce()
     {
@@ -28,8 +54,9 @@ struct SettingsInForce : testing::Test {
         options.robot = absolem();
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
-        options.source = std::make_unique<SimSource>(
-            SimulatedRobot(options.robot, demoTerrain(), simulation), 1.0);
+        options.source = std::make_unique<WitnessedRobot>(
+            SimulatedRobot(options.robot, demoTerrain(), simulation), told);
+        options.exploration.linkLostAfter = 3.0;  // this machine may be busy
         options.model = [] {
             return Result<LoadedModel>(LoadedModel{
                 .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
@@ -47,7 +74,22 @@ struct SettingsInForce : testing::Test {
     }
     const Settings& inForce() const { return window->exploration().options().settings; }
     SettingsPage& page() const { return *window->settings(); }
+    template <class T>
+    bool wasTold() const
+    {
+        return std::ranges::any_of(
+            told, [](const Command& c) { return std::holds_alternative<T>(c); });
+    }
+    void explore()
+    {
+        ASSERT_TRUE(
+            eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        window->exploration().request();
+        ASSERT_TRUE(eventually([&] { return exploring(window->exploration().state().phase); }));
+        told.clear();
+    }
 
+    std::vector<Command> told;
     std::unique_ptr<MainWindow> window;
 };
 
@@ -103,6 +145,32 @@ TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
     QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
     window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
     EXPECT_EQ(wanted, 1);
+}
+
+TEST_F(SettingsInForce, nothingThatBuildsTheWindowAnewCanBeChosenWhileExploring)
+{
+    ASSERT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+    explore();
+    for (const QPushButton* button : {page().defaultsButton(), page().robotButton()}) {
+        EXPECT_TRUE(eventually([&] { return !button->isEnabled(); }));
+        EXPECT_TRUE(button->toolTip().contains("Esc")) << button->toolTip().toStdString();
+    }
+    window->exploration().abort();
+    EXPECT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+}
+
+TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
+{
+    explore();
+    window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
+    EXPECT_TRUE(wasTold<AbortAtemCommand>());
+}
+
+TEST_F(SettingsInForce, aWindowThatGoesWithoutBeingClosedEndsWhatItHadSetInMotion)
+{
+    explore();
+    window.reset();
+    EXPECT_TRUE(wasTold<AbortAtemCommand>());
 }
 
 }  // namespace
