@@ -108,6 +108,16 @@ TEST_F(SettingsInForce, methodQualityAndLimitsReachTheNextEstimate)
     EXPECT_EQ(window->preferences().current().method, Method::Pafc);
 }
 
+TEST_F(SettingsInForce, aSettingChangesNoOther)
+{
+    const Preferences before = window->preferences().current();
+    page().thresholdBox()->setValue(3.5);
+    Preferences wanted = before;
+    wanted.forceThreshold = 3.5;
+    EXPECT_EQ(window->preferences().current(), wanted)
+        << "limits finer than their boxes show, such as 0.1 rad, stay as they are";
+}
+
 TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
 {
     page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::NightRed));
