@@ -14,6 +14,7 @@
 
 #include "app/letters.h"
 #include "app/view_menu.h"
+#include "widgets/calm_wheel.h"
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -56,6 +57,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     all->addLayout(strips_);
     all->addLayout(below, 1);
     qApp->installEventFilter(this);
+    qApp->installEventFilter(new CalmWheel(this));
 }
 
 QLabel* ConsoleWindow::addStrip(const QString& look)

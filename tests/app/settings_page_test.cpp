@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QWheelEvent>
 #include <algorithm>
 #include <vector>
 
@@ -116,6 +117,25 @@ TEST_F(SettingsInForce, aSettingChangesNoOther)
     wanted.forceThreshold = 3.5;
     EXPECT_EQ(window->preferences().current(), wanted)
         << "limits finer than their boxes show, such as 0.1 rad, stay as they are";
+}
+
+TEST_F(SettingsInForce, theWheelChangesOnlyTheBoxWithTheFocus)
+{
+    const auto turn = [](QWidget& over) {
+        QWheelEvent wheel(QPointF(5, 5), over.mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120),
+                          Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&over, &wheel);
+    };
+    const Preferences before = window->preferences().current();
+    for (QWidget* box : std::initializer_list<QWidget*>{page().methodBox(), page().themeBox(),
+                                                        page().thresholdBox()}) {
+        turn(*box);
+        EXPECT_FALSE(box->hasFocus());
+    }
+    EXPECT_EQ(window->preferences().current(), before);
+    page().thresholdBox()->setFocus();
+    turn(*page().thresholdBox());
+    EXPECT_LT(window->preferences().current().forceThreshold, before.forceThreshold);
 }
 
 TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
