@@ -26,13 +26,16 @@ void Estimation::listenToModels()
                 if (!estimate_) track_.reset();  // it rests on the model before
                 emit modelChanged();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
+                resume();
             });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         model_.trouble = why;
         emit happened(why, Weight::Bad);
+        resume();
     });
     connect(&worker_, &EstimatorWorker::modelKept, this, [this](const QString& why) {
         emit happened(tr("model %1 stays in use: %2").arg(model_.name, why), Weight::Bad);
+        resume();
     });
 }
 
@@ -133,6 +136,17 @@ void Estimation::startSecond()
 {
     if (secondMethod_ && estimate_ && scene_ && job_ == 0)  // it would overtake that one
         secondJob_ = worker_.request(requestFor(*secondMethod_));
+}
+
+void Estimation::resume()
+{
+    liveJob_ = 0;
+    const bool second = secondJob_ != 0;
+    secondJob_ = 0;
+    if (job_ != 0)
+        start();
+    else if (second)
+        startSecond();
 }
 
 void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds,

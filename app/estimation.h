@@ -100,6 +100,7 @@ private:
     void refuse(int job, const QString& why);
     void start();
     void startSecond();
+    void resume();  ///< what the worker has given up to load a model
     EstimateRequest requestFor(Method method) const;
     void tellOf(const TerrainEstimate& estimate);
     bool wantsGhost() const { return track_ && !estimate_ && !live_; }

@@ -497,6 +497,33 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
     EXPECT_FALSE(exploration->estimation().estimate());
 }
 
+TEST_F(Bench, anEstimateDuringWhichAModelIsChosenIsMadeWithThatModel)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    worker->load([this]() -> Result<LoadedModel> {
+        return LoadedModel{.estimate = [this](const EstimateRequest& r,
+                                              const Watch& w) { return estimate(r, w); },
+                           .name = "other.ttm",
+                           .details = {}};
+    });
+    ASSERT_TRUE(gui::eventually([this] { return events.contains("model other.ttm loaded"); }));
+    blocked = false;
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+}
+
+TEST_F(Bench, anEstimateGoesOnWhenTheModelChosenMeanwhileCannotBeLoaded)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    worker->load([]() -> Result<LoadedModel> { return Error{"no such file"}; });
+    blocked = false;
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+}
+
 TEST_F(Bench, anEstimateThatFailsIsToldInWords)
 {
     broken = true;
