@@ -26,6 +26,7 @@ struct CanView {
     ElementForces forces;            ///< of that line
     bool transmits = false;
     std::string whyNotTransmitting;  ///< in words; empty where it transmits
+    bool waits = false;              ///< a replay that has not begun
     bool ended = false;              ///< a replay that has come to its end
 };
 

@@ -238,7 +238,8 @@ void SignalsPage::refreshBus(double now)
                  QString::number(view.frames.dropped), QString::number(view.frames.errorFrames),
                  of(FrameTrouble::WrongChecksum), of(FrameTrouble::WrongSequence),
                  of(FrameTrouble::Unknown)));
-    setTone(*headline_, view.bus == BusState::Up ? Tone::Plain : Tone::Bad);
+    const bool isSound = view.bus == BusState::Up || view.bus == BusState::Ended;
+    setTone(*headline_, isSound ? Tone::Plain : Tone::Bad);
     table_->setRows(signalRows(link_->tap().frames(now)));
 }
 

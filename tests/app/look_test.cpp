@@ -350,7 +350,8 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
         for (const BusState state : {BusState::Up, BusState::Stalled, BusState::ErrorPassive,
-                                     BusState::BusOff, BusState::Down, BusState::Absent}) {
+                                     BusState::BusOff, BusState::Down, BusState::Absent,
+                                     BusState::Ended}) {
             const QString english = QString::fromStdString(describe(state, "can0"));
             const QString translated = busWords(state, "can0");
             EXPECT_NE(translated, english) << language;

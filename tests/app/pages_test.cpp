@@ -127,6 +127,22 @@ TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
     EXPECT_TRUE(stands("silence"));
 }
 
+TEST_F(Alarming, replayThatWaitsOrHasEndedMakesNone)
+{
+    sight.telemetryAge.reset();
+    sight.linkAlive = false;
+    sight.bus->waits = true;
+    pass(2.0 * ConsoleAlarms::kFirstTelemetry);  // while its model is being loaded
+    sight.bus->waits = false;
+    pass(ConsoleAlarms::kFirstTelemetry - 0.5);
+    sight.telemetryAge = 5.0;
+    sight.bus->ended = true;
+    sight.bus->bus = BusState::Ended;
+    pass(20.0);
+    for (const Alarm& alarm : alarms.list().alarms()) ADD_FAILURE() << alarm.text;
+    EXPECT_EQ(sounds, 0);
+}
+
 TEST_F(Alarming, busThatIsNotUpSaysWhatMendsIt)
 {
     sight.bus->bus = BusState::BusOff;
@@ -163,9 +179,18 @@ TEST_F(Alarming, lostAndDamagedFramesAreCounted)
     EXPECT_TRUE(stands("dropped"));
 }
 
+TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
+{
+    sight.bus->link.foreignSender = true;
+    sight.bus->transmits = false;
+    pass(1.0);
+    EXPECT_FALSE(find("foreign"));
+}
+
 TEST_F(Alarming, otherCauses)
 {
     sight.bus->link.foreignSender = true;
+    sight.bus->transmits = true;
     sight.noModel = "no such file";
     sight.panelTrouble = "the panel does not answer";
     sight.failedExploration = "the estimate failed";
