@@ -333,6 +333,8 @@ void TerrainPage::setSight(const TerrainSight& sight)
     showRobot(sight);
     showEstimate(sight);
     showPose(sight);
+    const bool isStale = sight.measurement && sight.age > kStaleAfter && !sight.ended;
+    terrain_->setStale(isStale ? std::optional(sight.age) : std::nullopt);
     showVerdict(sight);
     showProbe(sight);
     strip_->setProgress(sight.progress);

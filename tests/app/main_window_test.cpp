@@ -440,11 +440,13 @@ TEST_F(Console, staleValuesDisappearAndTheLostLinkIsSaid)
     source->setSilent(true);
     ASSERT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) == "--"; }));
     EXPECT_EQ(window->forces()->numberText(0), "--");
+    EXPECT_TRUE(window->terrain()->accessibleDescription().contains("not live"));
     ASSERT_TRUE(eventually([&] { return window->header()->linkText().startsWith("LINK LOST"); }));
     EXPECT_FALSE(window->atemPanel()->requestButton()->isEnabled());
     source->setSilent(false);
     EXPECT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) != "--"; }));
     EXPECT_TRUE(eventually([&] { return window->header()->linkText().startsWith("link"); }));
+    EXPECT_FALSE(window->terrain()->accessibleDescription().contains("not live"));
 }
 
 TEST_F(Console, aMissingModelIsSaidAndTheRestWorks)
