@@ -16,6 +16,12 @@ Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const O
     listenToModels();
     connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
     connect(&worker_, &EstimatorWorker::failed, this, &Estimation::refuse);
+    connect(&worker_, &EstimatorWorker::advised, this, [this](const ProbeAdvice& advice) {
+        // The worker answers in turn, so this is of the estimate that stands, if one does.
+        if (!estimate_ || advice.stepLimit != options_.stepLimit) return;
+        advice_ = advice;
+        emit advised();
+    });
 }
 
 void Estimation::listenToModels()
@@ -100,6 +106,12 @@ void Estimation::cancel()
     job_ = liveJob_ = secondJob_ = 0;  // a result already on its way is not ours any more
 }
 
+void Estimation::adviseAnew()
+{
+    if (estimate_ && advice_.bin && advice_.stepLimit != options_.stepLimit)
+        worker_.advise(*estimate_, robot_, options_.stepLimit);
+}
+
 void Estimation::forget(const QString& why)
 {
     if (estimate_) emit forgotten(why);
@@ -169,6 +181,7 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     advice_ = advice;
     track_.emplace(robot_, estimate, scene_->measurement);
     emit stands(false);
+    adviseAnew();  // the limit may have been changed meanwhile
     startSecond();
     tellOf(estimate);
 }

@@ -57,6 +57,7 @@ public:
     void take(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< all that is under way
+    void adviseAnew();  ///< for the limit of now
     /// The scene, its readings and estimates, and an answer that is still to come; not the ghost, nor a preview.
     void forget(const QString& why);
     void forgetGhost() { track_.reset(); }
@@ -91,6 +92,7 @@ signals:
     void captured(const terratact::CapturedScene& scene);
     void stands(bool second);            ///< an estimate, of the second method or not
     void failed();                       ///< the estimate of scene()
+    void advised();                      ///< anew, for another limit
     void forgotten(const QString& why);  ///< the estimate that stood
 
 private:

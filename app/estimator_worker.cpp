@@ -47,6 +47,12 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
     connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::take,
             Qt::QueuedConnection);
     connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
+    connect(
+        this, &EstimatorWorker::adviceRequested, this,
+        [this](const TerrainEstimate& estimate, const RobotModel& prober, double stepLimit) {
+            emit advised(adviseProbe(estimate, prober, stepLimit));
+        },
+        Qt::QueuedConnection);
 }
 
 void EstimatorWorker::start()
@@ -73,6 +79,12 @@ void EstimatorWorker::cancel()
 {
     ++newest_;
     progress_ = -1.0;
+}
+
+void EstimatorWorker::advise(const TerrainEstimate& estimate, const RobotModel& prober,
+                             double stepLimit)
+{
+    emit adviceRequested(estimate, prober, stepLimit);
 }
 
 std::optional<double> EstimatorWorker::progress() const

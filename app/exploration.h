@@ -92,6 +92,7 @@ signals:
 
 private:
     void takeAdvice();
+    void askAnew();  ///< the same probe by the newest advice: another question, with an id of its own
 
     // The state by one tick.
     void advance();

@@ -419,7 +419,7 @@ void TerrainPage::showVerdict(const TerrainSight& sight)
                                                : sight.whyNoEstimate);
     QString probe;
     const ProbeProposal* const proposal = sight.proposal;
-    if (proposal && proposal->worth)
+    if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
         probe = tr("probe at %1: %2 → %3 bit")
                     .arg(words::binName(proposal->bin), words::number(proposal->bitsBefore, 2),
                          words::number(proposal->worth->bitsAfter, 2));

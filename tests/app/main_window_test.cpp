@@ -283,6 +283,10 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
         eventually([&] { return window->verdict()->badge() == QStringLiteral("✔ CLEAR"); }));
     EXPECT_NEAR(window->exploration().options().stepLimit, 0.5, 1e-9);
 
+    ASSERT_TRUE(eventually([&] {
+        return window->verdict()->reason().contains(" bit")
+            && window->exploration().proposal()->stepLimit == window->verdict()->limit();
+    })) << "the question of the probe is that of the verdict";
     const auto first = window->exploration().proposal();
     ASSERT_TRUE(first && first->worth && !first->others.empty());
     QTest::keyClick(window.get(), Qt::Key_1);
