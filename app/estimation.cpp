@@ -27,8 +27,9 @@ Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const O
 void Estimation::listenToModels()
 {
     connect(&worker_, &EstimatorWorker::modelLoaded, this,
-            [this](const QString& name, const QString& details) {
-                model_ = {.name = name, .details = details};
+            [this](const QString& name, const QString& details, const QString& /*hash*/,
+                   const QString& content) {
+                model_ = {.name = name, .details = details, .content = content};
                 if (!estimate_) track_.reset();  // it rests on the model before
                 emit modelChanged();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);

@@ -25,6 +25,7 @@ struct CapturedScene {
 /// The model that the estimator works with, in words.
 struct ModelInUse {
     QString name{}, details{};  ///< empty: none was loaded yet
+    QString content{};          ///< LoadedModel::content
     QString trouble{};          ///< why there is none
 };
 

@@ -26,6 +26,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
 
         LoadedModel model;
         model.name = QFileInfo(QString::fromStdString(path)).fileName();
+        model.content = QString::fromStdString(stored->contentHash);
         model.details = ModelWords::card(factsOf(path, *stored));
         if (const auto hash = sha256OfFile(path)) model.hash = QString::fromStdString(*hash);
         model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
@@ -106,7 +107,7 @@ void EstimatorWorker::take(const ModelLoader& load)
         auto model = load();
         if (model) {
             estimate_ = model->estimate;
-            emit modelLoaded(model->name, model->details, model->hash);
+            emit modelLoaded(model->name, model->details, model->hash, model->content);
             return;
         }
         why = QString::fromStdString(model.error().text);

@@ -36,6 +36,7 @@ struct LoadedModel {
     QString name;     ///< "default.ttm"
     QString details;  ///< its card, in words
     QString hash{};   ///< SHA-256 of its file
+    QString content{};  ///< StoredModel::contentHash
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
@@ -70,7 +71,8 @@ signals:
     void loadRequested(const terratact::ModelLoader& load);              ///< likewise
     void adviceRequested(const terratact::TerrainEstimate& estimate,
                          const terratact::RobotModel& prober, double stepLimit);  ///< likewise
-    void modelLoaded(const QString& name, const QString& details, const QString& hash);
+    void modelLoaded(const QString& name, const QString& details, const QString& hash,
+                     const QString& content);
     void modelFailed(const QString& why);  ///< there is none
     void modelKept(const QString& why);    ///< the one before stays
     /// seconds: the estimate took.  advice: what the request's prober should touch, and what that buys.

@@ -150,13 +150,12 @@ int failed(const std::string& why)
     return kFailed;
 }
 
-/// What the shipped model's presets cost; nothing for another model, of which nobody knows.
-std::vector<PresetCost> presetsOf(const std::string& model)
+/// What the shipped model's presets cost.
+PresetTable shippedPresets()
 {
-    if (model != resourcePath("models/default.ttm")) return {};
     auto presets = readPresets(resourcePath("models/default.presets.csv"));
     if (!presets) std::fprintf(stderr, "terratact-console: %s\n", presets.error().text.c_str());
-    return presets ? *presets : std::vector<PresetCost>{};
+    return presets ? *presets : PresetTable{};
 }
 
 /// The built-in robot and its bus; whoever talks to it on an end of that must not outlive it.
@@ -509,7 +508,7 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     options.exploration.settings = withPreferences(options.exploration.settings, preferences);
     options.exploration.settings.seed = arguments.seed;
     options.exploration.stepLimit = preferences.obstacleLimit;
-    options.presets = presetsOf(model);
+    options.presets = shippedPresets();
     options.preferences = std::make_unique<PreferenceStore>(std::move(loaded), preferences);
     if (demo) options.exploration.linkLostAfter = 5.0;  // a picture must not fail on a busy machine
 

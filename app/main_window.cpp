@@ -51,7 +51,7 @@ constexpr double kRedraw = 0.04;  // [s] 25 Hz
 MainWindow::MainWindow(Options options)
     : preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      presets_(std::move(options.presets)), modelAtStart_(preferences_->current().model),
+      presets_(std::move(options.presets)),
       robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
@@ -142,7 +142,7 @@ void MainWindow::addPages(const Options& options)
     addScrolledPage(signalsPage_, tr("Signals"), Qt::Key_F5,
                     tr("Every signal on the bus, and its newest frames"));
     addTraining(options);
-    settings_ = new SettingsPage(*preferences_, presets_, this);
+    settings_ = new SettingsPage(*preferences_, this);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
@@ -230,10 +230,7 @@ void MainWindow::applyPreferences(const Preferences& before)
         leave();
         emit reopenWanted();
     }
-    if (now.model != before.model) {
-        models_->loadPreferred();
-        offerQualities();
-    }
+    if (now.model != before.model) models_->loadPreferred();
     if (now.sound != before.sound) {
         alarms_->setSoundOn(now.sound);
         alarmsPage_->table()->setSoundOn(now.sound);
@@ -267,15 +264,17 @@ QString MainWindow::whyNotReopening() const
 void MainWindow::offerQualities()
 {
     const Method method = exploration_->options().settings.method;
-    // Nobody has measured what the presets cost with another model.
-    const bool measured = preferences_->current().model == modelAtStart_;
+    const ModelInUse& model = exploration_->estimation().model();
+    const bool measured = !model.name.isEmpty() && model.content.toStdString() == presets_.model;
+    const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
+    settings_->setPresets(costs);
     QStringList names, lines;
     for (const Quality quality : kQualities) {
         names << words::sentence(name(quality));
-        const auto cost = std::find_if(presets_.begin(), presets_.end(), [&](const PresetCost& p) {
+        const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& p) {
             return p.method == method && p.quality == quality;
         });
-        lines << (!measured || cost == presets_.end()
+        lines << (cost == costs.end()
                       ? tr("%1: not measured (terratact tradeoff)").arg(names.back())
                       : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
                             .arg(names.back(), words::number(cost->milliseconds, 1),
@@ -328,6 +327,7 @@ void MainWindow::connectAll()
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
                 header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
+                offerQualities();
                 if (link_) link_->begin();  // a replay, so that no press comes too early
             });
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {

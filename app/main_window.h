@@ -20,7 +20,7 @@
 #include "app/recording_display.h"
 #include "app/session_recorder.h"
 #include "app/terrain_page.h"
-#include "core/eval/tradeoff.h"
+#include "app/tradeoff_csv.h"
 
 class QAction;
 class QPushButton;
@@ -54,7 +54,7 @@ public:
         std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
         std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
         QStringList notices{};                         ///< of the start, for the list of events
-        std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
+        PresetTable presets{};                         ///< as `terratact tradeoff` measured them
     };
     explicit MainWindow(Options options);
     ~MainWindow() override;
@@ -121,11 +121,10 @@ private:
     void showCards();  ///< of model and robot, on the page of the settings
     void leave();
     QString whyNotReopening() const;  ///< empty: the window may be built anew
-    void offerQualities();
+    void offerQualities();  ///< with what they cost, where that was measured with the model in use
 
     std::unique_ptr<PreferenceStore> preferences_;
-    std::vector<PresetCost> presets_;  ///< of the model at the start
-    QString modelAtStart_;
+    PresetTable presets_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
     CanSource* link_;  ///< null where the source is no bus

@@ -60,8 +60,7 @@ QString defaultsTip()
 
 }  // namespace
 
-SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> presets, QWidget* parent)
-    : Page(parent), store_(store), presets_(std::move(presets))
+SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(parent), store_(store)
 {
     const auto card = [this](const QString& title) {
         auto* made = new Card(title, this);
@@ -331,10 +330,17 @@ void SettingsPage::showCosts()
         const QString word = words::sentence(name(quality));
         quality_->setItemText(i, cost == presets_.end()
                                      ? tr("%1: not measured").arg(word)
-                                     : tr("%1: %2 ms, error %3 mm")
+                                     : tr("%1: %2 ms, error %3 mm, quantiles ± %4 mm")
                                            .arg(word, words::number(cost->milliseconds, 1),
-                                                words::number(cost->errorMm, 0)));
+                                                words::number(cost->errorMm, 0),
+                                                words::number(cost->offMm, 1)));
     }
+}
+
+void SettingsPage::setPresets(std::vector<PresetCost> presets)
+{
+    presets_ = std::move(presets);
+    showCosts();
 }
 
 void SettingsPage::setModelCard(const QString& card)

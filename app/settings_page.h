@@ -22,9 +22,10 @@ namespace terratact {
 class SettingsPage final : public Page {
     Q_OBJECT
 public:
-    explicit SettingsPage(PreferenceStore& store, std::vector<PresetCost> presets,
-                          QWidget* parent = nullptr);
+    explicit SettingsPage(PreferenceStore& store, QWidget* parent = nullptr);
 
+    /// What the presets cost with the model in use; those not measured with it are left out.
+    void setPresets(std::vector<PresetCost> presets);
     // What is in use, in a few lines.
     void setModelCard(const QString& card);
     void setRobotCard(const QString& card);

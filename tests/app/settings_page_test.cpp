@@ -11,11 +11,14 @@
 #include <vector>
 
 #include "app/main_window.h"
+#include "core/learn/model_file.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/sim_source.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/support/toy_model.h"
 #include "widgets/atem_panel.h"
 #include "widgets/look.h"
 #include "widgets/verdict_strip.h"
@@ -62,9 +65,10 @@ struct SettingsInForce : testing::Test {
             return Result<LoadedModel>(LoadedModel{
                 .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
                 .name = "fake.ttm",
-                .details = {}});
+                .details = {},
+                .content = "measured"});
         };
-        options.presets = {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}};
+        options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
         QTest::keyClick(window.get(), Qt::Key_F7);
@@ -149,8 +153,22 @@ TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
 
 TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
 {
-    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("0.5 ms"));
+    EXPECT_TRUE(eventually([&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); }));
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("± 0.2 mm"));
     EXPECT_TRUE(page().qualityBox()->itemText(1).contains("not measured"));
+    page().methodBox()->setCurrentText("pafc");
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("not measured"));
+}
+
+TEST_F(SettingsInForce, whatAQualityCostsIsToldOnlyOfTheModelItWasMeasuredWith)
+{
+    const auto costs = [&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); };
+    ASSERT_TRUE(eventually(costs));
+    const TemporaryDirectory directory;
+    const std::string other = directory.file("other.ttm");
+    ASSERT_TRUE(writeModel(other, toyModel(4)));
+    window->preferences().change([&](Preferences& p) { p.model = QString::fromStdString(other); });
+    EXPECT_TRUE(eventually([&] { return !costs(); }));
 }
 
 TEST_F(SettingsInForce, whatIsChangedElsewhereIsSeenHere)
