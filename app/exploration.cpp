@@ -106,13 +106,13 @@ void Exploration::choose(quint64 proposal, int bin)
 void Exploration::setStepLimit(double metres)
 {
     if (metres == options_.stepLimit) return;
-    emit decided("limit", words::number(metres, 2));
     options_.stepLimit = metres;
     estimation_.adviseAnew();
 }
 
 void Exploration::setSecondMethod(std::optional<Method> method)
 {
+    emit decided("second method", method ? words::text(name(*method)) : QStringLiteral("none"));
     estimation_.setSecondMethod(method);
 }
 
@@ -160,7 +160,6 @@ void Exploration::setSettings(const Settings& settings)
     const std::uint64_t seed = options_.settings.seed;
     options_.settings = settings;
     options_.settings.seed = seed;
-    emit decided("settings", words::text(name(settings.method)));
     emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
                       .arg(words::text(name(settings.method)))
                       .arg(settings.draws)

@@ -221,6 +221,8 @@ void MainWindow::arrange()
 void MainWindow::applyPreferences(const Preferences& before)
 {
     const Preferences& now = preferences_->current();
+    const QString changes = changesOf(before, now);
+    if (scribe_ && !changes.isEmpty()) scribe_->decision("settings", changes);
     const Settings& set = exploration_->options().settings;
     if (const Settings wanted = withPreferences(set, now); wanted != set) {
         exploration_->setSettings(wanted);

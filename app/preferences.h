@@ -59,6 +59,10 @@ LoadedPreferences loadPreferences(const QString& path);
 /// Does nothing for an empty path.
 QString savePreferences(const QString& path, const Preferences& preferences);
 
+/// Every preference that differs, under its key in the file, for the record of a session: "method: local → pafc;
+/// sound: true → false".  Where the window is, is none of it.
+QString changesOf(const Preferences& before, const Preferences& now);
+
 // What is said when a preferred file could not be used.
 QString robotNotUsed(const QString& why);
 QString modelNotUsed(const QString& path);

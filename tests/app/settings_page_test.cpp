@@ -8,10 +8,12 @@
 #include <QPushButton>
 #include <QWheelEvent>
 #include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "app/main_window.h"
 #include "core/learn/model_file.h"
+#include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
@@ -68,6 +70,8 @@ struct SettingsInForce : testing::Test {
                 .details = {},
                 .content = "measured"});
         };
+        options.recorder =
+            std::make_shared<SessionRecorder>(SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
         options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
@@ -94,6 +98,24 @@ struct SettingsInForce : testing::Test {
         told.clear();
     }
 
+    /// Of the operator's decisions on record, those about `subject`; ends the recording.
+    std::vector<std::string> decisions(const std::string& subject)
+    {
+        window.reset();
+        std::vector<std::string> found;
+        for (const auto& file : std::filesystem::directory_iterator(directory.file("sessions"))) {
+            if (file.path().extension() != ".tts") continue;
+            auto session = SessionReader::open(file.path().string());
+            EXPECT_TRUE(session) << session.error().text;
+            if (!session) continue;
+            for (const EventRow& row : session->events())
+                if (row.kind == EventKind::Decision && row.subject == subject)
+                    found.push_back(row.text);
+        }
+        return found;
+    }
+
+    TemporaryDirectory directory;
     std::vector<Command> told;
     std::unique_ptr<MainWindow> window;
 };
@@ -164,7 +186,6 @@ TEST_F(SettingsInForce, whatAQualityCostsIsToldOnlyOfTheModelItWasMeasuredWith)
 {
     const auto costs = [&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); };
     ASSERT_TRUE(eventually(costs));
-    const TemporaryDirectory directory;
     const std::string other = directory.file("other.ttm");
     ASSERT_TRUE(writeModel(other, toyModel(4)));
     window->preferences().change([&](Preferences& p) { p.model = QString::fromStdString(other); });
@@ -193,6 +214,28 @@ TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
     QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
     window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
     EXPECT_EQ(wanted, 1);
+}
+
+TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
+{
+    page().methodBox()->setCurrentText("pafc");
+    page().thresholdBox()->setValue(3.5);
+    page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::NightRed));
+    window->preferences().change([](Preferences& p) {
+        p.rollLimit = 0.125;
+        p.layout = Layout::Drive;
+    });
+    EXPECT_EQ(decisions("settings"),
+              (std::vector<std::string>{"method: local → pafc", "force-threshold: 2 → 3.5",
+                                        "theme: day → night-red",
+                                        "layout: probe → drive; roll-limit: 0.1 → 0.125"}));
+}
+
+TEST_F(SettingsInForce, theSecondMethodIsOnRecord)
+{
+    window->exploration().setSecondMethod(Method::Joint);
+    window->exploration().setSecondMethod(std::nullopt);
+    EXPECT_EQ(decisions("second method"), (std::vector<std::string>{"joint", "none"}));
 }
 
 TEST_F(SettingsInForce, nothingThatBuildsTheWindowAnewCanBeChosenWhileExploring)
