@@ -111,10 +111,10 @@ QPushButton* ConsoleWindow::addTool(const QString& text, const QString& tip)
     return button;
 }
 
-void ConsoleWindow::addViewTool(PreferenceStore& preferences)
+void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& newWindow)
 {
     QPushButton* view = addTool(tr("View"), tr("Layout, colours and size of the letters"));
-    view->setMenu(new ViewMenu(preferences, view));
+    view->setMenu(new ViewMenu(preferences, newWindow, view));
 }
 
 void ConsoleWindow::addHelpTool()

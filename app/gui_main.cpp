@@ -328,29 +328,39 @@ Preferences inForce(Preferences preferences, const Arguments& arguments)
     return preferences;
 }
 
-/// The robot file of the command line, or the preferred one, or where that cannot be read the shipped one.
-std::string robotFor(const Arguments& arguments, LoadedPreferences& loaded)
+/// The preferred robot file, or where that cannot be read the shipped one.
+std::string usableRobot(const QString& preferred, QStringList& troubles)
 {
-    if (!arguments.robot.empty()) return arguments.robot;
-    if (const std::string preferred = loaded.preferences.robot.toStdString(); !preferred.empty()) {
-        const auto robot = readRobotModel(preferred);
-        if (robot) return preferred;
-        loaded.troubles << robotNotUsed(QString::fromStdString(robot.error().text));
+    if (!preferred.isEmpty()) {
+        const auto robot = readRobotModel(preferred.toStdString());
+        if (robot) return preferred.toStdString();
+        troubles << robotNotUsed(QString::fromStdString(robot.error().text));
     }
     return resourcePath("robots/absolem.toml");
 }
 
 /// Likewise the model.
-std::string modelFor(const Arguments& arguments, LoadedPreferences& loaded)
+std::string usableModel(const QString& preferred, QStringList& troubles)
 {
-    if (!arguments.model.empty()) return arguments.model;
-    const QString preferred = loaded.preferences.model;
     if (!preferred.isEmpty()) {
         if (const QFileInfo info(preferred); info.isFile() && info.isReadable())
             return preferred.toStdString();
-        loaded.troubles << modelNotUsed(preferred);
+        troubles << modelNotUsed(preferred);
     }
     return resourcePath("models/default.ttm");
+}
+
+/// What the command line says, and else what is preferred.
+std::string robotFor(const Arguments& arguments, LoadedPreferences& loaded)
+{
+    return arguments.robot.empty() ? usableRobot(loaded.preferences.robot, loaded.troubles)
+                                   : arguments.robot;
+}
+
+std::string modelFor(const Arguments& arguments, LoadedPreferences& loaded)
+{
+    return arguments.model.empty() ? usableModel(loaded.preferences.model, loaded.troubles)
+                                   : arguments.model;
 }
 
 void setSize(ConsoleWindow& window, const QByteArray& left, const Arguments& arguments)
@@ -482,16 +492,19 @@ int openScenes(int& argc, char** argv, const Arguments& arguments)
     return showFile(window, arguments, [&window] { return window.estimate().has_value(); });
 }
 
-/// Opens the console and stays until it is closed; kReopen: the operator has chosen another robot.
+/// Opens the console and stays until it is closed; kReopen: it is to be opened anew.  kept: what was in force in the
+/// window before and, afterwards, in this one; empty: there was none.
 int openConsole(int& argc, char** argv, const Arguments& arguments,
-                std::optional<QApplication>& application)
+                std::optional<QApplication>& application, std::optional<Preferences>& kept)
 {
     LoadedPreferences loaded = preferencesFor(arguments);
-    const std::string robotPath = robotFor(arguments, loaded);
+    const std::string robotPath =
+        kept ? usableRobot(kept->robot, loaded.troubles) : robotFor(arguments, loaded);
     const auto robot = readRobotModel(robotPath);
     if (!robot) return failed(robot.error().text);
-    const std::string model = modelFor(arguments, loaded);
-    const Preferences preferences = inForce(loaded.preferences, arguments);
+    const std::string model =
+        kept ? usableModel(kept->model, loaded.troubles) : modelFor(arguments, loaded);
+    const Preferences preferences = kept ? *kept : inForce(loaded.preferences, arguments);
     std::unique_ptr<BuiltInRobot> builtIn;  // outlives the window, which talks to it
     MainWindow::Options options;
     options.robot = *robot;
@@ -519,12 +532,14 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
         Qt::QueuedConnection);
     closeOnSignals(window);
     window.show();
-    if (!demo) return QApplication::exec();
-    const ScreenshotDemo screenshot(window, QString::fromStdString(arguments.screenshot));
-    return QApplication::exec();
+    std::optional<ScreenshotDemo> screenshot;
+    if (demo) screenshot.emplace(window, QString::fromStdString(arguments.screenshot));
+    const int ended = QApplication::exec();
+    kept = window.preferences().current();
+    return ended;
 }
 
-int run(int& argc, char** argv, Arguments arguments)
+int run(int& argc, char** argv, const Arguments& arguments)
 {
     if (!arguments.replay.empty()) {
         const FileKind kind = kindOfFile(QString::fromStdString(arguments.replay));
@@ -534,10 +549,10 @@ int run(int& argc, char** argv, Arguments arguments)
             return failed(arguments.replay + ": is no session, of which a picture could be saved");
     }
     std::optional<QApplication> application;
+    std::optional<Preferences> kept;
     for (;;) {
-        const int ended = openConsole(argc, argv, arguments, application);
+        const int ended = openConsole(argc, argv, arguments, application, kept);
         if (ended != kReopen) return ended;
-        arguments.robot.clear();  // what has just been chosen counts
     }
 }
 

@@ -112,7 +112,7 @@ void MainWindow::build(const Options& options)
     connect(addTool(tr("Open"), tr("Review a session, a log or scenes in a window of its own; "
                                    "this one goes on (Ctrl+O)")),
             &QPushButton::clicked, this, &MainWindow::open);
-    addViewTool(*preferences_);
+    addViewTool(*preferences_, tr("opens the console anew"));
     addHelpTool();
     arrange();
 }
@@ -228,10 +228,6 @@ void MainWindow::applyPreferences(const Preferences& before)
         exploration_->setSettings(wanted);
         offerQualities();
     }
-    if (now.robot != before.robot) {
-        leave();
-        emit reopenWanted();
-    }
     if (now.model != before.model) models_->loadPreferred();
     if (now.sound != before.sound) {
         alarms_->setSoundOn(now.sound);
@@ -243,6 +239,18 @@ void MainWindow::applyPreferences(const Preferences& before)
         verdict()->setLimit(now.obstacleLimit);
     }
     setLook(now.theme, now.fontScale);
+    if (now.robot != before.robot || now.language != before.language) reopen();
+}
+
+void MainWindow::reopen()
+{
+    if (const QString why = whyNotReopening(); !why.isEmpty()) {
+        events()->add(tr("robot and language change at the next start: %1").arg(why),
+                      Weight::Doubt, QTime::currentTime());
+        return;
+    }
+    leave();
+    emit reopenWanted();
 }
 
 void MainWindow::showCards()

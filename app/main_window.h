@@ -90,7 +90,7 @@ public:
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
 
 signals:
-    /// Another robot was chosen: the window has to be built anew.  What it had set in motion is ended.
+    /// Another robot or language was chosen: the window has to be built anew.  What it had set in motion is ended.
     void reopenWanted();
 
 protected:
@@ -120,6 +120,7 @@ private:
     placeCards();  ///< forces, robot and events: on the page of the terrain, or on one of their own
     void showCards();  ///< of model and robot, on the page of the settings
     void leave();
+    void reopen();
     QString whyNotReopening() const;  ///< empty: the window may be built anew
     void offerQualities();  ///< with what they cost, where that was measured with the model in use
 

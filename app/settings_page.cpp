@@ -53,6 +53,11 @@ QString shippedTip()
     return SettingsPage::tr("Back to what came with the program; grey while that is in use");
 }
 
+QString languageTip()
+{
+    return SettingsPage::tr("Opens the console anew");
+}
+
 QString defaultsTip()
 {
     return SettingsPage::tr("Everything on this page, and the shipped model and robot");
@@ -235,11 +240,11 @@ void SettingsPage::buildLook(QFormLayout* form)
     lettersNote_->setWordWrap(true);
     lettersNote_->hide();
     form->addRow(QString(), lettersNote_);
-    choice(
+    language_ = choice(
         form, tr("Language"),
         {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
          QStringLiteral("Deutsch")},
-        tr("Takes effect at the next start"),
+        languageTip(),
         [](const Preferences& p) { return indexOf(kLanguages, p.language); },
         [](Preferences& p, std::size_t i) { p.language = kLanguages.at(i); });
     choice(
@@ -362,6 +367,7 @@ void SettingsPage::setReopenBlocked(const QString& why)
     block(chooseRobot_, chooseTip());
     block(shippedRobot_, shippedTip(), !store_.current().robot.isEmpty());
     block(defaults_, defaultsTip());
+    block(language_, languageTip());
 }
 
 QString SettingsPage::modelCard() const

@@ -29,7 +29,7 @@ public:
     // What is in use, in a few lines.
     void setModelCard(const QString& card);
     void setRobotCard(const QString& card);
-    /// Why the window cannot be built anew now, as another robot needs it; empty: it can.
+    /// Why the window cannot be built anew now, as another robot or language needs it; empty: it can.
     void setReopenBlocked(const QString& why);
     void refresh(double now) override;
 
@@ -42,6 +42,7 @@ public:
     QCheckBox* recordBox() const { return record_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
+    QComboBox* languageBox() const { return language_; }
     QPushButton* defaultsButton() const { return defaults_; }
     QString modelCard() const;
 
@@ -80,6 +81,7 @@ private:
     QDoubleSpinBox* obstacle_ = nullptr;
     QComboBox* theme_ = nullptr;
     QLabel* lettersNote_ = nullptr;
+    QComboBox* language_ = nullptr;
     QCheckBox* record_ = nullptr;
     QLabel* model_ = nullptr;
     QLabel* robot_ = nullptr;

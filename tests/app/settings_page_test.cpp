@@ -22,6 +22,7 @@
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_model.h"
 #include "widgets/atem_panel.h"
+#include "widgets/event_list.h"
 #include "widgets/look.h"
 #include "widgets/verdict_strip.h"
 
@@ -216,6 +217,20 @@ TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
     EXPECT_EQ(wanted, 1);
 }
 
+TEST_F(SettingsInForce, anotherLanguageLikewiseButNotWhileExploring)
+{
+    int wanted = 0;
+    QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
+    page().languageBox()->setCurrentIndex(2);
+    EXPECT_EQ(wanted, 1);
+    explore();
+    EXPECT_TRUE(eventually([&] { return !page().languageBox()->isEnabled(); }));
+    window->preferences().change([](Preferences& p) { p.language = "de"; });  // as the menu does
+    EXPECT_EQ(wanted, 1);
+    EXPECT_TRUE(exploring(window->exploration().state().phase));
+    EXPECT_TRUE(window->events()->item(0)->text().contains("next start"));
+}
+
 TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
 {
     page().methodBox()->setCurrentText("pafc");
@@ -252,9 +267,10 @@ TEST_F(SettingsInForce, nothingThatBuildsTheWindowAnewCanBeChosenWhileExploring)
 
 TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
 {
-    explore();
+    ASSERT_TRUE(eventually([&] { return window->exploration().whyNotDriving().isEmpty(); }));
+    window->exploration().drive(1);
     window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
-    EXPECT_TRUE(wasTold<AbortAtemCommand>());
+    EXPECT_TRUE(wasTold<HaltCommand>());
 }
 
 TEST_F(SettingsInForce, aWindowThatGoesWithoutBeingClosedEndsWhatItHadSetInMotion)
