@@ -65,6 +65,9 @@ public:
     BinInspector* inspector() const { return inspector_; }
     bool drawsShown() const { return drawsShown_; }
 
+    /// In theme and font as they are now; by itself soon after they have changed.
+    void restyle();
+
     void updateLayout() override;
     QSize sizeHint() const override { return {760, 420}; }
     QSize minimumSizeHint() const override { return {300, 110}; }
@@ -86,7 +89,6 @@ private:
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
     void arrangeNotes();
-    void restyle();  ///< in theme and font as they are now
     void showTruth();
     void showProbe();
     void fitAxes();
