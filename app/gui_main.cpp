@@ -52,6 +52,7 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
 constexpr int kReopen = 1000;       // never an exit code
+constexpr double kNominalBitrate = 500e3;  // [bit/s] of the robot's real bus
 constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screenshot's drive
 
 struct Arguments {
@@ -203,6 +204,8 @@ std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& rob
                            .name = "SIMULATED ROBOT",
                            .link = {.seed = drawn()},
                            .truth = [&builtIn] { return builtIn.robot.truth(); },
+                           .bitrate = kNominalBitrate,
+                           .nominal = true,
                            .heard = heard});
 }
 

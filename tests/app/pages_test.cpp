@@ -362,8 +362,11 @@ TEST(Load, saysWhatItAssumesOrThatItIsNotKnown)
     BusLoad load;
     load.fewestBits = 100'000.0;
     load.mostBits = 120'000.0;
-    EXPECT_EQ(loadWords(load, 500'000.0),
+    EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0}),
               "load 20.0 to 24.0 % of 500 kbit/s (without stuff bits, with all there can be)");
+    EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0, .nominal = true}),
+              "load 20.0 to 24.0 % of nominal 500 kbit/s (without stuff bits, with all there can "
+              "be)");
     EXPECT_EQ(loadWords(load, {}), "load --- (bit rate not known): 100.0 to 120.0 kbit/s");
 }
 
