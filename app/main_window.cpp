@@ -430,6 +430,11 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
                        .model = exploration_->estimation().model()};
     if (latest) facts.telemetryAge = steadyNow() - secondsOf(latest->arrived);
     if (link_) facts.waiting = link_->waiting();
+    if (panel_)
+        facts.panel = PanelFacts{.report = panel_->report(),
+                                 .answers = panel_->answers(steadyNow()),
+                                 .presses = panel_->reader().allPresses(),
+                                 .stopLatencies = panel_->reader().stopLatencies()};
     return consoleDiagnostics(facts, meter_);
 }
 

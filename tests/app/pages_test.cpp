@@ -573,6 +573,7 @@ TEST_F(Pages, lostLinkSoundsOnceOpensTheAlarmsAndIsAcknowledged)
 TEST_F(Pages, diagnosticsCanBeCopied)
 {
     open();
+    EXPECT_TRUE(window->diagnosticsPage()->text().contains("panel: --"));
     QTest::keyClick(window.get(), Qt::Key_F8);
     QTest::qWait(1500);
     picture("diagnostics");
