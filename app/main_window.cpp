@@ -414,7 +414,9 @@ void MainWindow::showRecording()
 
 void MainWindow::mark()
 {
-    if (!scribe_ || !recorder_->state().recording) return;
+    if (!scribe_ || !recorder_->state().recording)
+        return events()->add(tr("not marked: nothing is recorded"), Weight::Doubt,
+                             QTime::currentTime());
     scribe_->mark({});
     events()->add(tr("marked in the recording"), Weight::Note, QTime::currentTime());
 }

@@ -257,6 +257,31 @@ TEST(AlarmTableWidget, showsEachStateInWordsAndEmitsWhatTheOperatorDoes)
     EXPECT_FALSE(table.acknowledgeButton()->isEnabled());
 }
 
+TEST(AlarmTableWidget, choosesNoOtherAlarmWhenTheChosenOneGoes)
+{
+    AlarmList list;
+    for (const char* id : {"a", "b", "c"}) list.raise(id, id, Severity::Caution, 0.0);
+    AlarmTable table;
+    QStringList seen;
+    QObject::connect(&table, &AlarmTable::acknowledged, [&](const QString& id) { seen << id; });
+    table.setAlarms(list.alarms(), 1.0, 0.0);
+    gui::showActive(table);
+    EXPECT_EQ(table.table()->currentRow(), 0) << "the first is chosen when there was none";
+    table.table()->selectRow(1);
+    const std::string chosen = list.alarms()[1].id;
+    list.clear(chosen, 2.0);
+    list.acknowledge(chosen);  // now it is gone
+    table.setAlarms(list.alarms(), 3.0, 0.0);
+    ASSERT_EQ(table.table()->rowCount(), 2);
+    EXPECT_FALSE(table.acknowledgeButton()->isEnabled());
+    QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
+    QTest::keyClick(table.table(), Qt::Key_Return);
+    EXPECT_TRUE(seen.isEmpty());
+    table.table()->selectRow(1);
+    QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
+    EXPECT_EQ(seen, QStringList(QString::fromStdString(list.alarms()[1].id)));
+}
+
 TEST(Sparkline, breaksAtGapsAndStaysInItsBox)
 {
     const QRectF box(10.0, 20.0, 100.0, 30.0);

@@ -246,6 +246,20 @@ TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
                                         "layout: probe → drive; roll-limit: 0.1 → 0.125"}));
 }
 
+TEST_F(SettingsInForce, aMarkThatIsNotKeptIsSaid)
+{
+    const auto newest = [&] { return window->events()->item(0)->text(); };
+    ASSERT_TRUE(eventually([&] {
+        QTest::keyClick(window.get(), Qt::Key_K);
+        return newest().contains("marked in the recording");
+    }));
+    window->preferences().change([](Preferences& p) { p.record = false; });
+    EXPECT_TRUE(eventually([&] {
+        QTest::keyClick(window.get(), Qt::Key_K);
+        return newest().contains("not marked: nothing is recorded");
+    }));
+}
+
 TEST_F(SettingsInForce, theSecondMethodIsOnRecord)
 {
     window->exploration().setSecondMethod(Method::Joint);
