@@ -8,6 +8,7 @@
 #include <QIcon>
 #include <QScreen>
 #include <QSocketNotifier>
+#include <QTime>
 #include <QTimer>
 #include <csignal>
 #include <cstdio>
@@ -32,6 +33,7 @@
 #include "app/robot_in_process.h"
 #include "app/robot_setup.h"
 #include "app/scenes_window.h"
+#include "app/session_housekeeping.h"
 #include "app/session_recorder.h"
 #include "app/steady_now.h"
 #include "app/tradeoff_csv.h"
@@ -268,25 +270,39 @@ Status connect(MainWindow::Options& options, const Arguments& arguments,
     return Done{};
 }
 
+bool records(const Arguments& arguments)
+{
+    return !arguments.noRecord && arguments.replay.empty() && arguments.screenshot.empty();
+}
+
+std::string sessionsOf(const Arguments& arguments)
+{
+    return arguments.sessions.empty() ? sessionFolder() : arguments.sessions;
+}
+
+/// Looks after the earlier recordings once there is a window to tell of it.
+void keepHouse(SessionHousekeeping& house, MainWindow& window)
+{
+    const auto tell = [&house, events = window.events()] {
+        for (const QString& sentence : house.takeNews())
+            events->add(sentence, Weight::Doubt, QTime::currentTime());
+    };
+    QObject::connect(&house, &SessionHousekeeping::news, &window, tell);
+    tell();
+    QTimer::singleShot(0, &house, &SessionHousekeeping::start);
+}
+
 /// Records what happens, unless it has happened before (a replay) or is only for a picture.
 std::shared_ptr<SessionRecorder> recorderFor(const Arguments& arguments,
                                              const std::string& robotPath,
-                                             const Preferences& preferences, QStringList& notices)
+                                             const Preferences& preferences)
 {
-    if (arguments.noRecord || !arguments.replay.empty() || !arguments.screenshot.empty()) return {};
     constexpr std::size_t kMost = 1U << 20U;  // bytes
-    const std::string folder = arguments.sessions.empty() ? sessionFolder() : arguments.sessions;
-    const auto notice = [&notices](const std::vector<std::string>& told) {
-        for (const std::string& text : told) notices << QString::fromStdString(text);
-    };
-    notice(recoverSessions(folder));
-    notice(applyRetention(folder, {.days = static_cast<double>(preferences.keepDays),
-                                   .gigabytes = static_cast<double>(preferences.keepGigabytes)}));
     const bool simulated = arguments.can.empty();
     const std::string robot =
         readFile(robotPath, kMost) ? *readFile(robotPath, kMost) : std::string();
     SessionRecorder::Options options;
-    options.folder = folder;
+    options.folder = sessionsOf(arguments);
     options.on = preferences.record;
     options.start = {.program = std::string("terratact-console ") + TERRATACT_VERSION,
                      .source = simulated ? "SIMULATED ROBOT" : arguments.can,
@@ -498,7 +514,8 @@ int openScenes(int& argc, char** argv, const Arguments& arguments)
 /// Opens the console and stays until it is closed; kReopen: it is to be opened anew.  kept: what was in force in the
 /// window before and, afterwards, in this one; empty: there was none.
 int openConsole(int& argc, char** argv, const Arguments& arguments,
-                std::optional<QApplication>& application, std::optional<Preferences>& kept)
+                std::optional<QApplication>& application, std::optional<Preferences>& kept,
+                std::optional<SessionHousekeeping>& house)
 {
     LoadedPreferences loaded = preferencesFor(arguments);
     const std::string robotPath =
@@ -511,7 +528,11 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     std::unique_ptr<BuiltInRobot> builtIn;  // outlives the window, which talks to it
     MainWindow::Options options;
     options.robot = *robot;
-    options.recorder = recorderFor(arguments, robotPath, preferences, options.notices);
+    std::vector<std::string> earlier;
+    if (records(arguments)) {
+        earlier = sessionsIn(sessionsOf(arguments));
+        options.recorder = recorderFor(arguments, robotPath, preferences);
+    }
     if (const Status connected = connect(options, arguments, builtIn); !connected)
         return failed(connected.error().text);
 
@@ -535,6 +556,12 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
         Qt::QueuedConnection);
     closeOnSignals(window);
     window.show();
+    if (!house)
+        house.emplace(std::move(earlier),
+                      SessionRetention{
+                          .days = static_cast<double>(preferences.keepDays),
+                          .gigabytes = static_cast<double>(preferences.keepGigabytes)});
+    keepHouse(*house, window);
     std::optional<ScreenshotDemo> screenshot;
     if (demo) screenshot.emplace(window, QString::fromStdString(arguments.screenshot));
     const int ended = QApplication::exec();
@@ -553,8 +580,9 @@ int run(int& argc, char** argv, const Arguments& arguments)
     }
     std::optional<QApplication> application;
     std::optional<Preferences> kept;
+    std::optional<SessionHousekeeping> house;
     for (;;) {
-        const int ended = openConsole(argc, argv, arguments, application, kept);
+        const int ended = openConsole(argc, argv, arguments, application, kept, house);
         if (ended != kReopen) return ended;
     }
 }

@@ -74,8 +74,6 @@ MainWindow::MainWindow(Options options)
         scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
         recorder_->setOn(preferences_->current().record);
     }
-    for (const QString& notice : options.notices)
-        events()->add(notice, Weight::Doubt, QTime::currentTime());
     offerQualities();
     offerViews();
     defineKeys();

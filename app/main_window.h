@@ -53,7 +53,6 @@ public:
         std::unique_ptr<Sounder> sounder = desktopBeep();
         std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
         std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
-        QStringList notices{};                         ///< of the start, for the list of events
         PresetTable presets{};                         ///< as `terratact tradeoff` measured them
     };
     explicit MainWindow(Options options);

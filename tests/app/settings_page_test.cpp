@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "app/main_window.h"
+#include "app/session_housekeeping.h"
 #include "core/learn/model_file.h"
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/sessions.h"
 #include "tests/support/sim_source.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_model.h"
@@ -292,6 +294,25 @@ TEST_F(SettingsInForce, aWindowThatGoesWithoutBeingClosedEndsWhatItHadSetInMotio
     explore();
     window.reset();
     EXPECT_TRUE(wasTold<AbortAtemCommand>());
+}
+
+TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions"), path = folder + "/dead.tts";
+    std::filesystem::create_directory(folder);
+    ASSERT_TRUE(someSession(path, 300));  // whose writer goes without sealing it
+    ASSERT_FALSE(SessionReader::open(path)->sealed());
+    SessionHousekeeping house(sessionsIn(folder), {});
+    QStringList told;
+    QObject::connect(&house, &SessionHousekeeping::news,
+                     [&] { told << house.takeNews(); });
+    QTest::qWait(100);
+    EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
+    house.start();
+    ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
+    EXPECT_TRUE(told[0].contains("session recovered")) << told[0].toStdString();
+    EXPECT_TRUE(SessionReader::open(path)->sealed());
 }
 
 }  // namespace
