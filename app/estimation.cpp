@@ -133,7 +133,8 @@ EstimateRequest Estimation::requestFor(Method method) const
             .arm = readings_,
             .settings = settings,
             .prober = {},
-            .stepLimit = options_.stepLimit};
+            .stepLimit = options_.stepLimit,
+            .seconds = options_.seconds};
 }
 
 void Estimation::start()

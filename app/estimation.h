@@ -39,6 +39,7 @@ public:
     struct Options {
         Settings settings;
         double stepLimit = kStepLimit;  ///< [m] what counts as an obstacle
+        double seconds = 0.0;           ///< EstimateRequest::seconds
     };
 
     /// options: as they are whenever something is asked of them.  All three must outlive it.
@@ -58,7 +59,7 @@ public:
     void take(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< all that is under way
-    void adviseAnew();  ///< for the limit of now
+    void adviseAnew();                                   ///< for the limit of now
     /// The scene, its readings and estimates, and an answer that is still to come; not the ghost, nor a preview.
     void forget(const QString& why);
     void forgetGhost() { track_.reset(); }

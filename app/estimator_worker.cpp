@@ -8,6 +8,7 @@
 
 #include "app/model_words.h"
 #include "app/parallel.h"
+#include "app/time_budget.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
@@ -129,7 +130,7 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
     QString why;
     try {
         if (!estimate_) throw std::runtime_error(trouble_.toStdString());
-        Watch watch;
+        Watch watch = endingAfter(request.seconds);
         watch.cancelled = overtaken;
         watch.progress = [this, overtaken](double share) {
             if (!overtaken()) progress_ = share;

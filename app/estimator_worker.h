@@ -25,6 +25,7 @@ struct EstimateRequest {
     Settings settings;
     std::optional<RobotModel> prober{};  ///< whose arm might probe; empty: that is not asked
     double stepLimit = kStepLimit;       ///< [m] of the question what a probe would tell
+    double seconds = 0.0;  ///< after which sampling ends with what there is; 0: no limit
 };
 
 /// Computes an estimate; throws what reconstruct() throws.
@@ -33,9 +34,9 @@ using Estimator = std::function<TerrainEstimate(const EstimateRequest&, const Wa
 /// An estimator with its model's name as the operator reads it.
 struct LoadedModel {
     Estimator estimate;
-    QString name;     ///< "default.ttm"
-    QString details;  ///< its card, in words
-    QString hash{};   ///< SHA-256 of its file
+    QString name;       ///< "default.ttm"
+    QString details;    ///< its card, in words
+    QString hash{};     ///< SHA-256 of its file
     QString content{};  ///< StoredModel::contentHash
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;

@@ -53,9 +53,9 @@ namespace terratact {
 namespace {
 
 constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
-constexpr int kReopen = 1000;       // never an exit code
+constexpr int kReopen = 1000;              // never an exit code
 constexpr double kNominalBitrate = 500e3;  // [bit/s] of the robot's real bus
-constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screenshot's drive
+constexpr double kDemoSpeed = 4.0;         // simulated seconds per second of a screenshot's drive
 
 struct Arguments {
     std::string model, robot, terrain, screenshot, can, replay, panel;
@@ -545,6 +545,7 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     options.exploration.settings = withPreferences(options.exploration.settings, preferences);
     options.exploration.settings.seed = arguments.seed;
     options.exploration.stepLimit = preferences.obstacleLimit;
+    options.exploration.seconds = preferences.estimateSeconds;
     options.presets = shippedPresets();
     options.preferences = std::make_unique<PreferenceStore>(std::move(loaded), preferences);
     if (demo) options.exploration.linkLostAfter = 5.0;  // a picture must not fail on a busy machine
@@ -557,10 +558,10 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     closeOnSignals(window);
     window.show();
     if (!house)
-        house.emplace(std::move(earlier),
-                      SessionRetention{
-                          .days = static_cast<double>(preferences.keepDays),
-                          .gigabytes = static_cast<double>(preferences.keepGigabytes)});
+        house.emplace(
+            std::move(earlier),
+            SessionRetention{.days = static_cast<double>(preferences.keepDays),
+                             .gigabytes = static_cast<double>(preferences.keepGigabytes)});
     keepHouse(*house, window);
     std::optional<ScreenshotDemo> screenshot;
     if (demo) screenshot.emplace(window, QString::fromStdString(arguments.screenshot));

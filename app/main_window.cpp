@@ -51,8 +51,8 @@ constexpr double kRedraw = 0.04;  // [s] 25 Hz
 MainWindow::MainWindow(Options options)
     : preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      presets_(std::move(options.presets)),
-      robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
+      presets_(std::move(options.presets)), robot_(std::move(options.robot)),
+      source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
@@ -237,14 +237,15 @@ void MainWindow::applyPreferences(const Preferences& before)
         verdict()->setLimit(now.obstacleLimit);
     }
     setLook(now.theme, now.fontScale);
+    exploration_->setEstimateSeconds(now.estimateSeconds);
     if (now.robot != before.robot || now.language != before.language) reopen();
 }
 
 void MainWindow::reopen()
 {
     if (const QString why = whyNotReopening(); !why.isEmpty()) {
-        events()->add(tr("robot and language change at the next start: %1").arg(why),
-                      Weight::Doubt, QTime::currentTime());
+        events()->add(tr("robot and language change at the next start: %1").arg(why), Weight::Doubt,
+                      QTime::currentTime());
         return;
     }
     leave();

@@ -144,6 +144,7 @@ void visit(Visitor visitor, Values& p)
     visitor.number("obstacle-limit", p.obstacleLimit, 0.02, 0.60);
     visitor.oneOf("method", p.method, kMethods);
     visitor.oneOf("quality", p.quality, kQualities);
+    visitor.number("estimate-seconds", p.estimateSeconds, 0, kMostEstimateSeconds);
     visitor.number("force-threshold", p.forceThreshold, 0.1, 500.0);
     visitor.number("probe-above", p.probeAbove, 0.001, 1.0);
     visitor.number("roll-limit", p.rollLimit, 0.01, kRight);
@@ -278,8 +279,8 @@ QString changesOf(const Preferences& before, const Preferences& now)
     QStringList changes;
     for (qsizetype i = 0; i < old.size(); ++i)
         if (old[i] != wanted[i])
-            changes << QStringLiteral("%1: %2 → %3")
-                           .arg(old[i].first, old[i].second, wanted[i].second);
+            changes
+                << QStringLiteral("%1: %2 → %3").arg(old[i].first, old[i].second, wanted[i].second);
     return changes.join(QStringLiteral("; "));
 }
 

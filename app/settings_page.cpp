@@ -140,8 +140,7 @@ QComboBox* SettingsPage::choice(QFormLayout* form, const QString& label, const Q
     shows_.emplace_back(
         [box, get = std::move(get)](const Preferences& p) { box->setCurrentIndex(get(p)); });
     connect(box, &QComboBox::currentIndexChanged, this, [this, set = std::move(set)](int index) {
-        if (index >= 0)
-            change([&](Preferences& p) { set(p, static_cast<std::size_t>(index)); });
+        if (index >= 0) change([&](Preferences& p) { set(p, static_cast<std::size_t>(index)); });
     });
     return box;
 }
@@ -161,9 +160,8 @@ QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, do
     box->setToolTip(tip);
     form->addRow(label, box);
     shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value / unit); });
-    connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double shown) {
-        change([&](Preferences& p) { p.*value = shown * unit; });
-    });
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [=, this](double shown) { change([&](Preferences& p) { p.*value = shown * unit; }); });
     return box;
 }
 
@@ -212,9 +210,12 @@ void SettingsPage::buildEstimate(QFormLayout* form)
         tr("Time against accuracy, as terratact tradeoff has measured them"),
         [](const Preferences& p) { return indexOf(kQualities, p.quality); },
         [](Preferences& p, std::size_t i) { p.quality = kQualities.at(i); });
-    obstacle_ =
-        number(form, tr("An obstacle is a step of more than"), 0.02, 0.60, 2, tr("m"),
-               tr("The verdict's question (PgUp, PgDown)"), &Preferences::obstacleLimit);
+    seconds_ = whole(form, tr("An estimate may take at most"), 0, kMostEstimateSeconds, tr("s"),
+                     tr("Then sampling ends with the draws there are, and the result says so"),
+                     &Preferences::estimateSeconds);
+    seconds_->setSpecialValueText(tr("no limit"));
+    obstacle_ = number(form, tr("An obstacle is a step of more than"), 0.02, 0.60, 2, tr("m"),
+                       tr("The verdict's question (PgUp, PgDown)"), &Preferences::obstacleLimit);
     threshold_ = number(form, tr("An element is a contact above"), 0.1, 50.0, 1, tr("N"),
                         tr("Weaker forces are noise"), &Preferences::forceThreshold);
     number(form, tr("The arm is offered above a sd of"), 0.01, 0.50, 2, tr("m"),
@@ -244,8 +245,7 @@ void SettingsPage::buildLook(QFormLayout* form)
         form, tr("Language"),
         {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
          QStringLiteral("Deutsch")},
-        languageTip(),
-        [](const Preferences& p) { return indexOf(kLanguages, p.language); },
+        languageTip(), [](const Preferences& p) { return indexOf(kLanguages, p.language); },
         [](Preferences& p, std::size_t i) { p.language = kLanguages.at(i); });
     choice(
         form, tr("Layout"), {tr("Drive"), tr("Probe"), tr("Review")},
@@ -257,10 +257,10 @@ void SettingsPage::buildLook(QFormLayout* form)
 
 void SettingsPage::buildRecording(QFormLayout* form)
 {
-    record_ = flag(
-        form, tr("Everything is recorded"),
-        tr("Frames, scenes, estimates, what was shown and decided, in one file per session"),
-        &Preferences::record);
+    record_ =
+        flag(form, tr("Everything is recorded"),
+             tr("Frames, scenes, estimates, what was shown and decided, in one file per session"),
+             &Preferences::record);
     whole(form, tr("Delete a session after"), 0, kMostDays, tr("days"),
           tr("At the next start; never: nothing is deleted"), &Preferences::keepDays)
         ->setSpecialValueText(tr("never"));

@@ -42,6 +42,7 @@ public:
     QCheckBox* recordBox() const { return record_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
+    QSpinBox* secondsBox() const { return seconds_; }
     QComboBox* languageBox() const { return language_; }
     QPushButton* defaultsButton() const { return defaults_; }
     QString modelCard() const;
@@ -77,6 +78,7 @@ private:
     bool showing_ = false;  // the controls are being set, not the operator's doing
     QComboBox* method_ = nullptr;
     QComboBox* quality_ = nullptr;
+    QSpinBox* seconds_ = nullptr;
     QDoubleSpinBox* threshold_ = nullptr;
     QDoubleSpinBox* obstacle_ = nullptr;
     QComboBox* theme_ = nullptr;

@@ -36,6 +36,7 @@ Preferences unlikeTheDefaults()
     p.obstacleLimit = 0.1 + 0.2;  // has no short decimal form
     p.method = Method::Joint;
     p.quality = Quality::Accurate;
+    p.estimateSeconds = 5;
     p.forceThreshold = 3.5;
     p.probeAbove = 0.05;
     p.rollLimit = 0.2;
@@ -79,13 +80,13 @@ TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
     now.sound = false;
     EXPECT_EQ(changesOf(kDefaults, now).section("; ", 0, 0), "sound: true → false");
     const QString all = changesOf(kDefaults, unlikeTheDefaults());
-    for (const char* key : {"theme", "font-scale", "language", "layout", "sound", "obstacle-limit",
-                            "method", "quality", "force-threshold", "probe-above", "roll-limit",
-                            "asymmetry-limit", "record", "keep-days", "keep-gigabytes", "model",
-                            "robot"})
+    for (const char* key :
+         {"theme", "font-scale", "language", "layout", "sound", "obstacle-limit", "method",
+          "quality", "estimate-seconds", "force-threshold", "probe-above", "roll-limit",
+          "asymmetry-limit", "record", "keep-days", "keep-gigabytes", "model", "robot"})
         EXPECT_TRUE(all.contains(QLatin1String(key) + ": ")) << key;
-    EXPECT_TRUE(changesOf(kDefaults, now).contains("quality: balanced → fast; ") &&
-                changesOf(kDefaults, now).endsWith(" → 0.125"));
+    EXPECT_TRUE(changesOf(kDefaults, now).contains("quality: balanced → fast; ")
+                && changesOf(kDefaults, now).endsWith(" → 0.125"));
 }
 
 TEST_F(PreferencesFile, safeModeReadsAndWritesNothing)

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QWheelEvent>
 #include <algorithm>
 #include <filesystem>
@@ -73,8 +74,8 @@ struct SettingsInForce : testing::Test {
                 .details = {},
                 .content = "measured"});
         };
-        options.recorder =
-            std::make_shared<SessionRecorder>(SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
+        options.recorder = std::make_shared<SessionRecorder>(
+            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
         options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
@@ -89,13 +90,12 @@ struct SettingsInForce : testing::Test {
     template <class T>
     bool wasTold() const
     {
-        return std::ranges::any_of(
-            told, [](const Command& c) { return std::holds_alternative<T>(c); });
+        return std::ranges::any_of(told,
+                                   [](const Command& c) { return std::holds_alternative<T>(c); });
     }
     void explore()
     {
-        ASSERT_TRUE(
-            eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
         window->exploration().request();
         ASSERT_TRUE(eventually([&] { return exploring(window->exploration().state().phase); }));
         told.clear();
@@ -136,6 +136,9 @@ TEST_F(SettingsInForce, methodQualityAndLimitsReachTheNextEstimate)
     EXPECT_NEAR(window->exploration().options().stepLimit, 0.20, 1e-12);
     EXPECT_NEAR(window->verdict()->limit(), 0.20, 1e-12);
     EXPECT_EQ(window->preferences().current().method, Method::Pafc);
+    EXPECT_EQ(window->exploration().options().seconds, 0.0) << "off until somebody wants it";
+    page().secondsBox()->setValue(5);
+    EXPECT_EQ(window->exploration().options().seconds, 5.0);
 }
 
 TEST_F(SettingsInForce, aSettingChangesNoOther)
@@ -305,8 +308,7 @@ TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
     ASSERT_FALSE(SessionReader::open(path)->sealed());
     SessionHousekeeping house(sessionsIn(folder), {});
     QStringList told;
-    QObject::connect(&house, &SessionHousekeeping::news,
-                     [&] { told << house.takeNews(); });
+    QObject::connect(&house, &SessionHousekeeping::news, [&] { told << house.takeNews(); });
     QTest::qWait(100);
     EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
     house.start();
