@@ -26,6 +26,7 @@ QString matter(BusState state)
     case BusState::Down: return BusWords::tr("%1 is down: bring it up");
     case BusState::Absent:
         return BusWords::tr("%1 does not exist: plug the adapter in, or make the interface");
+    case BusState::Ended: return BusWords::tr("%1 has ended");
     }
     return QStringLiteral("%1");
 }
@@ -44,7 +45,6 @@ QString troubleWords(const CanSource* link, const std::string& said)
 {
     if (said.empty() || !link) return words::text(said);
     const CanView view = link->view();
-    if (view.ended) return BusWords::tr("%1 has ended").arg(words::text(link->name()));
     return view.bus == BusState::Up ? words::text(said) : busWords(view.bus, link->busName());
 }
 

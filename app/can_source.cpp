@@ -64,12 +64,11 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
 
 bool CanSource::ended() const
 {
-    return options_.mode == Mode::Replay && bus_->state() == BusState::Absent;
+    return options_.mode == Mode::Replay && bus_->state() == BusState::Ended;
 }
 
 std::string CanSource::trouble() const
 {
-    if (ended()) return name() + " has ended";
     const BusState state = bus_->state();
     return state == BusState::Up ? std::string() : describe(state, bus_->name());
 }
@@ -179,6 +178,7 @@ CanView CanSource::view() const
             .forces = link_.telemetry().forces(),
             .transmits = options_.mode == Mode::Transmit,
             .whyNotTransmitting = whyNotTransmitting(),
+            .waits = waits_,
             .ended = ended()};
 }
 

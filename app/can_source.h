@@ -28,7 +28,14 @@ struct CanView {
     ElementForces forces;            ///< of that line
     bool transmits = false;
     std::string whyNotTransmitting;  ///< in words; empty where it transmits
+    bool waits = false;              ///< a replay that has not begun
     bool ended = false;              ///< a replay that has come to its end
+};
+
+/// What the load of a bus is told of.
+struct BitRate {
+    std::optional<double> bitsPerSecond{};  ///< empty: not known
+    bool nominal = false;                   ///< nobody has set it or counts by it
 };
 
 /// A robot on a CAN bus.  The thread that calls next() receives, beats the heart and repeats drives, so
@@ -45,6 +52,7 @@ public:
         std::function<Heights()> truth{};
         bool waits = false;  ///< next() brings nothing before begin(): a replay for its viewer
         std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: not known
+        bool nominal = false;  ///< the bus counts no bits; it is what a real one would have
         /// Hears every frame in the thread that calls next(), before it means anything; empty: nobody.
         std::function<void(std::span<const BusFrame>)> heard{};
     };
@@ -69,7 +77,7 @@ public:
     CanView view() const;
     /// Everything that was received, for the pages that show the bus itself.
     BusTap& tap() { return tap_; }
-    std::optional<double> bitrate() const { return options_.bitrate; }
+    BitRate bitrate() const { return {options_.bitrate, options_.nominal}; }
     Mode mode() const { return options_.mode; }
     std::string busName() const { return bus_->name(); }
     /// Frames that were received and not yet looked at, when new ones came.

@@ -66,7 +66,7 @@ Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, Clock::time_po
     std::array<BusFrame, 64> frames;
     for (;;) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
-        if (left <= 0ms || (isReplay && bus.state() == BusState::Absent)) return Done{};
+        if (left <= 0ms || (isReplay && bus.state() == BusState::Ended)) return Done{};
         const Result<std::size_t> count = bus.receive(frames, left);
         if (!count) return count.error();
         for (std::size_t i = 0; i < *count; ++i) monitor.take(frames[i]);
@@ -96,7 +96,7 @@ Status monitorCan(const CanMonitorOptions& options)
             return done;
         const double now = seconds(Clock::now());
         monitor.mark(now);
-        const bool ended = isReplay && (*bus)->state() == BusState::Absent;
+        const bool ended = isReplay && (*bus)->state() == BusState::Ended;
         const std::string state = !isReplay ? describe((*bus)->state(), (*bus)->name())
                                 : ended     ? (*bus)->name() + " has ended"
                                             : (*bus)->name();

@@ -177,7 +177,9 @@ Status tradeoff(const TradeoffOptions& options)
     if (points.empty()) return fileError(options.data, "no method has an estimate of any scene");
     if (Status s = writeFileAtomically((out / "tradeoff.csv").string(), tradeoffCsv(points)); !s)
         return s;
-    if (Status s = writeFileAtomically((out / "presets.csv").string(), presetsCsv(points)); !s)
+    if (Status s = writeFileAtomically((out / "presets.csv").string(),
+                                       presetsCsv((*toolbox)->model.contentHash, points));
+        !s)
         return s;
     for (const char* file : {"tradeoff.png", "tradeoff.svg"})
         if (Status s = writeTradeoffFigure((out / file).string(), points); !s) return s;

@@ -77,18 +77,22 @@ void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
     const QString why =
         sight.sourceTrouble.isEmpty() ? QString() : QStringLiteral(": ") + sight.sourceTrouble;
     const bool came = sight.telemetryAge.has_value();
-    judge("silence", !came && now_ - *began_ >= kFirstTelemetry,
+    const bool waits = sight.bus && sight.bus->waits;
+    const bool ended = sight.bus && sight.bus->ended;
+    if (waits) began_ = now_;  // nothing is due yet
+    judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
           tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
-    judge("link", came && !sight.linkAlive, tr("Link lost%1").arg(why), Severity::Critical);
+    judge("link", came && !sight.linkAlive && !ended, tr("Link lost%1").arg(why),
+          Severity::Critical);
 }
 
 void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
 {
-    const bool isUp = bus.bus == BusState::Up;
-    judge("bus", !isUp, busWords(bus.bus, sight.busName),
+    const bool isSound = bus.bus == BusState::Up || bus.bus == BusState::Ended;
+    judge("bus", !isSound, busWords(bus.bus, sight.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
-    judge("foreign", bus.link.foreignSender,
+    judge("foreign", bus.link.foreignSender && bus.transmits,
           tr("Another console sends commands on this bus: find it and switch it off"),
           Severity::Critical);
     judge("dropped", grewLately("dropped", bus.frames.dropped),

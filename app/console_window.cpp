@@ -14,6 +14,7 @@
 
 #include "app/letters.h"
 #include "app/view_menu.h"
+#include "widgets/calm_wheel.h"
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -58,6 +59,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     // F12 has to stop the robot from every dialog, also from those that the desktop would draw by itself.
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
+    qApp->installEventFilter(new CalmWheel(this));
 }
 
 QLabel* ConsoleWindow::addStrip(const QString& look)
@@ -111,10 +113,10 @@ QPushButton* ConsoleWindow::addTool(const QString& text, const QString& tip)
     return button;
 }
 
-void ConsoleWindow::addViewTool(PreferenceStore& preferences)
+void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& newWindow)
 {
     QPushButton* view = addTool(tr("View"), tr("Layout, colours and size of the letters"));
-    view->setMenu(new ViewMenu(preferences, view));
+    view->setMenu(new ViewMenu(preferences, newWindow, view));
 }
 
 void ConsoleWindow::addHelpTool()

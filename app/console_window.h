@@ -46,7 +46,8 @@ protected:
     void addScrolledPage(QWidget* page, const QString& name, Qt::Key key, const QString& tip);
     QWidget* currentPage() const;                                   ///< as it was added
     QPushButton* addTool(const QString& text, const QString& tip);  ///< to the rail
-    void addViewTool(PreferenceStore& preferences);
+    /// newWindow: when what needs a new window gets one, in words.
+    void addViewTool(PreferenceStore& preferences, const QString& newWindow);
     void addHelpTool();
     void addBelowPages(QWidget* widget);
     QStackedWidget* pages() const { return pages_; }

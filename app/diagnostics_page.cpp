@@ -16,6 +16,7 @@
 #include <QScrollArea>
 #include <QStringList>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cstring>
 #include <thread>
 
@@ -153,6 +154,55 @@ DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
              {DiagnosticsPage::tr("telemetry to screen"), halfAndWorst(meter.latencies())}}};
 }
 
+QString contactWords(const PanelFacts& panel, PanelContact contact)
+{
+    const QString level = panel.report.state.contacts[contact].closed
+                            ? DiagnosticsPage::tr("closed")
+                            : DiagnosticsPage::tr("open");
+    const QString edges = QString::number(panel.report.counters.edges[contact]);
+    if (contact == PanelContact::Stop)
+        return DiagnosticsPage::tr("%1 · edges %2").arg(level, edges);
+    // A clean press makes two edges; the rest are bounces.
+    return DiagnosticsPage::tr("%1 · edges %2 · presses %3")
+        .arg(level, edges, QString::number(panel.presses[contact]));
+}
+
+QString latencyWords(const std::vector<double>& seconds)
+{
+    if (seconds.empty()) return words::kNothing;
+    return DiagnosticsPage::tr("newest %1 · worst %2 of %3")
+        .arg(milliseconds(seconds.back()),
+             milliseconds(*std::max_element(seconds.begin(), seconds.end())))
+        .arg(seconds.size());
+}
+
+/// The same lines whether there is a panel or not.
+DiagnosticsSection panelDiagnostics(const std::optional<PanelFacts>& panel)
+{
+    DiagnosticsSection section{DiagnosticsPage::tr("Operator's panel"), {}};
+    const auto line = [&](const QString& name, const auto& value) {
+        section.lines << std::pair(name, panel ? value(*panel) : words::kNothing);
+    };
+    line(DiagnosticsPage::tr("panel"), [](const PanelFacts& p) {
+        if (!p.answers)
+            return DiagnosticsPage::tr("✘ does not answer: %1")
+                .arg(words::sentence(p.report.trouble));
+        return p.report.trouble.empty() ? DiagnosticsPage::tr("✔ answers")
+                                        : words::sentence(p.report.trouble);
+    });
+    for (const PanelContact contact : kAllPanelContacts)
+        line(DiagnosticsPage::tr("contact %1").arg(words::text(name(contact))),
+             [contact](const PanelFacts& p) { return contactWords(p, contact); });
+    line(DiagnosticsPage::tr("events lost"), [](const PanelFacts& p) {
+        return DiagnosticsPage::tr("%1 by the kernel · panel gone %2 times")
+            .arg(p.report.counters.lostEdges)
+            .arg(p.report.counters.losses);
+    });
+    line(DiagnosticsPage::tr("STOP to the bus"),
+         [](const PanelFacts& p) { return latencyWords(p.stopLatencies); });
+    return section;
+}
+
 DiagnosticsSection partsDiagnostics(const ConsoleFacts& facts)
 {
     const ModelInUse& model = facts.model;
@@ -183,7 +233,8 @@ QList<DiagnosticsSection> standingDiagnostics()
 
 QList<DiagnosticsSection> consoleDiagnostics(const ConsoleFacts& facts, const LoopMeter& meter)
 {
-    return {presentDiagnostics(facts), loopDiagnostics(meter), partsDiagnostics(facts)};
+    return {presentDiagnostics(facts), loopDiagnostics(meter), panelDiagnostics(facts.panel),
+            partsDiagnostics(facts)};
 }
 
 QString plainText(const QList<DiagnosticsSection>& sections)

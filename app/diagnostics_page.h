@@ -5,10 +5,12 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/can_source.h"
 #include "app/estimation.h"
 #include "app/page.h"
+#include "drivers/operator_panel.h"
 
 class QGridLayout;
 class QLabel;
@@ -28,11 +30,20 @@ struct DiagnosticsSection {
 /// network stack once.
 QList<DiagnosticsSection> standingDiagnostics();
 
+/// An operator's panel, and how it fares.
+struct PanelFacts {
+    PanelReport report{};
+    bool answers = false;
+    PerContact<std::uint64_t> presses{};
+    std::vector<double> stopLatencies{};  ///< [s]
+};
+
 /// What a console works with, and how it fares.
 struct ConsoleFacts {
     std::optional<double> telemetryAge{};         ///< [s]; empty: none came yet
     double telemetryRate = 0.0;                   ///< [Hz]
     std::optional<CanSource::Waiting> waiting{};  ///< of a bus
+    std::optional<PanelFacts> panel{};            ///< empty: there is none
     bool estimating = false;
     QString source{}, robot{}, robotDetails{};
     ModelInUse model{};

@@ -16,23 +16,33 @@ Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const O
     listenToModels();
     connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
     connect(&worker_, &EstimatorWorker::failed, this, &Estimation::refuse);
+    connect(&worker_, &EstimatorWorker::advised, this, [this](const ProbeAdvice& advice) {
+        // The worker answers in turn, so this is of the estimate that stands, if one does.
+        if (!estimate_ || advice.stepLimit != options_.stepLimit) return;
+        advice_ = advice;
+        emit advised();
+    });
 }
 
 void Estimation::listenToModels()
 {
     connect(&worker_, &EstimatorWorker::modelLoaded, this,
-            [this](const QString& name, const QString& details) {
-                model_ = {.name = name, .details = details};
+            [this](const QString& name, const QString& details, const QString& /*hash*/,
+                   const QString& content) {
+                model_ = {.name = name, .details = details, .content = content};
                 if (!estimate_) track_.reset();  // it rests on the model before
                 emit modelChanged();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
+                resume();
             });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         model_.trouble = why;
         emit happened(why, Weight::Bad);
+        resume();
     });
     connect(&worker_, &EstimatorWorker::modelKept, this, [this](const QString& why) {
         emit happened(tr("model %1 stays in use: %2").arg(model_.name, why), Weight::Bad);
+        resume();
     });
 }
 
@@ -97,6 +107,12 @@ void Estimation::cancel()
     job_ = liveJob_ = secondJob_ = 0;  // a result already on its way is not ours any more
 }
 
+void Estimation::adviseAnew()
+{
+    if (estimate_ && advice_.bin && advice_.stepLimit != options_.stepLimit)
+        worker_.advise(*estimate_, robot_, options_.stepLimit);
+}
+
 void Estimation::forget(const QString& why)
 {
     if (estimate_) emit forgotten(why);
@@ -117,7 +133,8 @@ EstimateRequest Estimation::requestFor(Method method) const
             .arm = readings_,
             .settings = settings,
             .prober = {},
-            .stepLimit = options_.stepLimit};
+            .stepLimit = options_.stepLimit,
+            .seconds = options_.seconds};
 }
 
 void Estimation::start()
@@ -133,6 +150,17 @@ void Estimation::startSecond()
 {
     if (secondMethod_ && estimate_ && scene_ && job_ == 0)  // it would overtake that one
         secondJob_ = worker_.request(requestFor(*secondMethod_));
+}
+
+void Estimation::resume()
+{
+    liveJob_ = 0;
+    const bool second = secondJob_ != 0;
+    secondJob_ = 0;
+    if (job_ != 0)
+        start();
+    else if (second)
+        startSecond();
 }
 
 void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds,
@@ -155,6 +183,7 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     advice_ = advice;
     track_.emplace(robot_, estimate, scene_->measurement);
     emit stands(false);
+    adviseAnew();  // the limit may have been changed meanwhile
     startSecond();
     tellOf(estimate);
 }

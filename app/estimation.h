@@ -25,6 +25,7 @@ struct CapturedScene {
 /// The model that the estimator works with, in words.
 struct ModelInUse {
     QString name{}, details{};  ///< empty: none was loaded yet
+    QString content{};          ///< LoadedModel::content
     QString trouble{};          ///< why there is none
 };
 
@@ -38,6 +39,7 @@ public:
     struct Options {
         Settings settings;
         double stepLimit = kStepLimit;  ///< [m] what counts as an obstacle
+        double seconds = 0.0;           ///< EstimateRequest::seconds
     };
 
     /// options: as they are whenever something is asked of them.  All three must outlive it.
@@ -57,6 +59,7 @@ public:
     void take(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< all that is under way
+    void adviseAnew();                                   ///< for the limit of now
     /// The scene, its readings and estimates, and an answer that is still to come; not the ghost, nor a preview.
     void forget(const QString& why);
     void forgetGhost() { track_.reset(); }
@@ -91,6 +94,7 @@ signals:
     void captured(const terratact::CapturedScene& scene);
     void stands(bool second);            ///< an estimate, of the second method or not
     void failed();                       ///< the estimate of scene()
+    void advised();                      ///< anew, for another limit
     void forgotten(const QString& why);  ///< the estimate that stood
 
 private:
@@ -100,6 +104,7 @@ private:
     void refuse(int job, const QString& why);
     void start();
     void startSecond();
+    void resume();  ///< what the worker has given up to load a model
     EstimateRequest requestFor(Method method) const;
     void tellOf(const TerrainEstimate& estimate);
     bool wantsGhost() const { return track_ && !estimate_ && !live_; }

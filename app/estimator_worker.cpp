@@ -8,6 +8,7 @@
 
 #include "app/model_words.h"
 #include "app/parallel.h"
+#include "app/time_budget.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
@@ -26,6 +27,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
 
         LoadedModel model;
         model.name = QFileInfo(QString::fromStdString(path)).fileName();
+        model.content = QString::fromStdString(stored->contentHash);
         model.details = ModelWords::card(factsOf(path, *stored));
         if (const auto hash = sha256OfFile(path)) model.hash = QString::fromStdString(*hash);
         model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
@@ -47,6 +49,12 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
     connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::take,
             Qt::QueuedConnection);
     connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
+    connect(
+        this, &EstimatorWorker::adviceRequested, this,
+        [this](const TerrainEstimate& estimate, const RobotModel& prober, double stepLimit) {
+            emit advised(adviseProbe(estimate, prober, stepLimit));
+        },
+        Qt::QueuedConnection);
 }
 
 void EstimatorWorker::start()
@@ -75,6 +83,12 @@ void EstimatorWorker::cancel()
     progress_ = -1.0;
 }
 
+void EstimatorWorker::advise(const TerrainEstimate& estimate, const RobotModel& prober,
+                             double stepLimit)
+{
+    emit adviceRequested(estimate, prober, stepLimit);
+}
+
 std::optional<double> EstimatorWorker::progress() const
 {
     const double share = progress_;
@@ -94,7 +108,7 @@ void EstimatorWorker::take(const ModelLoader& load)
         auto model = load();
         if (model) {
             estimate_ = model->estimate;
-            emit modelLoaded(model->name, model->details, model->hash);
+            emit modelLoaded(model->name, model->details, model->hash, model->content);
             return;
         }
         why = QString::fromStdString(model.error().text);
@@ -116,7 +130,7 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
     QString why;
     try {
         if (!estimate_) throw std::runtime_error(trouble_.toStdString());
-        Watch watch;
+        Watch watch = endingAfter(request.seconds);
         watch.cancelled = overtaken;
         watch.progress = [this, overtaken](double share) {
             if (!overtaken()) progress_ = share;

@@ -25,6 +25,7 @@ struct EstimateRequest {
     Settings settings;
     std::optional<RobotModel> prober{};  ///< whose arm might probe; empty: that is not asked
     double stepLimit = kStepLimit;       ///< [m] of the question what a probe would tell
+    double seconds = 0.0;  ///< after which sampling ends with what there is; 0: no limit
 };
 
 /// Computes an estimate; throws what reconstruct() throws.
@@ -33,9 +34,10 @@ using Estimator = std::function<TerrainEstimate(const EstimateRequest&, const Wa
 /// An estimator with its model's name as the operator reads it.
 struct LoadedModel {
     Estimator estimate;
-    QString name;     ///< "default.ttm"
-    QString details;  ///< its card, in words
-    QString hash{};   ///< SHA-256 of its file
+    QString name;       ///< "default.ttm"
+    QString details;    ///< its card, in words
+    QString hash{};     ///< SHA-256 of its file
+    QString content{};  ///< StoredModel::contentHash
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
@@ -53,25 +55,32 @@ public:
     ~EstimatorWorker() override;
 
     void start();  ///< loads the model; call once, when everybody listens
-    /// Another model for the requests that follow; cancels the one in flight.  Ends in modelLoaded or, where it
-    /// cannot be loaded, in modelKept or modelFailed.
+    /// Another model for the requests that follow; cancels the one in flight, which is to be made again.  Ends in
+    /// modelLoaded or, where it cannot be loaded, in modelKept or modelFailed.
     void load(ModelLoader load);
 
     int request(const EstimateRequest& request);  ///< the job's number
     void cancel();
+    /// Asks anew what `prober` should touch in an estimate that stands, once the requests before it are done;
+    /// cancels nothing and ends in advised().
+    void advise(const TerrainEstimate& estimate, const RobotModel& prober, double stepLimit);
     /// 0 … 1 of the job in flight; empty when there is none.  To be looked at, not to be signalled.
     std::optional<double> progress() const;
 
 signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
     void loadRequested(const terratact::ModelLoader& load);              ///< likewise
-    void modelLoaded(const QString& name, const QString& details, const QString& hash);
+    void adviceRequested(const terratact::TerrainEstimate& estimate,
+                         const terratact::RobotModel& prober, double stepLimit);  ///< likewise
+    void modelLoaded(const QString& name, const QString& details, const QString& hash,
+                     const QString& content);
     void modelFailed(const QString& why);  ///< there is none
     void modelKept(const QString& why);    ///< the one before stays
     /// seconds: the estimate took.  advice: what the request's prober should touch, and what that buys.
     void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds,
                    const terratact::ProbeAdvice& advice);
     void failed(int job, const QString& why);
+    void advised(const terratact::ProbeAdvice& advice);
 
 private:
     void take(const ModelLoader& load);

@@ -28,6 +28,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     connect(&estimation_, &Estimation::stands, this, [this](bool second) {
         if (!second) takeAdvice();
     });
+    connect(&estimation_, &Estimation::advised, this, &Exploration::askAnew);
     connect(&estimation_, &Estimation::failed, this, [this] { pending_.estimateFailed = true; });
     connect(&estimation_, &Estimation::modelChanged, this, [this] {
         // What is shown rests on the model before.
@@ -42,6 +43,13 @@ void Exploration::takeAdvice()
     pending_.probeWanted = bin.has_value();
     probes_.withdraw();
     if (bin && !following()) probes_.propose(*bin);
+}
+
+void Exploration::askAnew()
+{
+    if (!probes_.current()) return;
+    probes_.propose(probes_.current()->bin);
+    if (state_.phase == AtemPhase::ProposingProbe) emit proposed();
 }
 
 QString Exploration::whyNoEstimate() const
@@ -98,12 +106,13 @@ void Exploration::choose(quint64 proposal, int bin)
 void Exploration::setStepLimit(double metres)
 {
     if (metres == options_.stepLimit) return;
-    emit decided("limit", words::number(metres, 2));
     options_.stepLimit = metres;
+    estimation_.adviseAnew();
 }
 
 void Exploration::setSecondMethod(std::optional<Method> method)
 {
+    emit decided("second method", method ? words::text(name(*method)) : QStringLiteral("none"));
     estimation_.setSecondMethod(method);
 }
 
@@ -187,7 +196,6 @@ void Exploration::setSettings(const Settings& settings)
     const std::uint64_t seed = options_.settings.seed;
     options_.settings = settings;
     options_.settings.seed = seed;
-    emit decided("settings", words::text(name(settings.method)));
     emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
                       .arg(words::text(name(settings.method)))
                       .arg(settings.draws)

@@ -49,6 +49,7 @@ public:
     void refuse(quint64 proposal);
     void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
     void setStepLimit(double metres);        ///< what counts as an obstacle
+    void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
     void
     setSecondMethod(std::optional<Method> method);  ///< estimated beside the first; empty: none
     void drive(int direction);
@@ -102,6 +103,8 @@ signals:
 
 private:
     void takeAdvice();
+    void
+    askAnew();  ///< the same probe by the newest advice: another question, with an id of its own
 
     // The state by one tick.
     void advance();

@@ -8,6 +8,7 @@
 #include <QIcon>
 #include <QScreen>
 #include <QSocketNotifier>
+#include <QTime>
 #include <QTimer>
 #include <csignal>
 #include <cstdio>
@@ -32,6 +33,7 @@
 #include "app/robot_in_process.h"
 #include "app/robot_setup.h"
 #include "app/scenes_window.h"
+#include "app/session_housekeeping.h"
 #include "app/session_recorder.h"
 #include "app/steady_now.h"
 #include "app/tradeoff_csv.h"
@@ -51,8 +53,9 @@ namespace terratact {
 namespace {
 
 constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
-constexpr int kReopen = 1000;       // never an exit code
-constexpr double kDemoSpeed = 4.0;  // simulated seconds per second of a screenshot's drive
+constexpr int kReopen = 1000;              // never an exit code
+constexpr double kNominalBitrate = 500e3;  // [bit/s] of the robot's real bus
+constexpr double kDemoSpeed = 4.0;         // simulated seconds per second of a screenshot's drive
 
 struct Arguments {
     std::string model, robot, terrain, screenshot, can, replay, panel;
@@ -150,13 +153,12 @@ int failed(const std::string& why)
     return kFailed;
 }
 
-/// What the shipped model's presets cost; nothing for another model, of which nobody knows.
-std::vector<PresetCost> presetsOf(const std::string& model)
+/// What the shipped model's presets cost.
+PresetTable shippedPresets()
 {
-    if (model != resourcePath("models/default.ttm")) return {};
     auto presets = readPresets(resourcePath("models/default.presets.csv"));
     if (!presets) std::fprintf(stderr, "terratact-console: %s\n", presets.error().text.c_str());
-    return presets ? *presets : std::vector<PresetCost>{};
+    return presets ? *presets : PresetTable{};
 }
 
 /// The built-in robot and its bus; whoever talks to it on an end of that must not outlive it.
@@ -204,6 +206,8 @@ std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& rob
                            .name = "SIMULATED ROBOT",
                            .link = {.seed = drawn()},
                            .truth = [&builtIn] { return builtIn.robot.truth(); },
+                           .bitrate = kNominalBitrate,
+                           .nominal = true,
                            .heard = heard});
 }
 
@@ -266,25 +270,39 @@ Status connect(MainWindow::Options& options, const Arguments& arguments,
     return Done{};
 }
 
+bool records(const Arguments& arguments)
+{
+    return !arguments.noRecord && arguments.replay.empty() && arguments.screenshot.empty();
+}
+
+std::string sessionsOf(const Arguments& arguments)
+{
+    return arguments.sessions.empty() ? sessionFolder() : arguments.sessions;
+}
+
+/// Looks after the earlier recordings once there is a window to tell of it.
+void keepHouse(SessionHousekeeping& house, MainWindow& window)
+{
+    const auto tell = [&house, events = window.events()] {
+        for (const QString& sentence : house.takeNews())
+            events->add(sentence, Weight::Doubt, QTime::currentTime());
+    };
+    QObject::connect(&house, &SessionHousekeeping::news, &window, tell);
+    tell();
+    QTimer::singleShot(0, &house, &SessionHousekeeping::start);
+}
+
 /// Records what happens, unless it has happened before (a replay) or is only for a picture.
 std::shared_ptr<SessionRecorder> recorderFor(const Arguments& arguments,
                                              const std::string& robotPath,
-                                             const Preferences& preferences, QStringList& notices)
+                                             const Preferences& preferences)
 {
-    if (arguments.noRecord || !arguments.replay.empty() || !arguments.screenshot.empty()) return {};
     constexpr std::size_t kMost = 1U << 20U;  // bytes
-    const std::string folder = arguments.sessions.empty() ? sessionFolder() : arguments.sessions;
-    const auto notice = [&notices](const std::vector<std::string>& told) {
-        for (const std::string& text : told) notices << QString::fromStdString(text);
-    };
-    notice(recoverSessions(folder));
-    notice(applyRetention(folder, {.days = static_cast<double>(preferences.keepDays),
-                                   .gigabytes = static_cast<double>(preferences.keepGigabytes)}));
     const bool simulated = arguments.can.empty();
     const std::string robot =
         readFile(robotPath, kMost) ? *readFile(robotPath, kMost) : std::string();
     SessionRecorder::Options options;
-    options.folder = folder;
+    options.folder = sessionsOf(arguments);
     options.on = preferences.record;
     options.start = {.program = std::string("terratact-console ") + TERRATACT_VERSION,
                      .source = simulated ? "SIMULATED ROBOT" : arguments.can,
@@ -329,29 +347,39 @@ Preferences inForce(Preferences preferences, const Arguments& arguments)
     return preferences;
 }
 
-/// The robot file of the command line, or the preferred one, or where that cannot be read the shipped one.
-std::string robotFor(const Arguments& arguments, LoadedPreferences& loaded)
+/// The preferred robot file, or where that cannot be read the shipped one.
+std::string usableRobot(const QString& preferred, QStringList& troubles)
 {
-    if (!arguments.robot.empty()) return arguments.robot;
-    if (std::string preferred = loaded.preferences.robot.toStdString(); !preferred.empty()) {
-        const auto robot = readRobotModel(preferred);
-        if (robot) return preferred;
-        loaded.troubles << robotNotUsed(QString::fromStdString(robot.error().text));
+    if (!preferred.isEmpty()) {
+        const auto robot = readRobotModel(preferred.toStdString());
+        if (robot) return preferred.toStdString();
+        troubles << robotNotUsed(QString::fromStdString(robot.error().text));
     }
     return resourcePath("robots/absolem.toml");
 }
 
 /// Likewise the model.
-std::string modelFor(const Arguments& arguments, LoadedPreferences& loaded)
+std::string usableModel(const QString& preferred, QStringList& troubles)
 {
-    if (!arguments.model.empty()) return arguments.model;
-    const QString preferred = loaded.preferences.model;
     if (!preferred.isEmpty()) {
         if (const QFileInfo info(preferred); info.isFile() && info.isReadable())
             return preferred.toStdString();
-        loaded.troubles << modelNotUsed(preferred);
+        troubles << modelNotUsed(preferred);
     }
     return resourcePath("models/default.ttm");
+}
+
+/// What the command line says, and else what is preferred.
+std::string robotFor(const Arguments& arguments, LoadedPreferences& loaded)
+{
+    return arguments.robot.empty() ? usableRobot(loaded.preferences.robot, loaded.troubles)
+                                   : arguments.robot;
+}
+
+std::string modelFor(const Arguments& arguments, LoadedPreferences& loaded)
+{
+    return arguments.model.empty() ? usableModel(loaded.preferences.model, loaded.troubles)
+                                   : arguments.model;
 }
 
 void setSize(ConsoleWindow& window, const QByteArray& left, const Arguments& arguments)
@@ -483,20 +511,28 @@ int openScenes(int& argc, char** argv, const Arguments& arguments)
     return showFile(window, arguments, [&window] { return window.estimate().has_value(); });
 }
 
-/// Opens the console and stays until it is closed; kReopen: the operator has chosen another robot.
+/// Opens the console and stays until it is closed; kReopen: it is to be opened anew.  kept: what was in force in the
+/// window before and, afterwards, in this one; empty: there was none.
 int openConsole(int& argc, char** argv, const Arguments& arguments,
-                std::optional<QApplication>& application)
+                std::optional<QApplication>& application, std::optional<Preferences>& kept,
+                std::optional<SessionHousekeeping>& house)
 {
     LoadedPreferences loaded = preferencesFor(arguments);
-    const std::string robotPath = robotFor(arguments, loaded);
+    const std::string robotPath =
+        kept ? usableRobot(kept->robot, loaded.troubles) : robotFor(arguments, loaded);
     const auto robot = readRobotModel(robotPath);
     if (!robot) return failed(robot.error().text);
-    const std::string model = modelFor(arguments, loaded);
-    const Preferences preferences = inForce(loaded.preferences, arguments);
+    const std::string model =
+        kept ? usableModel(kept->model, loaded.troubles) : modelFor(arguments, loaded);
+    const Preferences preferences = kept ? *kept : inForce(loaded.preferences, arguments);
     std::unique_ptr<BuiltInRobot> builtIn;  // outlives the window, which talks to it
     MainWindow::Options options;
     options.robot = *robot;
-    options.recorder = recorderFor(arguments, robotPath, preferences, options.notices);
+    std::vector<std::string> earlier;
+    if (records(arguments)) {
+        earlier = sessionsIn(sessionsOf(arguments));
+        options.recorder = recorderFor(arguments, robotPath, preferences);
+    }
     if (const Status connected = connect(options, arguments, builtIn); !connected)
         return failed(connected.error().text);
 
@@ -509,7 +545,8 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
     options.exploration.settings = withPreferences(options.exploration.settings, preferences);
     options.exploration.settings.seed = arguments.seed;
     options.exploration.stepLimit = preferences.obstacleLimit;
-    options.presets = presetsOf(model);
+    options.exploration.seconds = preferences.estimateSeconds;
+    options.presets = shippedPresets();
     options.preferences = std::make_unique<PreferenceStore>(std::move(loaded), preferences);
     if (demo) options.exploration.linkLostAfter = 5.0;  // a picture must not fail on a busy machine
 
@@ -520,12 +557,20 @@ int openConsole(int& argc, char** argv, const Arguments& arguments,
         Qt::QueuedConnection);
     closeOnSignals(window);
     window.show();
-    if (!demo) return QApplication::exec();
-    const ScreenshotDemo screenshot(window, QString::fromStdString(arguments.screenshot));
-    return QApplication::exec();
+    if (!house)
+        house.emplace(
+            std::move(earlier),
+            SessionRetention{.days = static_cast<double>(preferences.keepDays),
+                             .gigabytes = static_cast<double>(preferences.keepGigabytes)});
+    keepHouse(*house, window);
+    std::optional<ScreenshotDemo> screenshot;
+    if (demo) screenshot.emplace(window, QString::fromStdString(arguments.screenshot));
+    const int ended = QApplication::exec();
+    kept = window.preferences().current();
+    return ended;
 }
 
-int run(int& argc, char** argv, Arguments arguments)
+int run(int& argc, char** argv, const Arguments& arguments)
 {
     if (!arguments.replay.empty()) {
         const FileKind kind = kindOfFile(QString::fromStdString(arguments.replay));
@@ -535,10 +580,11 @@ int run(int& argc, char** argv, Arguments arguments)
             return failed(arguments.replay + ": is no session, of which a picture could be saved");
     }
     std::optional<QApplication> application;
+    std::optional<Preferences> kept;
+    std::optional<SessionHousekeeping> house;
     for (;;) {
-        const int ended = openConsole(argc, argv, arguments, application);
+        const int ended = openConsole(argc, argv, arguments, application, kept, house);
         if (ended != kReopen) return ended;
-        arguments.robot.clear();  // what has just been chosen counts
     }
 }
 

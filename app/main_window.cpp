@@ -51,8 +51,8 @@ constexpr double kRedraw = 0.04;  // [s] 25 Hz
 MainWindow::MainWindow(Options options)
     : preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      presets_(std::move(options.presets)), modelAtStart_(preferences_->current().model),
-      robot_(std::move(options.robot)), source_(std::move(options.source)), link_(options.link),
+      presets_(std::move(options.presets)), robot_(std::move(options.robot)),
+      source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(*source_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
@@ -74,8 +74,6 @@ MainWindow::MainWindow(Options options)
         scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
         recorder_->setOn(preferences_->current().record);
     }
-    for (const QString& notice : options.notices)
-        events()->add(notice, Weight::Doubt, QTime::currentTime());
     offerQualities();
     offerViews();
     defineKeys();
@@ -92,7 +90,10 @@ MainWindow::MainWindow(Options options)
     look();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    exploration_->leave();  // however the window goes
+}
 
 void MainWindow::build(const Options& options)
 {
@@ -111,7 +112,7 @@ void MainWindow::build(const Options& options)
     connect(addTool(tr("Open"), tr("Review a session, a log or scenes in a window of its own; "
                                    "this one goes on (Ctrl+O)")),
             &QPushButton::clicked, this, &MainWindow::open);
-    addViewTool(*preferences_);
+    addViewTool(*preferences_, tr("opens the console anew"));
     addHelpTool();
     arrange();
 }
@@ -141,7 +142,7 @@ void MainWindow::addPages(const Options& options)
     addScrolledPage(signalsPage_, tr("Signals"), Qt::Key_F5,
                     tr("Every signal on the bus, and its newest frames"));
     addTraining(options);
-    settings_ = new SettingsPage(*preferences_, presets_, this);
+    settings_ = new SettingsPage(*preferences_, this);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
@@ -220,16 +221,14 @@ void MainWindow::arrange()
 void MainWindow::applyPreferences(const Preferences& before)
 {
     const Preferences& now = preferences_->current();
+    const QString changes = changesOf(before, now);
+    if (scribe_ && !changes.isEmpty()) scribe_->decision("settings", changes);
     const Settings& set = exploration_->options().settings;
     if (const Settings wanted = withPreferences(set, now); wanted != set) {
         exploration_->setSettings(wanted);
         offerQualities();
     }
-    if (now.robot != before.robot) emit reopenWanted();
-    if (now.model != before.model) {
-        models_->loadPreferred();
-        offerQualities();
-    }
+    if (now.model != before.model) models_->loadPreferred();
     if (now.sound != before.sound) {
         alarms_->setSoundOn(now.sound);
         alarmsPage_->table()->setSoundOn(now.sound);
@@ -240,6 +239,19 @@ void MainWindow::applyPreferences(const Preferences& before)
         verdict()->setLimit(now.obstacleLimit);
     }
     setLook(now.theme, now.fontScale);
+    exploration_->setEstimateSeconds(now.estimateSeconds);
+    if (now.robot != before.robot || now.language != before.language) reopen();
+}
+
+void MainWindow::reopen()
+{
+    if (const QString why = whyNotReopening(); !why.isEmpty()) {
+        events()->add(tr("robot and language change at the next start: %1").arg(why), Weight::Doubt,
+                      QTime::currentTime());
+        return;
+    }
+    leave();
+    emit reopenWanted();
 }
 
 void MainWindow::showCards()
@@ -247,26 +259,33 @@ void MainWindow::showCards()
     const ModelInUse& model = exploration_->estimation().model();
     settings_->setModelCard(model.trouble.isEmpty() ? model.name + QLatin1Char('\n') + model.details
                                                     : tr("no model: %1").arg(model.trouble));
-    const bool commands = link_ && exploration_->armed();
-    const QString blocked = exploring(exploration_->state().phase)
-                              ? tr("An exploration is running: end it with Esc first")
-                          : commands ? tr("The robot is armed: disarm it first (M)")
-                                     : QString();
-    settings_->setRobotCard(robotDetails_, blocked);
+    settings_->setRobotCard(robotDetails_);
+    settings_->setReopenBlocked(whyNotReopening());
+}
+
+QString MainWindow::whyNotReopening() const
+{
+    if (exploration_->following()) return {};
+    if (exploring(exploration_->state().phase))
+        return tr("An exploration is running: end it with Esc first");
+    if (link_ && exploration_->armed()) return tr("The robot is armed: disarm it first (M)");
+    return {};
 }
 
 void MainWindow::offerQualities()
 {
     const Method method = exploration_->options().settings.method;
-    // Nobody has measured what the presets cost with another model.
-    const bool measured = preferences_->current().model == modelAtStart_;
+    const ModelInUse& model = exploration_->estimation().model();
+    const bool measured = !model.name.isEmpty() && model.content.toStdString() == presets_.model;
+    const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
+    settings_->setPresets(costs);
     QStringList names, lines;
     for (const Quality quality : kQualities) {
         names << words::sentence(name(quality));
-        const auto cost = std::find_if(presets_.begin(), presets_.end(), [&](const PresetCost& p) {
+        const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& p) {
             return p.method == method && p.quality == quality;
         });
-        lines << (!measured || cost == presets_.end()
+        lines << (cost == costs.end()
                       ? tr("%1: not measured (terratact tradeoff)").arg(names.back())
                       : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
                             .arg(names.back(), words::number(cost->milliseconds, 1),
@@ -329,6 +348,7 @@ void MainWindow::connectAll()
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
                 header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
+                offerQualities();
                 if (link_) link_->begin();  // a replay, so that no press comes too early
             });
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
@@ -406,7 +426,9 @@ void MainWindow::showRecording()
 
 void MainWindow::mark()
 {
-    if (!scribe_ || !recorder_->state().recording) return;
+    if (!scribe_ || !recorder_->state().recording)
+        return events()->add(tr("not marked: nothing is recorded"), Weight::Doubt,
+                             QTime::currentTime());
     scribe_->mark({});
     events()->add(tr("marked in the recording"), Weight::Note, QTime::currentTime());
 }
@@ -422,6 +444,11 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
                        .model = exploration_->estimation().model()};
     if (latest) facts.telemetryAge = steadyNow() - secondsOf(latest->arrived);
     if (link_) facts.waiting = link_->waiting();
+    if (panel_)
+        facts.panel = PanelFacts{.report = panel_->report(),
+                                 .answers = panel_->answers(steadyNow()),
+                                 .presses = panel_->reader().allPresses(),
+                                 .stopLatencies = panel_->reader().stopLatencies()};
     return consoleDiagnostics(facts, meter_);
 }
 
@@ -536,10 +563,15 @@ void MainWindow::defineKeys()
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
 }
 
-void MainWindow::closeEvent(QCloseEvent* event)
+void MainWindow::leave()
 {
     exploration_->leave();
     preferences_->change([this](Preferences& p) { p.window = saveGeometry(); });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    leave();
     event->accept();
 }
 

@@ -22,7 +22,7 @@
 #include "app/short_notice.h"
 #include "app/stop_display.h"
 #include "app/terrain_page.h"
-#include "core/eval/tradeoff.h"
+#include "app/tradeoff_csv.h"
 
 class QAction;
 class QPushButton;
@@ -55,8 +55,7 @@ public:
         std::unique_ptr<Sounder> sounder = desktopBeep();
         std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
         std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
-        QStringList notices{};                         ///< of the start, for the list of events
-        std::vector<PresetCost> presets;  ///< as `terratact tradeoff` measured them; may be empty
+        PresetTable presets{};                         ///< as `terratact tradeoff` measured them
     };
     explicit MainWindow(Options options);
     ~MainWindow() override;
@@ -92,7 +91,8 @@ public:
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
 
 signals:
-    void reopenWanted();  ///< another robot was chosen: the window has to be built anew
+    /// Another robot or language was chosen: the window has to be built anew.  What it had set in motion is ended.
+    void reopenWanted();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -120,11 +120,13 @@ private:
     void
     placeCards();  ///< forces, robot and events: on the page of the terrain, or on one of their own
     void showCards();  ///< of model and robot, on the page of the settings
-    void offerQualities();
+    void leave();
+    void reopen();
+    QString whyNotReopening() const;  ///< empty: the window may be built anew
+    void offerQualities();  ///< with what they cost, where that was measured with the model in use
 
     std::unique_ptr<PreferenceStore> preferences_;
-    std::vector<PresetCost> presets_;  ///< of the model at the start
-    QString modelAtStart_;
+    PresetTable presets_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
     CanSource* link_;  ///< null where the source is no bus

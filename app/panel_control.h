@@ -37,6 +37,7 @@ public:
     const PanelState& state() const { return report_.state; }
     Precondition precondition(double now) const;
     const PanelReader& reader() const { return reader_; }
+    const PanelReport& report() const { return report_; }
 
 signals:
     void happened(const QString& text, terratact::Weight weight);

@@ -64,7 +64,7 @@ void PanelReader::take(const PanelReport& report)
     latest_ = report;
     readAt_ = steadyNow();
     for (const PanelContact button : kPanelButtons)
-        if (report.state.pressed[button]) ++presses_[button];
+        if (report.state.pressed[button]) ++presses_[button], ++allPresses_[button];
 }
 
 PanelReport PanelReader::latest() const
@@ -77,6 +77,12 @@ PerContact<int> PanelReader::takePresses()
 {
     const std::scoped_lock lock(mutex_);
     return std::exchange(presses_, {});
+}
+
+PerContact<std::uint64_t> PanelReader::allPresses() const
+{
+    const std::scoped_lock lock(mutex_);
+    return allPresses_;
 }
 
 double PanelReader::age(double now) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -22,6 +23,9 @@ public:
     /// How often each button was pressed since the last call.
     PerContact<int> takePresses();
 
+    /// Likewise, since the start.
+    PerContact<std::uint64_t> allPresses() const;
+
     /// [s] since the panel was last read, by `now` of the steady clock; the panel need not be there.
     double age(double now) const;
 
@@ -43,6 +47,7 @@ private:
     mutable std::mutex mutex_;  // guards what follows
     PanelReport latest_;
     PerContact<int> presses_;
+    PerContact<std::uint64_t> allPresses_;
     LampState lamps_;
     double readAt_ = 0.0;
     std::vector<double> latencies_;

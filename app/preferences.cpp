@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <array>
+#include <functional>
 #include <numbers>
 
 #include "widgets/words.h"
@@ -109,9 +110,8 @@ struct Reader {
 };
 
 struct Writer {
-    QSettings& file;
+    std::function<void(const char* key, const QString& text)> value;
 
-    void value(const char* key, const QString& text) { file.setValue(QLatin1String(key), text); }
     void number(const char* key, double value_, double, double)
     {
         value(key, QString::number(value_, 'g', QLocale::FloatingPointShortest));
@@ -144,6 +144,7 @@ void visit(Visitor visitor, Values& p)
     visitor.number("obstacle-limit", p.obstacleLimit, 0.02, 0.60);
     visitor.oneOf("method", p.method, kMethods);
     visitor.oneOf("quality", p.quality, kQualities);
+    visitor.number("estimate-seconds", p.estimateSeconds, 0, kMostEstimateSeconds);
     visitor.number("force-threshold", p.forceThreshold, 0.1, 500.0);
     visitor.number("probe-above", p.probeAbove, 0.001, 1.0);
     visitor.number("roll-limit", p.rollLimit, 0.01, kRight);
@@ -263,13 +264,36 @@ LoadedPreferences loadPreferences(const QString& path)
     return loaded;
 }
 
+QString changesOf(const Preferences& before, const Preferences& now)
+{
+    const auto listed = [](Preferences preferences) {
+        QList<std::pair<QString, QString>> values;
+        preferences.window.clear();
+        visit(Writer{[&values](const char* key, const QString& text) {
+                  values.emplace_back(QLatin1String(key), text);
+              }},
+              preferences);
+        return values;
+    };
+    const auto old = listed(before), wanted = listed(now);
+    QStringList changes;
+    for (qsizetype i = 0; i < old.size(); ++i)
+        if (old[i] != wanted[i])
+            changes
+                << QStringLiteral("%1: %2 → %3").arg(old[i].first, old[i].second, wanted[i].second);
+    return changes.join(QStringLiteral("; "));
+}
+
 QString savePreferences(const QString& path, const Preferences& preferences)
 {
     if (path.isEmpty()) return {};
     QDir().mkpath(QFileInfo(path).path());
     QSettings file(path, QSettings::IniFormat);
     file.setValue(kSchemaKey, QString::number(kPreferencesSchema));
-    visit(Writer{file}, preferences);
+    visit(Writer{[&file](const char* key, const QString& text) {
+              file.setValue(QLatin1String(key), text);
+          }},
+          preferences);
     file.sync();
     return file.status() == QSettings::NoError
              ? QString()

@@ -23,6 +23,7 @@ struct Preferences {
     double obstacleLimit = 0.10;  ///< [m] a higher step is an obstacle (hasStep())
     Method method = Method::Local;
     Quality quality = Quality::Balanced;
+    int estimateSeconds = 0;  ///< [s] after which sampling ends with what there is; 0: no limit
     double forceThreshold = Settings{}.forceThreshold;  ///< [N]
     double probeAbove = Settings{}.probeAbove;          ///< [m]
     double rollLimit = Settings{}.rollLimit;            ///< [rad]
@@ -35,6 +36,7 @@ struct Preferences {
 };
 
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;  ///< [%]
+inline constexpr int kMostEstimateSeconds = 25;               ///< an exploration waits for 30 s
 inline constexpr int kMostDays = 10'000, kMostGigabytes = 100'000;
 inline constexpr int kPreferencesSchema = 1;
 
@@ -58,6 +60,10 @@ LoadedPreferences loadPreferences(const QString& path);
 /// Replaces the file, whole or not at all.  Returns why it could not, in one sentence; empty: it is saved.
 /// Does nothing for an empty path.
 QString savePreferences(const QString& path, const Preferences& preferences);
+
+/// Every preference that differs, under its key in the file, for the record of a session: "method: local → pafc;
+/// sound: true → false".  Where the window is, is none of it.
+QString changesOf(const Preferences& before, const Preferences& now);
 
 // What is said when a preferred file could not be used.
 QString robotNotUsed(const QString& why);

@@ -2,12 +2,13 @@
 
 #include <qwt_plot_renderer.h>
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QFileInfo>
 
 #include "app/csv_field.h"
 #include "app/review_difference.h"
 #include "core/file_write.h"
+#include "widgets/look.h"
 #include "widgets/numbers_table.h"
 #include "widgets/terrain_profile_view.h"
 
@@ -22,6 +23,29 @@ QString troubleOf(const Status& status)
 {
     return status ? QString() : QString::fromStdString(status.error().text);
 }
+
+/// Draws it as by day, as paper is white, while it lives.
+class AsOnPaper {
+public:
+    explicit AsOnPaper(TerrainProfileView& terrain) : terrain_(terrain), before_(lookInForce())
+    {
+        look(ThemeName::Day);
+    }
+    ~AsOnPaper() { look(before_.theme); }
+    AsOnPaper(const AsOnPaper&) = delete;
+    AsOnPaper& operator=(const AsOnPaper&) = delete;
+
+private:
+    void look(ThemeName theme)
+    {
+        if (before_.theme == ThemeName::Day) return;
+        applyLook(*qApp, theme, before_.fontScale);
+        terrain_.restyle();
+    }
+
+    TerrainProfileView& terrain_;
+    LookInForce before_;
+};
 
 /// A table whose columns stand apart by tabs, as CSV.
 QString csvOf(const QString& table)
@@ -47,6 +71,7 @@ QString savePicture(TerrainProfileView& terrain, const QString& path)
     auto file = NewFile::begin(path.toStdString());
     if (!file) return troubleOf(file.error());
     const QString temporary = QString::fromStdString(file->temporaryPath());
+    const AsOnPaper look(terrain);
     QwtPlotRenderer renderer;
     renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
     constexpr double kWidth = 240.0;  // [mm]

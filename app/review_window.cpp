@@ -161,7 +161,7 @@ void ReviewWindow::addTools()
     connect(addTool(tr("Export"),
                     tr("Write what is shown, or what the session holds, to a file (Ctrl+E)")),
             &QPushButton::clicked, this, &ReviewWindow::exportShown);
-    addViewTool(*preferences_);
+    addViewTool(*preferences_, tr("at the next start"));
     addHelpTool();
 }
 

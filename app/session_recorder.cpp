@@ -54,18 +54,6 @@ std::int64_t sizeOf(const std::string& path)
     return none ? 0 : static_cast<std::int64_t>(size);
 }
 
-/// Closed sessions and those whose program died, the oldest first.
-std::vector<std::string> sessionsIn(const std::string& folder)
-{
-    std::vector<std::string> paths;
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-        if (entry.path().extension() == kSuffix && entry.is_regular_file(none))
-            paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
-
 }  // namespace
 
 SessionRecorder::SessionRecorder(Options options)
@@ -397,10 +385,21 @@ std::optional<std::uint64_t> freeBytes(const std::string& folder)
     return std::uint64_t{disk.f_bavail} * disk.f_frsize;
 }
 
-std::vector<std::string> recoverSessions(const std::string& folder)
+std::vector<std::string> sessionsIn(const std::string& folder)
+{
+    std::vector<std::string> paths;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+        if (entry.path().extension() == kSuffix && entry.is_regular_file(none))
+            paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& paths)
 {
     std::vector<std::string> told;
-    for (const std::string& path : sessionsIn(folder)) {
+    for (const std::string& path : paths) {
         const auto recovery = recoverSession(path);
         if (!recovery)
             told.push_back("session not recovered: " + recovery.error().text);
@@ -411,11 +410,11 @@ std::vector<std::string> recoverSessions(const std::string& folder)
     return told;
 }
 
-std::vector<std::string> applyRetention(const std::string& folder, const SessionRetention& limits)
+std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
+                                        const SessionRetention& limits)
 {
     std::vector<std::string> told;
     if (limits.days <= 0.0 && limits.gigabytes <= 0.0) return told;
-    const std::vector<std::string> paths = sessionsIn(folder);
     double total = 0.0;
     for (const std::string& path : paths) total += static_cast<double>(sizeOf(path));
     const double most = limits.gigabytes * 1e9;

@@ -127,9 +127,12 @@ std::string sessionFolder();
 /// What is on a disk besides; empty where that cannot be told.
 std::optional<std::uint64_t> freeBytes(const std::string& folder);
 
-/// Closes the sessions in a folder whose program died (recoverSession); one sentence for each that was, or could
-/// not be.  Sessions that somebody records just now are left alone.
-std::vector<std::string> recoverSessions(const std::string& folder);
+/// The files of a folder's sessions, closed or not, the oldest first.
+std::vector<std::string> sessionsIn(const std::string& folder);
+
+/// Closes those sessions whose program died (recoverSession); one sentence for each that was, or could not be.
+/// Sessions that somebody records just now are left alone.
+std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& paths);
 
 /// Limits a user has set; 0: none.
 struct SessionRetention {
@@ -137,8 +140,9 @@ struct SessionRetention {
     double gigabytes = 0.0;  ///< of all sessions together
 };
 
-/// Deletes the oldest closed sessions of a folder beyond the limits; one sentence for each.  Deletes nothing without
-/// a limit, and never what is not a session.
-std::vector<std::string> applyRetention(const std::string& folder, const SessionRetention& limits);
+/// Deletes the oldest closed ones of these sessions, the oldest first, beyond the limits; one sentence for each.
+/// Deletes nothing without a limit, and never what is not a session.
+std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
+                                        const SessionRetention& limits);
 
 }  // namespace terratact

@@ -33,6 +33,7 @@ public:
     void mark(const QString& note);
 
     RecordingState state() const { return recorder_->state(); }
+    void decision(const char* what, const QString& text);  ///< by the operator
 
 private:
     void connectTo(Exploration& exploration);
@@ -41,7 +42,6 @@ private:
     void takeProposal();
     void tell(EventKind kind, const std::string& subject, const std::string& text = {},
               std::optional<double> number = std::nullopt);
-    void decision(const char* what, const QString& text);
     std::string shown() const;
     void lookAtAlarms(const AlarmList& alarms);
     void lookAtPanel(const PanelState& panel);

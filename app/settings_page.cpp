@@ -53,10 +53,19 @@ QString shippedTip()
     return SettingsPage::tr("Back to what came with the program; grey while that is in use");
 }
 
+QString languageTip()
+{
+    return SettingsPage::tr("Opens the console anew");
+}
+
+QString defaultsTip()
+{
+    return SettingsPage::tr("Everything on this page, and the shipped model and robot");
+}
+
 }  // namespace
 
-SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> presets, QWidget* parent)
-    : Page(parent), store_(store), presets_(std::move(presets))
+SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(parent), store_(store)
 {
     const auto card = [this](const QString& title) {
         auto* made = new Card(title, this);
@@ -73,7 +82,7 @@ SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> prese
     const auto [look, lookForm] = card(tr("Look and sound"));
     buildLook(lookForm);
     defaults_ = new QPushButton(tr("All back to the defaults"), look);
-    defaults_->setToolTip(tr("Everything on this page, and the shipped model and robot"));
+    defaults_->setToolTip(defaultsTip());
     look->body()->addWidget(defaults_);
     connect(defaults_, &QPushButton::clicked, this, [this] {
         store_.change([](Preferences& p) {
@@ -113,8 +122,14 @@ SettingsPage::SettingsPage(PreferenceStore& store, std::vector<PresetCost> prese
     connect(&store_, &PreferenceStore::changed, this, &SettingsPage::show);
 }
 
+void SettingsPage::change(const std::function<void(Preferences&)>& edit)
+{
+    if (!showing_) store_.change(edit);
+}
+
 QComboBox* SettingsPage::choice(QFormLayout* form, const QString& label, const QStringList& names,
-                                const QString& tip)
+                                const QString& tip, std::function<int(const Preferences&)> get,
+                                std::function<void(Preferences&, std::size_t)> set)
 {
     auto* box = new QComboBox(this);
     box->addItems(names);
@@ -122,25 +137,61 @@ QComboBox* SettingsPage::choice(QFormLayout* form, const QString& label, const Q
     box->setAccessibleName(label);
     box->setToolTip(tip);
     form->addRow(label, box);
-    connect(box, &QComboBox::currentIndexChanged, this, &SettingsPage::take);
+    shows_.emplace_back(
+        [box, get = std::move(get)](const Preferences& p) { box->setCurrentIndex(get(p)); });
+    connect(box, &QComboBox::currentIndexChanged, this, [this, set = std::move(set)](int index) {
+        if (index >= 0) change([&](Preferences& p) { set(p, static_cast<std::size_t>(index)); });
+    });
     return box;
 }
 
 QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, double least,
-                                     double most, int decimals, const QString& unit,
-                                     const QString& tip)
+                                     double most, int decimals, const QString& suffix,
+                                     const QString& tip, double Preferences::*value, double unit)
 {
     auto* box = new QDoubleSpinBox(this);
     box->setDecimals(decimals);
     box->setRange(least, most);
     box->setSingleStep(decimals == 2 ? 0.01 : decimals == 1 ? 0.1 : 1.0);
-    box->setSuffix(QLatin1Char(' ') + unit);
+    box->setSuffix(QLatin1Char(' ') + suffix);
     box->setKeyboardTracking(false);  // a number is told when it is whole
     box->setMinimumHeight(kTarget);
     box->setAccessibleName(label);
     box->setToolTip(tip);
     form->addRow(label, box);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &SettingsPage::take);
+    shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value / unit); });
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [=, this](double shown) { change([&](Preferences& p) { p.*value = shown * unit; }); });
+    return box;
+}
+
+QSpinBox* SettingsPage::whole(QFormLayout* form, const QString& label, int least, int most,
+                              const QString& suffix, const QString& tip, int Preferences::*value)
+{
+    auto* box = new QSpinBox(this);
+    box->setRange(least, most);
+    box->setSuffix(QLatin1Char(' ') + suffix);
+    box->setKeyboardTracking(false);
+    box->setMinimumHeight(kTarget);
+    box->setAccessibleName(label);
+    box->setToolTip(tip);
+    form->addRow(label, box);
+    shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value); });
+    connect(box, &QSpinBox::valueChanged, this,
+            [=, this](int shown) { change([&](Preferences& p) { p.*value = shown; }); });
+    return box;
+}
+
+QCheckBox* SettingsPage::flag(QFormLayout* form, const QString& text, const QString& tip,
+                              bool Preferences::*value)
+{
+    auto* box = new QCheckBox(text, this);
+    box->setMinimumHeight(kTarget);
+    box->setToolTip(tip);
+    form->addRow(QString(), box);
+    shows_.emplace_back([=](const Preferences& p) { box->setChecked(p.*value); });
+    connect(box, &QCheckBox::toggled, this,
+            [=, this](bool shown) { change([&](Preferences& p) { p.*value = shown; }); });
     return box;
 }
 
@@ -149,82 +200,73 @@ void SettingsPage::buildEstimate(QFormLayout* form)
     QStringList methods, qualities;
     for (const Method method : offered()) methods << words::text(name(method));
     for (const Quality quality : kQualities) qualities << words::sentence(name(quality));
-    method_ = choice(form, tr("Method"), methods,
-                     tr("local and joint are closed formulas; the others draw chains of samples"));
-    quality_ = choice(form, tr("Quality"), qualities,
-                      tr("Time against accuracy, as terratact tradeoff has measured them"));
+    method_ = choice(
+        form, tr("Method"), methods,
+        tr("local and joint are closed formulas; the others draw chains of samples"),
+        [](const Preferences& p) { return indexOf(offered(), p.method); },
+        [](Preferences& p, std::size_t i) { p.method = offered().at(i); });
+    quality_ = choice(
+        form, tr("Quality"), qualities,
+        tr("Time against accuracy, as terratact tradeoff has measured them"),
+        [](const Preferences& p) { return indexOf(kQualities, p.quality); },
+        [](Preferences& p, std::size_t i) { p.quality = kQualities.at(i); });
+    seconds_ = whole(form, tr("An estimate may take at most"), 0, kMostEstimateSeconds, tr("s"),
+                     tr("Then sampling ends with the draws there are, and the result says so"),
+                     &Preferences::estimateSeconds);
+    seconds_->setSpecialValueText(tr("no limit"));
     obstacle_ = number(form, tr("An obstacle is a step of more than"), 0.02, 0.60, 2, tr("m"),
-                       tr("The verdict's question (PgUp, PgDown)"));
+                       tr("The verdict's question (PgUp, PgDown)"), &Preferences::obstacleLimit);
     threshold_ = number(form, tr("An element is a contact above"), 0.1, 50.0, 1, tr("N"),
-                        tr("Weaker forces are noise"));
-    probeAbove_ = number(form, tr("The arm is offered above a sd of"), 0.01, 0.50, 2, tr("m"),
-                         tr("A bin less certain than this asks for a probe"));
-    roll_ = number(form, tr("The verdict is withheld above a roll of"), 1.0, 45.0, 1, tr("°"),
-                   tr("Then left and right ground differ"));
-    asymmetry_ = number(form, tr("… or left and right flippers apart by"), 1.0, 90.0, 1, tr("°"),
-                        tr("Then left and right ground differ"));
+                        tr("Weaker forces are noise"), &Preferences::forceThreshold);
+    number(form, tr("The arm is offered above a sd of"), 0.01, 0.50, 2, tr("m"),
+           tr("A bin less certain than this asks for a probe"), &Preferences::probeAbove);
+    number(form, tr("The verdict is withheld above a roll of"), 1.0, 45.0, 1, tr("°"),
+           tr("Then left and right ground differ"), &Preferences::rollLimit, kDegree);
+    number(form, tr("… or left and right flippers apart by"), 1.0, 90.0, 1, tr("°"),
+           tr("Then left and right ground differ"), &Preferences::asymmetryLimit, kDegree);
 }
 
 void SettingsPage::buildLook(QFormLayout* form)
 {
-    theme_ = choice(form, tr("Theme"), {tr("day"), tr("night, red"), tr("high contrast")},
-                    tr("Night, red: keeps the eyes used to the dark"));
-    fontScale_ = new QSpinBox(this);
-    fontScale_->setRange(kSmallestFont, kLargestFont);
-    fontScale_->setSingleStep(10);
-    fontScale_->setSuffix(QStringLiteral(" %"));
-    fontScale_->setKeyboardTracking(false);
-    fontScale_->setMinimumHeight(kTarget);
-    fontScale_->setAccessibleName(tr("Size of text"));
-    fontScale_->setToolTip(tr("Ctrl + and Ctrl −"));
-    form->addRow(tr("Size of text"), fontScale_);
-    connect(fontScale_, &QSpinBox::valueChanged, this, &SettingsPage::take);
+    theme_ = choice(
+        form, tr("Theme"), {tr("day"), tr("night, red"), tr("high contrast")},
+        tr("Night, red: keeps the eyes used to the dark"),
+        [](const Preferences& p) { return static_cast<int>(p.theme); },
+        [](Preferences& p, std::size_t i) { p.theme = static_cast<ThemeName>(i); });
+    whole(form, tr("Size of text"), kSmallestFont, kLargestFont, QStringLiteral("%"),
+          tr("Ctrl + and Ctrl −"), &Preferences::fontScale)
+        ->setSingleStep(10);
     lettersNote_ = new QLabel(this);
     setTone(*lettersNote_, Tone::Doubt);
     lettersNote_->setWordWrap(true);
     lettersNote_->hide();
     form->addRow(QString(), lettersNote_);
-    language_ = choice(form, tr("Language"),
-                       {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
-                        QStringLiteral("Deutsch")},
-                       tr("Takes effect at the next start"));
-    layout_ = choice(form, tr("Layout"), {tr("Drive"), tr("Probe"), tr("Review")},
-                     tr("What the terrain page makes large"));
-    sound_ = new QCheckBox(tr("Alarms may be heard"), this);
-    sound_->setMinimumHeight(kTarget);
-    sound_->setToolTip(tr("Off: alarms are only seen"));
-    form->addRow(QString(), sound_);
-    connect(sound_, &QCheckBox::toggled, this, &SettingsPage::take);
-}
-
-QSpinBox* SettingsPage::limit(QFormLayout* form, const QString& label, int most,
-                              const QString& unit, const QString& tip)
-{
-    auto* box = new QSpinBox(this);
-    box->setRange(0, most);
-    box->setSpecialValueText(tr("never"));
-    box->setSuffix(QLatin1Char(' ') + unit);
-    box->setKeyboardTracking(false);
-    box->setMinimumHeight(kTarget);
-    box->setAccessibleName(label);
-    box->setToolTip(tip);
-    form->addRow(label, box);
-    connect(box, &QSpinBox::valueChanged, this, &SettingsPage::take);
-    return box;
+    language_ = choice(
+        form, tr("Language"),
+        {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
+         QStringLiteral("Deutsch")},
+        languageTip(), [](const Preferences& p) { return indexOf(kLanguages, p.language); },
+        [](Preferences& p, std::size_t i) { p.language = kLanguages.at(i); });
+    choice(
+        form, tr("Layout"), {tr("Drive"), tr("Probe"), tr("Review")},
+        tr("What the terrain page makes large"),
+        [](const Preferences& p) { return static_cast<int>(p.layout); },
+        [](Preferences& p, std::size_t i) { p.layout = static_cast<Layout>(i); });
+    flag(form, tr("Alarms may be heard"), tr("Off: alarms are only seen"), &Preferences::sound);
 }
 
 void SettingsPage::buildRecording(QFormLayout* form)
 {
-    record_ = new QCheckBox(tr("Everything is recorded"), this);
-    record_->setMinimumHeight(kTarget);
-    record_->setToolTip(
-        tr("Frames, scenes, estimates, what was shown and decided, in one file per session"));
-    form->addRow(QString(), record_);
-    connect(record_, &QCheckBox::toggled, this, &SettingsPage::take);
-    keepDays_ = limit(form, tr("Delete a session after"), kMostDays, tr("days"),
-                      tr("At the next start; never: nothing is deleted"));
-    keepGigabytes_ = limit(form, tr("Delete the oldest beyond"), kMostGigabytes, tr("GB"),
-                           tr("Of all sessions together, at the next start"));
+    record_ =
+        flag(form, tr("Everything is recorded"),
+             tr("Frames, scenes, estimates, what was shown and decided, in one file per session"),
+             &Preferences::record);
+    whole(form, tr("Delete a session after"), 0, kMostDays, tr("days"),
+          tr("At the next start; never: nothing is deleted"), &Preferences::keepDays)
+        ->setSpecialValueText(tr("never"));
+    whole(form, tr("Delete the oldest beyond"), 0, kMostGigabytes, tr("GB"),
+          tr("Of all sessions together, at the next start"), &Preferences::keepGigabytes)
+        ->setSpecialValueText(tr("never"));
 }
 
 QWidget* SettingsPage::buildFiles()
@@ -274,50 +316,10 @@ void SettingsPage::chooseFile(QString Preferences::*file, const QString& title,
 
 void SettingsPage::show()
 {
-    const Preferences& p = store_.current();
     showing_ = true;
-    method_->setCurrentIndex(indexOf(offered(), p.method));
-    quality_->setCurrentIndex(indexOf(kQualities, p.quality));
-    obstacle_->setValue(p.obstacleLimit);
-    threshold_->setValue(p.forceThreshold);
-    probeAbove_->setValue(p.probeAbove);
-    roll_->setValue(p.rollLimit / kDegree);
-    asymmetry_->setValue(p.asymmetryLimit / kDegree);
-    theme_->setCurrentIndex(static_cast<int>(p.theme));
-    fontScale_->setValue(p.fontScale);
-    language_->setCurrentIndex(indexOf(kLanguages, p.language));
-    layout_->setCurrentIndex(static_cast<int>(p.layout));
-    sound_->setChecked(p.sound);
-    record_->setChecked(p.record);
-    keepDays_->setValue(p.keepDays);
-    keepGigabytes_->setValue(p.keepGigabytes);
+    for (const auto& showOne : shows_) showOne(store_.current());
     showing_ = false;
     showCosts();
-}
-
-void SettingsPage::take()
-{
-    if (showing_) return;
-    const auto at = [](const QComboBox* box) {
-        return static_cast<std::size_t>(std::max(0, box->currentIndex()));
-    };
-    store_.change([&](Preferences& p) {
-        p.method = offered().at(at(method_));
-        p.quality = kQualities.at(at(quality_));
-        p.obstacleLimit = obstacle_->value();
-        p.forceThreshold = threshold_->value();
-        p.probeAbove = probeAbove_->value();
-        p.rollLimit = roll_->value() * kDegree;
-        p.asymmetryLimit = asymmetry_->value() * kDegree;
-        p.theme = static_cast<ThemeName>(at(theme_));
-        p.fontScale = fontScale_->value();
-        p.language = kLanguages.at(at(language_));
-        p.layout = static_cast<Layout>(at(layout_));
-        p.sound = sound_->isChecked();
-        p.record = record_->isChecked();
-        p.keepDays = keepDays_->value();
-        p.keepGigabytes = keepGigabytes_->value();
-    });
 }
 
 void SettingsPage::showCosts()
@@ -331,10 +333,17 @@ void SettingsPage::showCosts()
         const QString word = words::sentence(name(quality));
         quality_->setItemText(i, cost == presets_.end()
                                      ? tr("%1: not measured").arg(word)
-                                     : tr("%1: %2 ms, error %3 mm")
+                                     : tr("%1: %2 ms, error %3 mm, quantiles ± %4 mm")
                                            .arg(word, words::number(cost->milliseconds, 1),
-                                                words::number(cost->errorMm, 0)));
+                                                words::number(cost->errorMm, 0),
+                                                words::number(cost->offMm, 1)));
     }
+}
+
+void SettingsPage::setPresets(std::vector<PresetCost> presets)
+{
+    presets_ = std::move(presets);
+    showCosts();
 }
 
 void SettingsPage::setModelCard(const QString& card)
@@ -342,13 +351,21 @@ void SettingsPage::setModelCard(const QString& card)
     if (model_->text() != card) model_->setText(card);
 }
 
-void SettingsPage::setRobotCard(const QString& card, const QString& robotBlocked)
+void SettingsPage::setRobotCard(const QString& card)
 {
     if (robot_->text() != card) robot_->setText(card);
-    chooseRobot_->setEnabled(robotBlocked.isEmpty());
-    shippedRobot_->setEnabled(robotBlocked.isEmpty() && !store_.current().robot.isEmpty());
-    chooseRobot_->setToolTip(robotBlocked.isEmpty() ? chooseTip() : robotBlocked);
-    shippedRobot_->setToolTip(robotBlocked.isEmpty() ? shippedTip() : robotBlocked);
+}
+
+void SettingsPage::setReopenBlocked(const QString& why)
+{
+    const auto block = [&why](QWidget* control, const QString& tip, bool mayBe = true) {
+        control->setEnabled(why.isEmpty() && mayBe);
+        control->setToolTip(why.isEmpty() ? tip : why);
+    };
+    block(chooseRobot_, chooseTip());
+    block(shippedRobot_, shippedTip(), !store_.current().robot.isEmpty());
+    block(defaults_, defaultsTip());
+    block(language_, languageTip());
 }
 
 QString SettingsPage::modelCard() const

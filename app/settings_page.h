@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "app/page.h"
 #include "app/preference_store.h"
 #include "core/eval/tradeoff.h"
@@ -19,12 +22,15 @@ namespace terratact {
 class SettingsPage final : public Page {
     Q_OBJECT
 public:
-    explicit SettingsPage(PreferenceStore& store, std::vector<PresetCost> presets,
-                          QWidget* parent = nullptr);
+    explicit SettingsPage(PreferenceStore& store, QWidget* parent = nullptr);
 
-    /// What is in use, in a few lines; robotBlocked: why the robot file cannot be changed now, empty: it can.
+    /// What the presets cost with the model in use; those not measured with it are left out.
+    void setPresets(std::vector<PresetCost> presets);
+    // What is in use, in a few lines.
     void setModelCard(const QString& card);
-    void setRobotCard(const QString& card, const QString& robotBlocked);
+    void setRobotCard(const QString& card);
+    /// Why the window cannot be built anew now, as another robot or language needs it; empty: it can.
+    void setReopenBlocked(const QString& why);
     void refresh(double now) override;
 
     QComboBox* methodBox() const { return method_; }
@@ -36,43 +42,49 @@ public:
     QCheckBox* recordBox() const { return record_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
+    QSpinBox* secondsBox() const { return seconds_; }
+    QComboBox* languageBox() const { return language_; }
+    QPushButton* defaultsButton() const { return defaults_; }
     QString modelCard() const;
 
 private:
     void buildEstimate(QFormLayout* form);
     void buildLook(QFormLayout* form);
     void buildRecording(QFormLayout* form);
-    QSpinBox* limit(QFormLayout* form, const QString& label, int most, const QString& unit,
-                    const QString& tip);
     QWidget* buildFiles();
+
+    // A control of one preference each, which it shows and of which alone it writes: the others may be finer than
+    // their controls.
     QComboBox* choice(QFormLayout* form, const QString& label, const QStringList& names,
-                      const QString& tip);
+                      const QString& tip, std::function<int(const Preferences&)> get,
+                      std::function<void(Preferences&, std::size_t)> set);
+    /// unit: [SI] of what the box counts in.
     QDoubleSpinBox* number(QFormLayout* form, const QString& label, double least, double most,
-                           int decimals, const QString& unit, const QString& tip);
+                           int decimals, const QString& suffix, const QString& tip,
+                           double Preferences::*value, double unit = 1.0);
+    QSpinBox* whole(QFormLayout* form, const QString& label, int least, int most,
+                    const QString& suffix, const QString& tip, int Preferences::*value);
+    QCheckBox* flag(QFormLayout* form, const QString& text, const QString& tip,
+                    bool Preferences::*value);
+
     void show();  ///< the preferences in the controls
-    void take();  ///< from the controls
+    void change(const std::function<void(Preferences&)>& edit);
     void chooseFile(QString Preferences::*file, const QString& title, const QString& filter);
     void showCosts();
 
     PreferenceStore& store_;
     std::vector<PresetCost> presets_;
+    std::vector<std::function<void(const Preferences&)>> shows_;  // one of each control
     bool showing_ = false;  // the controls are being set, not the operator's doing
     QComboBox* method_ = nullptr;
     QComboBox* quality_ = nullptr;
+    QSpinBox* seconds_ = nullptr;
     QDoubleSpinBox* threshold_ = nullptr;
     QDoubleSpinBox* obstacle_ = nullptr;
-    QDoubleSpinBox* probeAbove_ = nullptr;
-    QDoubleSpinBox* roll_ = nullptr;
-    QDoubleSpinBox* asymmetry_ = nullptr;
     QComboBox* theme_ = nullptr;
-    QSpinBox* fontScale_ = nullptr;
     QLabel* lettersNote_ = nullptr;
     QComboBox* language_ = nullptr;
-    QComboBox* layout_ = nullptr;
-    QCheckBox* sound_ = nullptr;
     QCheckBox* record_ = nullptr;
-    QSpinBox* keepDays_ = nullptr;
-    QSpinBox* keepGigabytes_ = nullptr;
     QLabel* model_ = nullptr;
     QLabel* robot_ = nullptr;
     QPushButton* chooseModel_ = nullptr;

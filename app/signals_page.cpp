@@ -158,16 +158,22 @@ std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames)
     return rows;
 }
 
-QString loadWords(const BusLoad& load, std::optional<double> bitrate)
+QString loadWords(const BusLoad& load, const BitRate& bitrate)
 {
-    if (!bitrate || !(*bitrate > 0.0))
+    const double rate = bitrate.bitsPerSecond.value_or(0.0);
+    if (!(rate > 0.0))
         return SignalsPage::tr("load --- (bit rate not known): %1 to %2 kbit/s")
             .arg(words::number(load.fewestBits / 1000.0, 1),
                  words::number(load.mostBits / 1000.0, 1));
-    const auto percent = [&](double bits) { return words::number(100.0 * bits / *bitrate, 1); };
-    return SignalsPage::tr(
-               "load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)")
-        .arg(percent(load.fewestBits), percent(load.mostBits), words::number(*bitrate / 1000.0, 0));
+    const auto percent = [&](double bits) { return words::number(100.0 * bits / rate, 1); };
+    const QString said =
+        bitrate.nominal
+            ? SignalsPage::tr("load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all "
+                              "there can be)")
+            : SignalsPage::tr(
+                "load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)");
+    return said.arg(percent(load.fewestBits), percent(load.mostBits),
+                    words::number(rate / 1000.0, 0));
 }
 
 SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link, QWidget* parent)
@@ -238,7 +244,8 @@ void SignalsPage::refreshBus(double now)
                  QString::number(view.frames.dropped), QString::number(view.frames.errorFrames),
                  of(FrameTrouble::WrongChecksum), of(FrameTrouble::WrongSequence),
                  of(FrameTrouble::Unknown)));
-    setTone(*headline_, view.bus == BusState::Up ? Tone::Plain : Tone::Bad);
+    const bool isSound = view.bus == BusState::Up || view.bus == BusState::Ended;
+    setTone(*headline_, isSound ? Tone::Plain : Tone::Bad);
     table_->setRows(signalRows(link_->tap().frames(now)));
 }
 

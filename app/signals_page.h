@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/bus_tap.h"
+#include "app/can_source.h"
 #include "app/page.h"
 #include "widgets/signal_table.h"
 
@@ -18,7 +19,7 @@ class RawTrace;
 std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames);
 
 /// "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)"; without a bit rate "---".
-QString loadWords(const BusLoad& load, std::optional<double> bitrate);
+QString loadWords(const BusLoad& load, const BitRate& bitrate);
 
 /// What is on the bus: its load, every signal, and the newest frames as they were.
 class SignalsPage final : public Page {

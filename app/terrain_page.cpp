@@ -333,6 +333,8 @@ void TerrainPage::setSight(const TerrainSight& sight)
     showRobot(sight);
     showEstimate(sight);
     showPose(sight);
+    const bool isStale = sight.measurement && sight.age > kStaleAfter && !sight.ended;
+    terrain_->setStale(isStale ? std::optional(sight.age) : std::nullopt);
     showVerdict(sight);
     showProbe(sight);
     strip_->setProgress(sight.progress);
@@ -419,7 +421,7 @@ void TerrainPage::showVerdict(const TerrainSight& sight)
                                                : sight.whyNoEstimate);
     QString probe;
     const ProbeProposal* const proposal = sight.proposal;
-    if (proposal && proposal->worth)
+    if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
         probe = tr("probe at %1: %2 → %3 bit")
                     .arg(words::binName(proposal->bin), words::number(proposal->bitsBefore, 2),
                          words::number(proposal->worth->bitsAfter, 2));

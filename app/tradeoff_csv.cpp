@@ -8,7 +8,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::string_view kPresetColumns = "method,quality,ms,quantile_off_mm,error_mm";
+constexpr std::string_view kPresetColumns = "model,method,quality,ms,quantile_off_mm,error_mm";
 
 struct Fronts {
     std::vector<bool> reference, truth;
@@ -33,15 +33,15 @@ std::string inducingName(int rows)
 Result<PresetCost> presetFrom(const CsvReader& csv)
 {
     const auto& fields = csv.fields();
-    if (fields.size() != 5) return csv.error("has not five fields");
-    const auto method = methodFromName(fields[0]);
-    const auto quality = qualityFromName(fields[1]);
+    if (fields.size() != 6) return csv.error("has not six fields");
+    const auto method = methodFromName(fields[1]);
+    const auto quality = qualityFromName(fields[2]);
     if (!method) return csv.error("names no method");
     if (!quality) return csv.error("names no quality");
     PresetCost cost{.method = *method, .quality = *quality};
     double* const values[]{&cost.milliseconds, &cost.offMm, &cost.errorMm};
     for (std::size_t k = 0; k < std::size(values); ++k) {
-        const Result<double> value = csv.number(k + 2, "field " + std::to_string(k + 3));
+        const Result<double> value = csv.number(k + 3, "field " + std::to_string(k + 4));
         if (!value) return value.error();
         *values[k] = *value;
     }
@@ -94,33 +94,37 @@ std::string tradeoffTable(std::span<const TradePoint> points)
     return text;
 }
 
-std::string presetsCsv(std::span<const TradePoint> points)
+std::string presetsCsv(std::string_view model, std::span<const TradePoint> points)
 {
     std::string text(kPresetColumns);
     text += '\n';
     for (const TradePoint& p : points)
         if (p.setting.preset)
-            text += fmt::format("{},{},{:.3g},{:.3g},{:.3g}\n", name(p.setting.settings.method),
-                                name(*p.setting.preset), 1e3 * p.seconds,
-                                1e3 * p.reference.quantile, 1e3 * p.error);
+            text += fmt::format("{},{},{},{:.3g},{:.3g},{:.3g}\n", model,
+                                name(p.setting.settings.method), name(*p.setting.preset),
+                                1e3 * p.seconds, 1e3 * p.reference.quantile, 1e3 * p.error);
     return text;
 }
 
-Result<std::vector<PresetCost>> readPresets(const std::string& path)
+Result<PresetTable> readPresets(const std::string& path)
 {
     Result<CsvReader> csv = CsvReader::open(path);
     if (!csv) return csv.error();
     if (const Result<bool> header = csv->next(); !header) return header.error();
     if (fmt::format("{}", fmt::join(csv->fields(), ",")) != kPresetColumns)
         return csv->error(fmt::format("is not the header {}", kPresetColumns));
-    std::vector<PresetCost> costs;
+    PresetTable table;
     for (;;) {
         const Result<bool> more = csv->next();
         if (!more) return more.error();
-        if (!*more) return costs;
+        if (!*more) return table;
         const Result<PresetCost> cost = presetFrom(*csv);
         if (!cost) return cost.error();
-        costs.push_back(*cost);
+        const std::string_view model = csv->fields().front();
+        if (!table.costs.empty() && model != table.model)
+            return csv->error("is of another model than the lines before");
+        table.model = model;
+        table.costs.push_back(*cost);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/eval/tradeoff.h"
@@ -17,10 +18,16 @@ std::string tradeoffCsv(std::span<const TradePoint> points);
 /// The same as a table to read, times and distances rounded.
 std::string tradeoffTable(std::span<const TradePoint> points);
 
-/// method,quality,ms,quantile_off_mm,error_mm of the points that are presets.
-std::string presetsCsv(std::span<const TradePoint> points);
+/// What presets cost with one model, and with no other.
+struct PresetTable {
+    std::string model{};  ///< its StoredModel::contentHash
+    std::vector<PresetCost> costs{};
+};
+
+/// model,method,quality,ms,quantile_off_mm,error_mm of the points that are presets.
+std::string presetsCsv(std::string_view model, std::span<const TradePoint> points);
 
 /// Reads what presetsCsv wrote.  Errors name file, line and cause.
-Result<std::vector<PresetCost>> readPresets(const std::string& path);
+Result<PresetTable> readPresets(const std::string& path);
 
 }  // namespace terratact

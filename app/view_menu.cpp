@@ -28,10 +28,11 @@ ViewChoice themeChoice(const QString& name, int key, ThemeName theme)
 
 ViewChoice languageChoice(const QString& name, const char* language)
 {
-    return {ViewMenu::tr("language: %1 (at the next start)").arg(name),
+    return {ViewMenu::tr("language: %1").arg(name),
             {},
             [language](Preferences& p) { p.language = QLatin1String(language); },
-            [language](const Preferences& p) { return p.language == QLatin1String(language); }};
+            [language](const Preferences& p) { return p.language == QLatin1String(language); },
+            true};
 }
 
 ViewChoice fontStep(const QString& name, QList<QKeyCombination> keys, int step)
@@ -87,7 +88,8 @@ QList<ViewChoice> viewChoices()
     };
 }
 
-ViewMenu::ViewMenu(PreferenceStore& preferences, QWidget* parent) : QMenu(parent)
+ViewMenu::ViewMenu(PreferenceStore& preferences, const QString& newWindow, QWidget* parent)
+    : QMenu(parent)
 {
     for (const ViewChoice& choice : viewChoices()) {
         if (choice.name.isEmpty()) {
@@ -95,6 +97,7 @@ ViewMenu::ViewMenu(PreferenceStore& preferences, QWidget* parent) : QMenu(parent
             continue;
         }
         QString text = choice.name;
+        if (choice.needsNewWindow) text += QStringLiteral(" (%1)").arg(newWindow);
         if (!choice.keys.isEmpty())
             text += QLatin1Char('\t')
                   + QKeySequence(choice.keys.first()).toString(QKeySequence::NativeText);

@@ -14,16 +14,17 @@ struct ViewChoice {
     QList<QKeyCombination> keys;  ///< may be empty
     std::function<void(Preferences&)> edit;
     std::function<bool(const Preferences&)> chosen;  ///< null: it is a step, not a state
+    bool needsNewWindow = false;                     ///< to be seen
 };
 
 /// In the order of the menu; an empty name stands for a separator.
 QList<ViewChoice> viewChoices();
 
-/// The menu of them.
+/// The menu of them.  newWindow: when there is one, in words.
 class ViewMenu final : public QMenu {
     Q_OBJECT
 public:
-    explicit ViewMenu(PreferenceStore& preferences, QWidget* parent = nullptr);
+    ViewMenu(PreferenceStore& preferences, const QString& newWindow, QWidget* parent = nullptr);
 };
 
 }  // namespace terratact

@@ -18,6 +18,7 @@ std::string matter(BusState state)
         return "is bus-off after too many errors: check the wires, then restart it";
     case BusState::Down: return "is down: bring it up";
     case BusState::Absent: return "does not exist: plug the adapter in, or make the interface";
+    case BusState::Ended: return "has ended";
     }
     throw std::invalid_argument("BusState: no such state");
 }
@@ -39,7 +40,8 @@ std::string cureOf(BusState state, const std::string& bus)
     const bool isVirtual = bus.starts_with("vcan");
     switch (state) {
     case BusState::Up:
-    case BusState::Stalled: return {};
+    case BusState::Stalled:
+    case BusState::Ended: return {};
     case BusState::ErrorPassive: return "ip -details -statistics link show " + bus;
     case BusState::BusOff: return "sudo ip link set " + bus + " type can restart";
     case BusState::Down:

@@ -28,6 +28,7 @@ enum class BusState : std::uint8_t {
     BusOff,        ///< the controller has given up
     Down,          ///< the interface is there, but down
     Absent,        ///< there is no such interface (any more)
+    Ended,         ///< a recording of which all has been handed out
 };
 
 /// The command that mends it; empty where none does.

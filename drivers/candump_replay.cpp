@@ -164,7 +164,7 @@ Status CandumpReplay::send(const CanFrame&)
 BusState CandumpReplay::state() const
 {
     const std::lock_guard lock(mutex_);
-    return ended_ ? BusState::Absent : BusState::Up;
+    return ended_ ? BusState::Ended : BusState::Up;
 }
 
 BusCounters CandumpReplay::counters() const

@@ -48,7 +48,7 @@ public:
     /// Always an Error.
     Status send(const CanFrame& frame) override;
 
-    /// Up, and Absent once the last frame has been handed out.
+    /// Up, and Ended once the last frame has been handed out.
     BusState state() const override;
 
     /// dropped: what the log says was lost when it was recorded.

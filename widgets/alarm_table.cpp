@@ -98,6 +98,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     silence_->setAccessibleName(tr("Silence"));
     setTone(*silence_, Tone::Doubt);
     connect(acknowledge_, &QPushButton::clicked, this, [this] { emit acknowledged(chosen()); });
+    connect(table_, &QTableWidget::itemSelectionChanged, this, &AlarmTable::offer);
     connect(table_, &QTableWidget::activated, this, [this] { emit acknowledged(chosen()); });
     connect(all_, &QPushButton::clicked, this, &AlarmTable::allAcknowledged);
     connect(one_, &QPushButton::clicked, this, [this] { emit silenced(kMinute); });
@@ -140,6 +141,10 @@ void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double 
 {
     const QString id = chosen();
     const int rows = static_cast<int>(alarms.size());
+    const bool isFirst = table_->rowCount() == 0;
+    const bool isGone =
+        std::ranges::none_of(alarms, [&](const Alarm& a) { return words::text(a.id) == id; });
+    if (isGone) table_->setCurrentItem(nullptr);  // or the next one in its row would be chosen
     if (table_->rowCount() != rows) table_->setRowCount(rows);
     for (int row = 0; row < rows; ++row) {
         put(row, alarms[static_cast<std::size_t>(row)], now);
@@ -147,11 +152,17 @@ void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double 
             && table_->currentRow() != row)
             table_->selectRow(row);  // the alarm has moved, the choice goes with it
     }
-    if (rows > 0 && table_->currentRow() < 0) table_->selectRow(0);
+    if (rows > 0 && isFirst) table_->selectRow(0);
     nothing_->setVisible(rows == 0);
     table_->setVisible(rows > 0);
-    for (QPushButton* b : {acknowledge_, all_}) b->setEnabled(rows > 0);
+    offer();
     say(silentFor);
+}
+
+void AlarmTable::offer()
+{
+    acknowledge_->setEnabled(!chosen().isEmpty());
+    all_->setEnabled(table_->rowCount() > 0);
 }
 
 void AlarmTable::say(double silentFor)

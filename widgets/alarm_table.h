@@ -38,7 +38,8 @@ signals:
 private:
     void put(int row, const Alarm& alarm, double now);
     void say(double silentFor);
-    QString chosen() const;  ///< the id of the chosen row, or of the only one; may be empty
+    QString chosen() const;  ///< the id of the chosen row; may be empty
+    void offer();            ///< what can be done now
 
     QTableWidget* table_ = nullptr;
     QLabel* nothing_ = nullptr;

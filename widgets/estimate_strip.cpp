@@ -31,6 +31,18 @@ QString methodName(Method method)
     return {};
 }
 
+/// Why there are no more draws; empty where none were sampled.
+QString endingWords(Ending ending)
+{
+    switch (ending) {
+    case Ending::Converged: return EstimateStrip::tr("ended: converged");
+    case Ending::Sweeps: return EstimateStrip::tr("ended: all draws made");
+    case Ending::Time: return EstimateStrip::tr("ended: time was out");
+    case Ending::NotSampled: break;
+    }
+    return {};
+}
+
 }  // namespace
 
 EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
@@ -95,7 +107,12 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
                           .arg(methodName(estimate.settings.method))
                           .arg(estimate.draws.size())
                           .arg(words::number(seconds, 2)));
-    headline_->setToolTip(details_->text());
+    const QString ended = endingWords(estimate.ending);
+    const QString all =
+        ended.isEmpty() ? details_->text() : details_->text() + QStringLiteral(" · ") + ended;
+    if (estimate.ending == Ending::Time) details_->setText(all);
+    for (QLabel* const label : std::initializer_list<QLabel*>{headline_, details_})
+        label->setToolTip(all);
     arrange();
     QStringList warnings;
     if (!estimate.converged && estimate.warnings.empty())
@@ -150,6 +167,11 @@ void EstimateStrip::resizeEvent(QResizeEvent* event)
 QString EstimateStrip::headline() const
 {
     return headline_->text();
+}
+
+QString EstimateStrip::details() const
+{
+    return details_->text();
 }
 
 QString EstimateStrip::warningText() const

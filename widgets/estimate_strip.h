@@ -26,6 +26,7 @@ public:
 
     QLabel* warnings() const { return warnings_; }
     QString headline() const;
+    QString details() const;
     QString warningText() const;
     QPushButton* cancelButton() const { return cancel_; }
 

@@ -164,6 +164,44 @@ QwtGraphic SecondEstimate::legendIcon(int /*index*/, const QSizeF& /*size*/) con
     });
 }
 
+Veil::Veil()
+{
+    setZ(35.0);
+    setItemAttribute(QwtPlotItem::Legend, false);
+}
+
+void Veil::draw(QPainter* painter, const QwtScaleMap& /*x*/, const QwtScaleMap& /*y*/,
+                const QRectF& canvas) const
+{
+    if (words.isEmpty()) return;
+    QColor veil = theme().card;
+    veil.setAlpha(0x90);
+    painter->fillRect(canvas, veil);
+    QColor hatch = theme().muted;
+    hatch.setAlpha(0x60);
+    painter->save();
+    painter->setClipRect(canvas, Qt::IntersectClip);
+    painter->setPen(hatch);
+    const double apart = scaled(20), height = canvas.height();
+    for (double at = canvas.left() - height; at < canvas.right(); at += apart)
+        painter->drawLine(QPointF(at, canvas.bottom()), QPointF(at + height, canvas.top()));
+    painter->restore();
+
+    QFont font = plot()->font();
+    font.setPixelSize(scaled(15));
+    font.setBold(true);
+    painter->setFont(font);
+    const QFontMetricsF metrics(font, painter->device());
+    constexpr double kMargin = 8.0;  // [px]
+    const QRectF place(canvas.left() + kMargin, canvas.bottom() - metrics.height() - 2.0 * kMargin,
+                       metrics.horizontalAdvance(words) + 2.0 * kMargin,
+                       metrics.height() + kMargin);
+    painter->fillRect(place, theme().card);
+    painter->setPen(theme().bad);
+    painter->drawRect(place);
+    painter->drawText(place, Qt::AlignCenter, words);
+}
+
 GhostLayer::GhostLayer()
     : QwtPlotItem(QwtText(text(QT_TRANSLATE_NOOP("terratact::TerrainProfileView", "ghost"))))
 {

@@ -46,6 +46,16 @@ public:
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 };
 
+/// Mutes and hatches all that lies below it, and says why; nothing where `words` is empty.
+class Veil final : public QwtPlotItem {
+public:
+    Veil();
+    QString words;
+
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+};
+
 /// Where the draws of a bin fall into two heaps: both heights with their shares, in place of a mean that is
 /// hardly ever true.
 class TwoHeights final : public QwtPlotItem {

@@ -27,6 +27,7 @@ class ProbeMark;
 class SampleLines;
 class SecondEstimate;
 class TwoHeights;
+class Veil;
 
 /// Draws one TerrainEstimate under the robot: mean line, bars from the 0.1 to the 0.9 quantile, ceilings,
 /// the robot's side view with the IMU at the origin.  Bins are told apart by shape and colour:
@@ -52,6 +53,8 @@ public:
     /// The last estimate where odometry says it lies now.  why: said instead, where there is none; empty: nothing.
     void setGhost(const std::optional<Ghost>& ghost, const QString& why = {});
     void inspect(std::optional<int> bin);  ///< shows a bin up close
+    /// Mutes what is drawn, which is of `age` [s] ago; empty: it is as now.
+    void setStale(std::optional<double> age);
 
     /// Canvas position of a point of the DEM frame [m].
     QPointF pixelOf(double x, double z) const;
@@ -61,6 +64,9 @@ public:
     QString binText(int bin) const;
     BinInspector* inspector() const { return inspector_; }
     bool drawsShown() const { return drawsShown_; }
+
+    /// In theme and font as they are now; by itself soon after they have changed.
+    void restyle();
 
     void updateLayout() override;
     QSize sizeHint() const override { return {760, 420}; }
@@ -83,7 +89,6 @@ private:
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
     void arrangeNotes();
-    void restyle();  ///< in theme and font as they are now
     void showTruth();
     void showProbe();
     void fitAxes();
@@ -114,6 +119,7 @@ private:
     GhostLayer* ghost_ = nullptr;
     QwtPlotTextLabel* ghostNote_ = nullptr;
     TwoHeights* twoHeights_ = nullptr;
+    Veil* veil_ = nullptr;
     BinInspector* inspector_ = nullptr;
     bool drawsShown_ = false;
     QwtPlotTextLabel* note_ = nullptr;

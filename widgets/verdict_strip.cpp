@@ -120,7 +120,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
 {
     question_->setText(tr("P(step > %1 m ahead) = %2 ± %3")
                            .arg(words::number(limit_, 2), words::number(verdict.step.p, 2),
-                                words::number(verdict.step.monteCarloSd, 2)));
+                                words::randomError(verdict.step.monteCarloSd, 2)));
     QStringList why;
     for (const Doubt doubt : verdict.doubts) why << words::sentence(describe(doubt));
     switch (verdict.outlook) {

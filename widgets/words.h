@@ -28,6 +28,13 @@ inline QString number(double value, int decimals)
     return QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
+/// The sd of something that was drawn at random, which is never 0: "0.01", or "< 0.01" where it would round to that.
+inline QString randomError(double sd, int decimals)
+{
+    const double least = std::pow(10.0, -decimals);
+    return sd < 0.5 * least ? QStringLiteral("< ") + number(least, decimals) : number(sd, decimals);
+}
+
 /// "83" of 0.83.
 inline QString percent(double share)
 {

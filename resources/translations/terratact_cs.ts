@@ -1643,6 +1643,58 @@ Poslední deaktivace: %1</translation>
         <source>facts of the model</source>
         <translation>údaje o modelu</translation>
     </message>
+    <message>
+        <source>closed</source>
+        <translation>sepnuto</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>rozepnuto</translation>
+    </message>
+    <message>
+        <source>%1 · edges %2</source>
+        <translation>%1 · hran %2</translation>
+    </message>
+    <message>
+        <source>%1 · edges %2 · presses %3</source>
+        <translation>%1 · hran %2 · stisků %3</translation>
+    </message>
+    <message>
+        <source>newest %1 · worst %2 of %3</source>
+        <translation>poslední %1 · nejhorší %2 z %3</translation>
+    </message>
+    <message>
+        <source>Operator&apos;s panel</source>
+        <translation>Panel operátora</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>panel</translation>
+    </message>
+    <message>
+        <source>✘ does not answer: %1</source>
+        <translation>✘ neodpovídá: %1</translation>
+    </message>
+    <message>
+        <source>✔ answers</source>
+        <translation>✔ odpovídá</translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation>kontakt %1</translation>
+    </message>
+    <message>
+        <source>events lost</source>
+        <translation>ztracené události</translation>
+    </message>
+    <message>
+        <source>%1 by the kernel · panel gone %2 times</source>
+        <translation>jádro ztratilo %1 · panel zmizel %2×</translation>
+    </message>
+    <message>
+        <source>STOP to the bus</source>
+        <translation>STOP až na sběrnici</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>
@@ -1712,6 +1764,18 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Uncertain at %1: ± %2 m</source>
         <translation>Nejisté v %1: ± %2 m</translation>
+    </message>
+    <message>
+        <source>ended: converged</source>
+        <translation>konec: zkonvergovalo</translation>
+    </message>
+    <message>
+        <source>ended: all draws made</source>
+        <translation>konec: všechny vzorky hotovy</translation>
+    </message>
+    <message>
+        <source>ended: time was out</source>
+        <translation>konec: vypršel čas</translation>
     </message>
 </context>
 <context>
@@ -2201,6 +2265,18 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>STOP HAS NO EFFECT HERE: %1</source>
         <translation>STOP TU NEPŮSOBÍ: %1</translation>
+    </message>
+    <message>
+        <source>opens the console anew</source>
+        <translation>otevře konzoli znovu</translation>
+    </message>
+    <message>
+        <source>robot and language change at the next start: %1</source>
+        <translation>robot a jazyk se změní při příštím spuštění: %1</translation>
+    </message>
+    <message>
+        <source>not marked: nothing is recorded</source>
+        <translation>neoznačeno: nic se nezaznamenává</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3259,10 @@ Poslední deaktivace: %1</translation>
         <source>export to a file</source>
         <translation>exportovat do souboru</translation>
     </message>
+    <message>
+        <source>at the next start</source>
+        <translation>po novém spuštění</translation>
+    </message>
 </context>
 <context>
     <name>terratact::RobotReadout</name>
@@ -3455,10 +3535,6 @@ Poslední deaktivace: %1</translation>
         <translation>podle systému</translation>
     </message>
     <message>
-        <source>Takes effect at the next start</source>
-        <translation>Platí od příštího spuštění</translation>
-    </message>
-    <message>
         <source>Layout</source>
         <translation>Rozvržení</translation>
     </message>
@@ -3523,10 +3599,6 @@ Poslední deaktivace: %1</translation>
         <translation>%1: neměřeno</translation>
     </message>
     <message>
-        <source>%1: %2 ms, error %3 mm</source>
-        <translation>%1: %2 ms, chyba %3 mm</translation>
-    </message>
-    <message>
         <source>Use this file from now on</source>
         <translation>Od teď používat tento soubor</translation>
     </message>
@@ -3581,6 +3653,30 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Of all sessions together, at the next start</source>
         <translation>Všech relací dohromady, při příštím startu</translation>
+    </message>
+    <message>
+        <source>Opens the console anew</source>
+        <translation>Otevře konzoli znovu</translation>
+    </message>
+    <message>
+        <source>An estimate may take at most</source>
+        <translation>Odhad smí trvat nejvýše</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Then sampling ends with the draws there are, and the result says so</source>
+        <translation>Pak vzorkování skončí s tím, co je hotovo, a výsledek to říká</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>bez omezení</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, error %3 mm, quantiles ± %4 mm</source>
+        <translation>%1: %2 ms, chyba %3 mm, kvantily ± %4 mm</translation>
     </message>
 </context>
 <context>
@@ -3721,6 +3817,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>way of the tracks</source>
         <translation>dráha pásů</translation>
+    </message>
+    <message>
+        <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all there can be)</source>
+        <translation>zátěž %1 až %2 % z nominálních %3 kbit/s (bez vkládaných bitů, se všemi možnými)</translation>
     </message>
 </context>
 <context>
@@ -4036,6 +4136,14 @@ F1</translation>
     <message>
         <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
         <translation>stín posledního odhadu · ujeto %1 m · ± %2 cm</translation>
+    </message>
+    <message>
+        <source>as of %1 ago</source>
+        <translation>stav před %1</translation>
+    </message>
+    <message>
+        <source>not live: nothing is heard of the robot</source>
+        <translation>neaktuální: o robotu není nic slyšet</translation>
     </message>
 </context>
 <context>
@@ -4507,8 +4615,8 @@ vpředu</translation>
         <translation>písmo normální velikosti</translation>
     </message>
     <message>
-        <source>language: %1 (at the next start)</source>
-        <translation>jazyk: %1 (po novém spuštění)</translation>
+        <source>language: %1</source>
+        <translation>jazyk: %1</translation>
     </message>
 </context>
 <context>

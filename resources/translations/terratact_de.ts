@@ -1643,6 +1643,58 @@ Zuletzt gesperrt: %1</translation>
         <source>facts of the model</source>
         <translation>Angaben zum Modell</translation>
     </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>%1 · edges %2</source>
+        <translation>%1 · Flanken %2</translation>
+    </message>
+    <message>
+        <source>%1 · edges %2 · presses %3</source>
+        <translation>%1 · Flanken %2 · Drücke %3</translation>
+    </message>
+    <message>
+        <source>newest %1 · worst %2 of %3</source>
+        <translation>letzte %1 · schlechteste %2 von %3</translation>
+    </message>
+    <message>
+        <source>Operator&apos;s panel</source>
+        <translation>Bedienpult</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>Pult</translation>
+    </message>
+    <message>
+        <source>✘ does not answer: %1</source>
+        <translation>✘ antwortet nicht: %1</translation>
+    </message>
+    <message>
+        <source>✔ answers</source>
+        <translation>✔ antwortet</translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation>Kontakt %1</translation>
+    </message>
+    <message>
+        <source>events lost</source>
+        <translation>verlorene Ereignisse</translation>
+    </message>
+    <message>
+        <source>%1 by the kernel · panel gone %2 times</source>
+        <translation>%1 im Kernel · Pult %2-mal verschwunden</translation>
+    </message>
+    <message>
+        <source>STOP to the bus</source>
+        <translation>STOP bis auf den Bus</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>
@@ -1712,6 +1764,18 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Uncertain at %1: ± %2 m</source>
         <translation>Unsicher bei %1: ± %2 m</translation>
+    </message>
+    <message>
+        <source>ended: converged</source>
+        <translation>Ende: konvergiert</translation>
+    </message>
+    <message>
+        <source>ended: all draws made</source>
+        <translation>Ende: alle Ziehungen gemacht</translation>
+    </message>
+    <message>
+        <source>ended: time was out</source>
+        <translation>Ende: Zeit war um</translation>
     </message>
 </context>
 <context>
@@ -2201,6 +2265,18 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>STOP HAS NO EFFECT HERE: %1</source>
         <translation>STOP WIRKT HIER NICHT: %1</translation>
+    </message>
+    <message>
+        <source>opens the console anew</source>
+        <translation>öffnet die Konsole neu</translation>
+    </message>
+    <message>
+        <source>robot and language change at the next start: %1</source>
+        <translation>Roboter und Sprache wechseln beim nächsten Start: %1</translation>
+    </message>
+    <message>
+        <source>not marked: nothing is recorded</source>
+        <translation>nicht markiert: nichts wird aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3259,10 @@ Zuletzt gesperrt: %1</translation>
         <source>export to a file</source>
         <translation>in eine Datei exportieren</translation>
     </message>
+    <message>
+        <source>at the next start</source>
+        <translation>ab dem nächsten Start</translation>
+    </message>
 </context>
 <context>
     <name>terratact::RobotReadout</name>
@@ -3455,10 +3535,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>wie das System</translation>
     </message>
     <message>
-        <source>Takes effect at the next start</source>
-        <translation>Gilt ab dem nächsten Start</translation>
-    </message>
-    <message>
         <source>Layout</source>
         <translation>Anordnung</translation>
     </message>
@@ -3523,10 +3599,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>%1: nicht gemessen</translation>
     </message>
     <message>
-        <source>%1: %2 ms, error %3 mm</source>
-        <translation>%1: %2 ms, Fehler %3 mm</translation>
-    </message>
-    <message>
         <source>Use this file from now on</source>
         <translation>Ab jetzt diese Datei verwenden</translation>
     </message>
@@ -3581,6 +3653,30 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Of all sessions together, at the next start</source>
         <translation>Aller Sitzungen zusammen, beim nächsten Start</translation>
+    </message>
+    <message>
+        <source>Opens the console anew</source>
+        <translation>Öffnet die Konsole neu</translation>
+    </message>
+    <message>
+        <source>An estimate may take at most</source>
+        <translation>Eine Schätzung darf höchstens dauern</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Then sampling ends with the draws there are, and the result says so</source>
+        <translation>Dann endet das Ziehen mit dem, was da ist, und das Ergebnis sagt es</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>ohne Grenze</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, error %3 mm, quantiles ± %4 mm</source>
+        <translation>%1: %2 ms, Fehler %3 mm, Quantile ± %4 mm</translation>
     </message>
 </context>
 <context>
@@ -3721,6 +3817,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>way of the tracks</source>
         <translation>Weg der Ketten</translation>
+    </message>
+    <message>
+        <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all there can be)</source>
+        <translation>Last %1 bis %2 % von nominell %3 kbit/s (ohne Stopfbits, mit allen möglichen)</translation>
     </message>
 </context>
 <context>
@@ -4036,6 +4136,14 @@ F1</translation>
     <message>
         <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
         <translation>Schatten der letzten Schätzung · %1 m gefahren · ± %2 cm</translation>
+    </message>
+    <message>
+        <source>as of %1 ago</source>
+        <translation>Stand vor %1</translation>
+    </message>
+    <message>
+        <source>not live: nothing is heard of the robot</source>
+        <translation>nicht aktuell: vom Roboter ist nichts zu hören</translation>
     </message>
 </context>
 <context>
@@ -4507,8 +4615,8 @@ voraus</translation>
         <translation>Schrift in normaler Größe</translation>
     </message>
     <message>
-        <source>language: %1 (at the next start)</source>
-        <translation>Sprache: %1 (ab dem nächsten Start)</translation>
+        <source>language: %1</source>
+        <translation>Sprache: %1</translation>
     </message>
 </context>
 <context>

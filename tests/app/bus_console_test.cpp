@@ -441,6 +441,15 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
     EXPECT_TRUE(says("END OF THE LOG"));
     EXPECT_FALSE(says("LINK LOST"));
     EXPECT_TRUE(says("the log has ended"));
+    for (const Alarm& alarm : window->alarms().list().alarms()) {
+        EXPECT_EQ(alarm.severity, Severity::Caution) << alarm.text;
+        for (const char* id : {"link", "silence", "bus"}) EXPECT_NE(alarm.id, id) << alarm.text;
+    }
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(eventually([&] { return says("REPLAY can_demo.log has ended"); }));
+    for (const QLabel* label : window->findChildren<QLabel*>())
+        EXPECT_FALSE((label->text() + label->toolTip()).contains("does not exist"));
+    QTest::keyClick(window.get(), Qt::Key_F2);
     EXPECT_TRUE(says("Following"));
     EXPECT_TRUE(window->exploration().estimation().estimate()) << "its press waited for the model";
     EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());

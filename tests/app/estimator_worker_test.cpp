@@ -225,6 +225,35 @@ TEST(Worker, aModelMayComeAfterOneThatFailed)
     EXPECT_EQ(heard.noModel.size(), 1);
 }
 
+TEST(Worker, tellsTheSamplerWhenItsTimeIsOutIfItHasALimit)
+{
+    std::atomic<int> limited = 0, ended = 0;
+    EstimatorWorker worker([&] {
+        return Result<LoadedModel>(LoadedModel{.estimate =
+                                                   [&](const EstimateRequest&, const Watch& watch) {
+                                                       if (watch.outOfTime) ++limited;
+                                                       for (int i = 0;
+                                                            i < 20'000 && watch.outOfTime; ++i) {
+                                                           if (watch.outOfTime() && ++ended) break;
+                                                           std::this_thread::sleep_for(1ms);
+                                                       }
+                                                       return stepEstimate();
+                                                   },
+                                               .name = "fake.ttm",
+                                               .details = {}});
+    });
+    Listener heard(worker);
+    worker.start();
+    worker.request({});
+    ASSERT_TRUE(gui::eventually([&] { return heard.estimated.size() == 1; }));
+    EXPECT_EQ(limited, 0);
+    EstimateRequest request;
+    request.seconds = 0.05;
+    worker.request(request);
+    ASSERT_TRUE(gui::eventually([&] { return heard.estimated.size() == 2; }));
+    EXPECT_EQ(ended, 1);
+}
+
 TEST(Worker, endsPromptlyInTheMiddleOfAJob)
 {
     Gate gate;

@@ -379,6 +379,33 @@ TEST_F(Bench, anAnswerToAnotherProposalMeansNothing)
     EXPECT_EQ(sent<ProbeCommand>(), 0);
 }
 
+TEST_F(Bench, anotherLimitAsksAnewAndAnAnswerToTheOldQuestionIsNone)
+{
+    propose();
+    const ProbeProposal before = *exploration->proposal();
+    exploration->setStepLimit(0.2);
+    ASSERT_TRUE(gui::eventually([this] { return exploration->proposal()->stepLimit == 0.2; }));
+    const ProbeProposal after = *exploration->proposal();
+    EXPECT_EQ(after.bin, before.bin);
+    exploration->approve(before.id);
+    tick(3);
+    EXPECT_EQ(phase(), AtemPhase::ProposingProbe) << "nobody was shown that";
+    exploration->approve(after.id);
+    EXPECT_TRUE(reaches(AtemPhase::Probing));
+}
+
+TEST_F(Bench, aLimitChangedDuringAnEstimateIsThatOfItsQuestion)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    exploration->setStepLimit(0.2);
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_TRUE(gui::eventually([this] { return exploration->proposal()->stepLimit == 0.2; }));
+}
+
 TEST_F(Bench, aRefusedProbeLeavesTheEstimate)
 {
     propose();
@@ -582,6 +609,33 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
     QTest::qWait(20);
     tick();
     EXPECT_FALSE(exploration->estimation().estimate());
+}
+
+TEST_F(Bench, anEstimateDuringWhichAModelIsChosenIsMadeWithThatModel)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    worker->load([this]() -> Result<LoadedModel> {
+        return LoadedModel{
+            .estimate = [this](const EstimateRequest& r, const Watch& w) { return estimate(r, w); },
+            .name = "other.ttm",
+            .details = {}};
+    });
+    ASSERT_TRUE(gui::eventually([this] { return events.contains("model other.ttm loaded"); }));
+    blocked = false;
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+}
+
+TEST_F(Bench, anEstimateGoesOnWhenTheModelChosenMeanwhileCannotBeLoaded)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    worker->load([]() -> Result<LoadedModel> { return Error{"no such file"}; });
+    blocked = false;
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
 }
 
 TEST_F(Bench, anEstimateThatFailsIsToldInWords)

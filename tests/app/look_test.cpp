@@ -349,8 +349,9 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
-        for (const BusState state : {BusState::Up, BusState::Stalled, BusState::ErrorPassive,
-                                     BusState::BusOff, BusState::Down, BusState::Absent}) {
+        for (const BusState state :
+             {BusState::Up, BusState::Stalled, BusState::ErrorPassive, BusState::BusOff,
+              BusState::Down, BusState::Absent, BusState::Ended}) {
             const QString english = QString::fromStdString(describe(state, "can0"));
             const QString translated = busWords(state, "can0");
             EXPECT_NE(translated, english) << language;
@@ -394,7 +395,7 @@ TEST_F(Look, lettersThatDoNotFitTheScreenAreSaidAndKeptForALargerOne)
     window->rail()->choose(window->rail()->pageOf(Qt::Key_F7));
     EXPECT_TRUE(eventually([&] { return window->settings()->lettersNote()->isVisible(); }));
     EXPECT_EQ(window->settings()->lettersNote()->text(), note);
-    ViewMenu menu(window->preferences());
+    ViewMenu menu(window->preferences(), "at once");
     menu.popup(window->pos());
     EXPECT_TRUE(menu.actions().last()->isVisible());
     EXPECT_EQ(menu.actions().last()->text(), note);

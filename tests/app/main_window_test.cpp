@@ -77,7 +77,8 @@ LoadedModel madeUp()
                     return e;
                 },
             .name = "fake.ttm",
-            .details = {}};
+            .details = {},
+            .content = "measured"};
 }
 
 struct Console : testing::Test {
@@ -101,7 +102,7 @@ struct Console : testing::Test {
         options.model = std::move(model);
         options.exploration.linkLostAfter = 3.0;  // this machine may be busy
         options.exploration.driveSpeed = 0.05;
-        options.presets = {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}};
+        options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         window->probeCard()->approveButton()->setHoldTime(150);
         window->atemPanel()->releaseButton()->setHoldTime(150);
@@ -292,6 +293,10 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
         eventually([&] { return window->verdict()->badge() == QStringLiteral("✔ CLEAR"); }));
     EXPECT_NEAR(window->exploration().options().stepLimit, 0.5, 1e-9);
 
+    ASSERT_TRUE(eventually([&] {
+        return window->verdict()->reason().contains(" bit")
+            && window->exploration().proposal()->stepLimit == window->verdict()->limit();
+    })) << "the question of the probe is that of the verdict";
     const auto first = window->exploration().proposal();
     ASSERT_TRUE(first && first->worth && !first->others.empty());
     QTest::keyClick(window.get(), Qt::Key_1);
@@ -514,10 +519,13 @@ TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
 TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
 {
     openScripted();
-    const auto actions = window->header()->qualityButton()->menu()->actions();
+    const QString fast =
+        QStringLiteral("fast: 0.5 ms, quantiles ± 0.2 mm from a long run, mean error 25 mm");
+    const auto offered = [&] { return window->header()->qualityButton()->menu()->actions(); };
+    ASSERT_TRUE(eventually([&] { return offered()[0]->text() == fast; }))
+        << offered()[0]->text().toStdString();
+    const auto actions = offered();
     ASSERT_EQ(actions.size(), 3);
-    EXPECT_EQ(actions[0]->text(),
-              QStringLiteral("fast: 0.5 ms, quantiles ± 0.2 mm from a long run, mean error 25 mm"));
     EXPECT_EQ(actions[1]->text(), QStringLiteral("balanced: not measured (terratact tradeoff)"));
     actions[0]->trigger();
     EXPECT_EQ(window->header()->qualityButton()->text(), QStringLiteral("fast"));
@@ -577,11 +585,13 @@ TEST_F(Console, staleValuesDisappearAndTheLostLinkIsSaid)
     source->setSilent(true);
     ASSERT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) == "--"; }));
     EXPECT_EQ(window->forces()->numberText(0), "--");
+    EXPECT_TRUE(window->terrain()->accessibleDescription().contains("not live"));
     ASSERT_TRUE(eventually([&] { return window->header()->linkText().startsWith("LINK LOST"); }));
     EXPECT_FALSE(window->atemPanel()->requestButton()->isEnabled());
     source->setSilent(false);
     EXPECT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) != "--"; }));
     EXPECT_TRUE(eventually([&] { return window->header()->linkText().startsWith("link"); }));
+    EXPECT_FALSE(window->terrain()->accessibleDescription().contains("not live"));
 }
 
 TEST_F(Console, aMissingModelIsSaidAndTheRestWorks)

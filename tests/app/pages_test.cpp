@@ -127,6 +127,22 @@ TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
     EXPECT_TRUE(stands("silence"));
 }
 
+TEST_F(Alarming, replayThatWaitsOrHasEndedMakesNone)
+{
+    sight.telemetryAge.reset();
+    sight.linkAlive = false;
+    sight.bus->waits = true;
+    pass(2.0 * ConsoleAlarms::kFirstTelemetry);  // while its model is being loaded
+    sight.bus->waits = false;
+    pass(ConsoleAlarms::kFirstTelemetry - 0.5);
+    sight.telemetryAge = 5.0;
+    sight.bus->ended = true;
+    sight.bus->bus = BusState::Ended;
+    pass(20.0);
+    for (const Alarm& alarm : alarms.list().alarms()) ADD_FAILURE() << alarm.text;
+    EXPECT_EQ(sounds, 0);
+}
+
 TEST_F(Alarming, busThatIsNotUpSaysWhatMendsIt)
 {
     sight.bus->bus = BusState::BusOff;
@@ -163,9 +179,18 @@ TEST_F(Alarming, lostAndDamagedFramesAreCounted)
     EXPECT_TRUE(stands("dropped"));
 }
 
+TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
+{
+    sight.bus->link.foreignSender = true;
+    sight.bus->transmits = false;
+    pass(1.0);
+    EXPECT_FALSE(find("foreign"));
+}
+
 TEST_F(Alarming, otherCauses)
 {
     sight.bus->link.foreignSender = true;
+    sight.bus->transmits = true;
     sight.noModel = "no such file";
     sight.panelTrouble = "the panel does not answer";
     sight.failedExploration = "the estimate failed";
@@ -230,6 +255,31 @@ TEST(AlarmTableWidget, showsEachStateInWordsAndEmitsWhatTheOperatorDoes)
     EXPECT_EQ(silenced, 120.0);
     table.setAlarms({}, 98.0, 0.0);
     EXPECT_FALSE(table.acknowledgeButton()->isEnabled());
+}
+
+TEST(AlarmTableWidget, choosesNoOtherAlarmWhenTheChosenOneGoes)
+{
+    AlarmList list;
+    for (const char* id : {"a", "b", "c"}) list.raise(id, id, Severity::Caution, 0.0);
+    AlarmTable table;
+    QStringList seen;
+    QObject::connect(&table, &AlarmTable::acknowledged, [&](const QString& id) { seen << id; });
+    table.setAlarms(list.alarms(), 1.0, 0.0);
+    gui::showActive(table);
+    EXPECT_EQ(table.table()->currentRow(), 0) << "the first is chosen when there was none";
+    table.table()->selectRow(1);
+    const std::string chosen = list.alarms()[1].id;
+    list.clear(chosen, 2.0);
+    list.acknowledge(chosen);  // now it is gone
+    table.setAlarms(list.alarms(), 3.0, 0.0);
+    ASSERT_EQ(table.table()->rowCount(), 2);
+    EXPECT_FALSE(table.acknowledgeButton()->isEnabled());
+    QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
+    QTest::keyClick(table.table(), Qt::Key_Return);
+    EXPECT_TRUE(seen.isEmpty());
+    table.table()->selectRow(1);
+    QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
+    EXPECT_EQ(seen, QStringList(QString::fromStdString(list.alarms()[1].id)));
 }
 
 TEST(Sparkline, breaksAtGapsAndStaysInItsBox)
@@ -337,8 +387,11 @@ TEST(Load, saysWhatItAssumesOrThatItIsNotKnown)
     BusLoad load;
     load.fewestBits = 100'000.0;
     load.mostBits = 120'000.0;
-    EXPECT_EQ(loadWords(load, 500'000.0),
+    EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0}),
               "load 20.0 to 24.0 % of 500 kbit/s (without stuff bits, with all there can be)");
+    EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0, .nominal = true}),
+              "load 20.0 to 24.0 % of nominal 500 kbit/s (without stuff bits, with all there can "
+              "be)");
     EXPECT_EQ(loadWords(load, {}), "load --- (bit rate not known): 100.0 to 120.0 kbit/s");
 }
 
@@ -545,6 +598,7 @@ TEST_F(Pages, lostLinkSoundsOnceOpensTheAlarmsAndIsAcknowledged)
 TEST_F(Pages, diagnosticsCanBeCopied)
 {
     open();
+    EXPECT_TRUE(window->diagnosticsPage()->text().contains("panel: --"));
     QTest::keyClick(window.get(), Qt::Key_F8);
     QTest::qWait(1500);
     picture("diagnostics");

@@ -284,6 +284,25 @@ TEST_F(PanelConsole, stopThatIsPressedFromTheStartForbidsToDrive)
     EXPECT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
 }
 
+TEST_F(PanelConsole, diagnosticsTellHowThePanelFares)
+{
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    const auto says = [&](const char* words) {
+        return window->diagnosticsPage()->text().contains(QString::fromUtf8(words));
+    };
+    EXPECT_TRUE(says("panel: ✔ answers"));
+    EXPECT_TRUE(says("contact stop: closed"));
+    EXPECT_TRUE(says("contact atem: open · edges 0 · presses 0"));
+    EXPECT_TRUE(says("STOP to the bus: --"));
+    push(PanelContact::Atem);
+    EXPECT_TRUE(eventually([&] { return says("contact atem: open · edges 2 · presses 1"); }))
+        << window->diagnosticsPage()->text().toStdString();
+    board.close(PanelContact::Stop, false);
+    EXPECT_TRUE(eventually([&] { return says("of 1\n"); }))
+        << window->diagnosticsPage()->text().toStdString();
+}
+
 TEST_F(PanelConsole, lossOfThePanelStops)
 {
     openSimulated();

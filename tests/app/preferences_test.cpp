@@ -36,10 +36,14 @@ Preferences unlikeTheDefaults()
     p.obstacleLimit = 0.1 + 0.2;  // has no short decimal form
     p.method = Method::Joint;
     p.quality = Quality::Accurate;
+    p.estimateSeconds = 5;
     p.forceThreshold = 3.5;
     p.probeAbove = 0.05;
     p.rollLimit = 0.2;
     p.asymmetryLimit = 0.3;
+    p.record = false;
+    p.keepDays = 30;
+    p.keepGigabytes = 7;
     p.model = QString::fromUtf8("/data/žluťoučký model, 2 = @Variant(x)\\%41;#.ttm");
     p.robot = "@robot.toml";
     p.window = QByteArray("\0\xff\n=;geometry", 13);
@@ -63,6 +67,26 @@ TEST_F(PreferencesFile, givesBackEveryValue)
     EXPECT_EQ(savePreferences(path(), kDefaults), QString());
     EXPECT_TRUE(loadPreferences(path()).preferences == kDefaults)
         << "a second save replaces the first";
+}
+
+TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
+{
+    Preferences now = kDefaults;
+    EXPECT_EQ(changesOf(kDefaults, now), QString());
+    now.window = "geometry";
+    EXPECT_EQ(changesOf(kDefaults, now), QString()) << "nobody decided that";
+    now.quality = Quality::Fast;
+    now.rollLimit = 0.125;
+    now.sound = false;
+    EXPECT_EQ(changesOf(kDefaults, now).section("; ", 0, 0), "sound: true → false");
+    const QString all = changesOf(kDefaults, unlikeTheDefaults());
+    for (const char* key :
+         {"theme", "font-scale", "language", "layout", "sound", "obstacle-limit", "method",
+          "quality", "estimate-seconds", "force-threshold", "probe-above", "roll-limit",
+          "asymmetry-limit", "record", "keep-days", "keep-gigabytes", "model", "robot"})
+        EXPECT_TRUE(all.contains(QLatin1String(key) + ": ")) << key;
+    EXPECT_TRUE(changesOf(kDefaults, now).contains("quality: balanced → fast; ")
+                && changesOf(kDefaults, now).endsWith(" → 0.125"));
 }
 
 TEST_F(PreferencesFile, safeModeReadsAndWritesNothing)

@@ -384,6 +384,24 @@ TEST_F(ReviewOf, whatIsShownIsExported)
         EXPECT_GT(QFileInfo(to).size(), 2000) << suffix;
     }
     EXPECT_FALSE(savePicture(terrain, "picture.bmp").isEmpty());
+    const QString day = QString::fromStdString(directory.file("day.png"));
+    terrain.setFixedSize(800, 400);
+    QTest::qWait(50);
+    EXPECT_TRUE(savePicture(terrain, day).isEmpty());
+    for (const ThemeName dark : {ThemeName::NightRed, ThemeName::HighContrast}) {
+        QTest::keyClick(window.get(), dark == ThemeName::NightRed ? Qt::Key_5 : Qt::Key_6,
+                        Qt::ControlModifier);
+        ASSERT_EQ(lookInForce().theme, dark);
+        QTest::qWait(50);
+        const QImage shown = gui::painted(terrain);
+        const QString to = QString::fromStdString(directory.file("dark.png"));
+        EXPECT_TRUE(savePicture(terrain, to).isEmpty());
+        EXPECT_EQ(QImage(to), QImage(day)) << "paper is white";
+        EXPECT_EQ(lookInForce().theme, dark);
+        QTest::qWait(50);
+        EXPECT_EQ(gui::painted(terrain), shown);
+    }
+    QTest::keyClick(window.get(), Qt::Key_4, Qt::ControlModifier);
     window->numbers()->refresh(0.0);
     NumbersTable& table = *window->numbers()->table();
     EXPECT_FALSE(saveNumbers(window->moment(), table, "/nowhere/numbers.csv").isEmpty());

@@ -122,7 +122,8 @@ struct Screens : testing::TestWithParam<const char*> {
         options.exploration.driveSpeed = 0.03;
         options.exploration.settings.probeAbove = 0.03;
         options.exploration.limits.approval = 600.0;  // a busy machine may draw slowly
-        options.presets = {{Method::Local, Quality::Balanced, 1.1, 2.0, 25.0}};
+        options.presets.model = readPresets(resourcePath("models/default.presets.csv"))->model;
+        options.presets.costs = {{Method::Local, Quality::Balanced, 1.1, 2.0, 25.0}};
         window = std::make_unique<MainWindow>(std::move(options));
         window->header()->arming()->confirmButton()->setHoldTime(150);
         window->probeCard()->approveButton()->setHoldTime(150);

@@ -111,7 +111,8 @@ TEST_F(Recorder, makesASealedFileOfEverything)
         ASSERT_TRUE(eventually([&] { return recorder.state().frames == 1000; }));
         EXPECT_TRUE(recorder.state().recording);
         EXPECT_EQ(recorder.state().trouble, "");
-        EXPECT_EQ(recoverSessions(folder).size(), 0U) << "a file that is written is left alone";
+        EXPECT_EQ(recoverDeadSessions(sessionsIn(folder)).size(), 0U)
+            << "a file that is written is left alone";
     }
     const auto files = filesIn(folder);
     ASSERT_EQ(files.size(), 1U) << "no journal is left";
@@ -337,11 +338,11 @@ TEST_F(Recorder, deletesOnlyWhatTheUsersLimitsSay)
         ASSERT_TRUE(writer && writer->seal());
     }
     std::ofstream(folder + "/2019.tts") << "no session";
-    EXPECT_EQ(applyRetention(folder, {}).size(), 0U);
-    EXPECT_EQ(applyRetention(folder, {.days = 1e6}).size(), 0U);
+    EXPECT_EQ(applyRetention(sessionsIn(folder), {}).size(), 0U);
+    EXPECT_EQ(applyRetention(sessionsIn(folder), {.days = 1e6}).size(), 0U);
     const double one =
         static_cast<double>(std::filesystem::file_size(folder + "/2020-01-01T000000Z.tts"));
-    EXPECT_EQ(applyRetention(folder, {.gigabytes = 1.5e-9 * one}).size(), 1U);
+    EXPECT_EQ(applyRetention(sessionsIn(folder), {.gigabytes = 1.5e-9 * one}).size(), 1U);
     EXPECT_EQ(filesIn(folder).size(), 2U);
     EXPECT_TRUE(std::filesystem::exists(folder + "/2020-01-02T000000Z.tts")) << "the oldest goes";
     EXPECT_TRUE(std::filesystem::exists(folder + "/2019.tts")) << "what is no session stays";

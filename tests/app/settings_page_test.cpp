@@ -6,13 +6,26 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QSpinBox>
+#include <QWheelEvent>
+#include <algorithm>
+#include <filesystem>
+#include <vector>
 
 #include "app/main_window.h"
+#include "app/session_housekeeping.h"
+#include "core/learn/model_file.h"
+#include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/sessions.h"
 #include "tests/support/sim_source.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/support/toy_model.h"
+#include "widgets/atem_panel.h"
+#include "widgets/event_list.h"
 #include "widgets/look.h"
 #include "widgets/verdict_strip.h"
 
@@ -21,6 +34,29 @@ namespace {
 
 using gui::eventually;
 
+/// Tells what it was told, also when the window that owned it is gone.
+class WitnessedRobot final : public MeasurementSource {
+public:
+    WitnessedRobot(const SimulatedRobot& robot, std::vector<Command>& told)
+        : robot_(robot, 1.0), told_(told)
+    {
+    }
+    std::string name() const override { return robot_.name(); }
+    Result<std::optional<Sample>> next(std::chrono::milliseconds patience) override
+    {
+        return robot_.next(patience);
+    }
+    Status send(const Command& command) override
+    {
+        told_.push_back(command);
+        return robot_.send(command);
+    }
+
+private:
+    SimSource robot_;
+    std::vector<Command>& told_;
+};
+
 struct SettingsInForce : testing::Test {
     SettingsInForce()
     {
@@ -28,15 +64,19 @@ struct SettingsInForce : testing::Test {
         options.robot = absolem();
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
-        options.source = std::make_unique<SimSource>(
-            SimulatedRobot(options.robot, demoTerrain(), simulation), 1.0);
+        options.source = std::make_unique<WitnessedRobot>(
+            SimulatedRobot(options.robot, demoTerrain(), simulation), told);
+        options.exploration.linkLostAfter = 3.0;  // this machine may be busy
         options.model = [] {
             return Result<LoadedModel>(LoadedModel{
                 .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
                 .name = "fake.ttm",
-                .details = {}});
+                .details = {},
+                .content = "measured"});
         };
-        options.presets = {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}};
+        options.recorder = std::make_shared<SessionRecorder>(
+            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
+        options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
         QTest::keyClick(window.get(), Qt::Key_F7);
@@ -47,7 +87,39 @@ struct SettingsInForce : testing::Test {
     }
     const Settings& inForce() const { return window->exploration().options().settings; }
     SettingsPage& page() const { return *window->settings(); }
+    template <class T>
+    bool wasTold() const
+    {
+        return std::ranges::any_of(told,
+                                   [](const Command& c) { return std::holds_alternative<T>(c); });
+    }
+    void explore()
+    {
+        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        window->exploration().request();
+        ASSERT_TRUE(eventually([&] { return exploring(window->exploration().state().phase); }));
+        told.clear();
+    }
 
+    /// Of the operator's decisions on record, those about `subject`; ends the recording.
+    std::vector<std::string> decisions(const std::string& subject)
+    {
+        window.reset();
+        std::vector<std::string> found;
+        for (const auto& file : std::filesystem::directory_iterator(directory.file("sessions"))) {
+            if (file.path().extension() != ".tts") continue;
+            auto session = SessionReader::open(file.path().string());
+            EXPECT_TRUE(session) << session.error().text;
+            if (!session) continue;
+            for (const EventRow& row : session->events())
+                if (row.kind == EventKind::Decision && row.subject == subject)
+                    found.push_back(row.text);
+        }
+        return found;
+    }
+
+    TemporaryDirectory directory;
+    std::vector<Command> told;
     std::unique_ptr<MainWindow> window;
 };
 
@@ -64,6 +136,38 @@ TEST_F(SettingsInForce, methodQualityAndLimitsReachTheNextEstimate)
     EXPECT_NEAR(window->exploration().options().stepLimit, 0.20, 1e-12);
     EXPECT_NEAR(window->verdict()->limit(), 0.20, 1e-12);
     EXPECT_EQ(window->preferences().current().method, Method::Pafc);
+    EXPECT_EQ(window->exploration().options().seconds, 0.0) << "off until somebody wants it";
+    page().secondsBox()->setValue(5);
+    EXPECT_EQ(window->exploration().options().seconds, 5.0);
+}
+
+TEST_F(SettingsInForce, aSettingChangesNoOther)
+{
+    const Preferences before = window->preferences().current();
+    page().thresholdBox()->setValue(3.5);
+    Preferences wanted = before;
+    wanted.forceThreshold = 3.5;
+    EXPECT_EQ(window->preferences().current(), wanted)
+        << "limits finer than their boxes show, such as 0.1 rad, stay as they are";
+}
+
+TEST_F(SettingsInForce, theWheelChangesOnlyTheBoxWithTheFocus)
+{
+    const auto turn = [](QWidget& over) {
+        QWheelEvent wheel(QPointF(5, 5), over.mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120),
+                          Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&over, &wheel);
+    };
+    const Preferences before = window->preferences().current();
+    for (QWidget* box : std::initializer_list<QWidget*>{page().methodBox(), page().themeBox(),
+                                                        page().thresholdBox()}) {
+        turn(*box);
+        EXPECT_FALSE(box->hasFocus());
+    }
+    EXPECT_EQ(window->preferences().current(), before);
+    page().thresholdBox()->setFocus();
+    turn(*page().thresholdBox());
+    EXPECT_LT(window->preferences().current().forceThreshold, before.forceThreshold);
 }
 
 TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
@@ -77,8 +181,21 @@ TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
 
 TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
 {
-    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("0.5 ms"));
+    EXPECT_TRUE(eventually([&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); }));
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("± 0.2 mm"));
     EXPECT_TRUE(page().qualityBox()->itemText(1).contains("not measured"));
+    page().methodBox()->setCurrentText("pafc");
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("not measured"));
+}
+
+TEST_F(SettingsInForce, whatAQualityCostsIsToldOnlyOfTheModelItWasMeasuredWith)
+{
+    const auto costs = [&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); };
+    ASSERT_TRUE(eventually(costs));
+    const std::string other = directory.file("other.ttm");
+    ASSERT_TRUE(writeModel(other, toyModel(4)));
+    window->preferences().change([&](Preferences& p) { p.model = QString::fromStdString(other); });
+    EXPECT_TRUE(eventually([&] { return !costs(); }));
 }
 
 TEST_F(SettingsInForce, whatIsChangedElsewhereIsSeenHere)
@@ -103,6 +220,101 @@ TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
     QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
     window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
     EXPECT_EQ(wanted, 1);
+}
+
+TEST_F(SettingsInForce, anotherLanguageLikewiseButNotWhileExploring)
+{
+    int wanted = 0;
+    QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
+    page().languageBox()->setCurrentIndex(2);
+    EXPECT_EQ(wanted, 1);
+    explore();
+    EXPECT_TRUE(eventually([&] { return !page().languageBox()->isEnabled(); }));
+    window->preferences().change([](Preferences& p) { p.language = "de"; });  // as the menu does
+    EXPECT_EQ(wanted, 1);
+    EXPECT_TRUE(exploring(window->exploration().state().phase));
+    EXPECT_TRUE(window->events()->item(0)->text().contains("next start"));
+}
+
+TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
+{
+    page().methodBox()->setCurrentText("pafc");
+    page().thresholdBox()->setValue(3.5);
+    page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::NightRed));
+    window->preferences().change([](Preferences& p) {
+        p.rollLimit = 0.125;
+        p.layout = Layout::Drive;
+    });
+    EXPECT_EQ(decisions("settings"),
+              (std::vector<std::string>{"method: local → pafc", "force-threshold: 2 → 3.5",
+                                        "theme: day → night-red",
+                                        "layout: probe → drive; roll-limit: 0.1 → 0.125"}));
+}
+
+TEST_F(SettingsInForce, aMarkThatIsNotKeptIsSaid)
+{
+    const auto newest = [&] { return window->events()->item(0)->text(); };
+    ASSERT_TRUE(eventually([&] {
+        QTest::keyClick(window.get(), Qt::Key_K);
+        return newest().contains("marked in the recording");
+    }));
+    window->preferences().change([](Preferences& p) { p.record = false; });
+    EXPECT_TRUE(eventually([&] {
+        QTest::keyClick(window.get(), Qt::Key_K);
+        return newest().contains("not marked: nothing is recorded");
+    }));
+}
+
+TEST_F(SettingsInForce, theSecondMethodIsOnRecord)
+{
+    window->exploration().setSecondMethod(Method::Joint);
+    window->exploration().setSecondMethod(std::nullopt);
+    EXPECT_EQ(decisions("second method"), (std::vector<std::string>{"joint", "none"}));
+}
+
+TEST_F(SettingsInForce, nothingThatBuildsTheWindowAnewCanBeChosenWhileExploring)
+{
+    ASSERT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+    explore();
+    for (const QPushButton* button : {page().defaultsButton(), page().robotButton()}) {
+        EXPECT_TRUE(eventually([&] { return !button->isEnabled(); }));
+        EXPECT_TRUE(button->toolTip().contains("Esc")) << button->toolTip().toStdString();
+    }
+    window->exploration().abort();
+    EXPECT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+}
+
+TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
+{
+    ASSERT_TRUE(eventually([&] { return window->exploration().whyNotDriving().isEmpty(); }));
+    window->exploration().drive(1);
+    window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
+    EXPECT_TRUE(wasTold<HaltCommand>());
+}
+
+TEST_F(SettingsInForce, aWindowThatGoesWithoutBeingClosedEndsWhatItHadSetInMotion)
+{
+    explore();
+    window.reset();
+    EXPECT_TRUE(wasTold<AbortAtemCommand>());
+}
+
+TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions"), path = folder + "/dead.tts";
+    std::filesystem::create_directory(folder);
+    ASSERT_TRUE(someSession(path, 300));  // whose writer goes without sealing it
+    ASSERT_FALSE(SessionReader::open(path)->sealed());
+    SessionHousekeeping house(sessionsIn(folder), {});
+    QStringList told;
+    QObject::connect(&house, &SessionHousekeeping::news, [&] { told << house.takeNews(); });
+    QTest::qWait(100);
+    EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
+    house.start();
+    ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
+    EXPECT_TRUE(told[0].contains("session recovered")) << told[0].toStdString();
+    EXPECT_TRUE(SessionReader::open(path)->sealed());
 }
 
 }  // namespace

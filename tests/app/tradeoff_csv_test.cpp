@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "app/tradeoff_figure.h"
+#include "core/learn/model_file.h"
 #include "tests/support/picture.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
@@ -42,27 +43,40 @@ TEST(TradeoffCsv, marksTheFronts)
 TEST(PresetsCsv, goesBackAndForth)
 {
     const TemporaryDirectory directory;
-    const std::string path = directory.write("presets.csv", presetsCsv(kPoints));
+    const std::string path = directory.write("presets.csv", presetsCsv("abc", kPoints));
     const auto costs = readPresets(path);
     ASSERT_TRUE(costs) << costs.error().text;
+    EXPECT_EQ(costs->model, "abc");
     const std::vector<PresetCost> expected{{Method::Local, Quality::Fast, 1.0, 3.0, 20.0},
                                            {Method::Local, Quality::Accurate, 50.0, 0.5, 20.0}};
-    EXPECT_EQ(*costs, expected);
+    EXPECT_EQ(costs->costs, expected);
+}
+
+TEST(PresetsCsv, thatIsShippedIsOfTheShippedModel)
+{
+    const std::string models = TERRATACT_SOURCE_DIR "/resources/models/";
+    const auto presets = readPresets(models + "default.presets.csv");
+    ASSERT_TRUE(presets) << presets.error().text;
+    const auto model = readModel(models + "default.ttm");
+    ASSERT_TRUE(model) << model.error().text;
+    EXPECT_EQ(presets->model, model->contentHash) << "measure anew: docs/tradeoff.sh";
 }
 
 TEST(PresetsCsv, refusesWhatItIsNot)
 {
     const TemporaryDirectory directory;
-    const std::string header = "method,quality,ms,quantile_off_mm,error_mm\n";
+    const std::string header = "model,method,quality,ms,quantile_off_mm,error_mm\n";
     const auto refuses = [&](const std::string& text,
                              std::initializer_list<std::string_view> parts) {
         const std::string path = directory.write("presets.csv", text);
         return refused(readPresets(path), path, parts);
     };
     EXPECT_TRUE(refuses("a,b\n", {"line 1", "header"}));
-    EXPECT_TRUE(refuses(header + "local,best,1,2,3\n", {"line 2", "quality"}));
-    EXPECT_TRUE(refuses(header + "best,fast,1,2,3\n", {"line 2", "method"}));
-    EXPECT_TRUE(refuses(header + "local,fast,1,x,3\n", {"line 2", "field 4"}));
+    EXPECT_TRUE(refuses(header + "abc,local,best,1,2,3\n", {"line 2", "quality"}));
+    EXPECT_TRUE(refuses(header + "abc,best,fast,1,2,3\n", {"line 2", "method"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,1,x,3\n", {"line 2", "field 5"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,1,2,3\nabd,joint,fast,1,2,3\n",
+                        {"line 3", "another model"}));
 }
 
 // app/tradeoff_figure.cpp and app/method_look.cpp.

@@ -95,14 +95,14 @@ TEST_F(Replaying, handsOutWhatIsDueInOrderAndNoMoreThanThereIsRoomFor)
     EXPECT_EQ(sleeps, 0);
 }
 
-TEST_F(Replaying, endsAsAnAbsentBusThatWaits)
+TEST_F(Replaying, endsAsABusThatWaits)
 {
     const auto bus = open(kThree);
     EXPECT_EQ((*bus)->state(), BusState::Up);
     receive(**bus, 0ms);
     EXPECT_EQ((*bus)->state(), BusState::Up);
     receive(**bus, 1000ms);
-    EXPECT_EQ((*bus)->state(), BusState::Absent);
+    EXPECT_EQ((*bus)->state(), BusState::Ended);
     const double before = now;
     EXPECT_EQ(receive(**bus, 200ms), 0U);
     EXPECT_NEAR(now, before + 0.2, 1e-9) << "a loop around it must not spin";

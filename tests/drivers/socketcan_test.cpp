@@ -577,8 +577,9 @@ TEST(SocketCan, sendsWhileAnotherThreadReceives)
 
 TEST(BusState, everyOneHasASentenceWithTheBusInIt)
 {
-    for (const BusState state : {BusState::Up, BusState::Stalled, BusState::ErrorPassive,
-                                 BusState::BusOff, BusState::Down, BusState::Absent})
+    for (const BusState state :
+         {BusState::Up, BusState::Stalled, BusState::ErrorPassive, BusState::BusOff, BusState::Down,
+          BusState::Absent, BusState::Ended})
         EXPECT_TRUE(describe(state, "can7").starts_with("can7 ")) << describe(state, "can7");
     EXPECT_NE(describe(BusState::Absent, "vcan0").find("sudo ip link add dev vcan0 type vcan"),
               std::string::npos);

@@ -99,6 +99,21 @@ TEST_F(Strip, saysWhereTheEstimateIsWidest)
     EXPECT_TRUE(strip.headline().startsWith(QStringLiteral("Known to ± 0.02 m")));
 }
 
+TEST_F(Strip, saysWhichBudgetEndedTheDrawing)
+{
+    TerrainEstimate e = stepEstimate();
+    e.ending = Ending::Time;
+    strip.setEstimate(e, 5.0);
+    EXPECT_TRUE(strip.details().endsWith("5.00 s · ended: time was out"))
+        << strip.details().toStdString();
+    e.ending = Ending::Converged;
+    strip.setEstimate(e, 0.1);
+    EXPECT_TRUE(strip.details().endsWith("0.10 s"));
+    const auto tips = strip.findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        tips, [](const QLabel* l) { return l->toolTip().endsWith("ended: converged"); }));
+}
+
 TEST_F(Strip, noWarningIsSwallowed)
 {
     TerrainEstimate e = stepEstimate();

@@ -57,6 +57,41 @@ TEST_F(TerrainView, aMetreIsAsLongUpwardsAsForwardsAtEverySize)
     }
 }
 
+TEST_F(TerrainView, whatIsNotLiveIsMutedAndSaysOfWhen)
+{
+    view.setOutline(square(-0.3, -0.1, 0.3, 0.1));
+    view.setTruth(Heights{});
+    view.setEstimate(stepEstimate());
+    const QImage live = painted(*view.canvas());
+    view.setStale(1.2);
+    const QImage stale = painted(*view.canvas());
+    // How far a spot stands out against the card.
+    const auto contrast = [&](const QImage& image, double x, double z) {
+        const QPoint at = view.pixelOf(x, z).toPoint();
+        double sum = 0.0;
+        for (int dx = -2; dx <= 2; ++dx)
+            for (int dy = -2; dy <= 2; ++dy)
+                sum +=
+                    std::abs(qGray(image.pixel(at + QPoint(dx, dy))) - qGray(theme().card.rgb()));
+        return sum;
+    };
+    const TerrainEstimate estimate = stepEstimate();
+    for (const std::size_t bin : {0U, 3U, 8U}) {
+        const double x = binCentre(static_cast<int>(bin)), z = estimate.height[bin];
+        EXPECT_LT(contrast(stale, x, z), 0.7 * contrast(live, x, z)) << "bin " << bin;
+    }
+    const QPoint robot = view.pixelOf(-0.25, -0.07).toPoint();
+    EXPECT_NE(stale.pixel(robot), live.pixel(robot));
+    view.setStale(1.3);
+    EXPECT_NE(painted(*view.canvas()), stale) << "its age goes on";
+    for (const double age : gui::kHostile) {
+        view.setStale(age);
+        EXPECT_FALSE(painted(*view.canvas()).isNull());
+    }
+    view.setStale(std::nullopt);
+    EXPECT_EQ(painted(*view.canvas()), live);
+}
+
 TEST_F(TerrainView, pixelsAndMetresMapBothWays)
 {
     view.setEstimate(stepEstimate());

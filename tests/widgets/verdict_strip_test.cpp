@@ -52,6 +52,17 @@ TEST_F(Strip, saysWhatIsMissingForAnAnswer)
         << strip.reason().toStdString();
 }
 
+TEST_F(Strip, neverClaimsToBeWithoutError)
+{
+    Verdict v = verdict(Outlook::Clear, 0.01);
+    v.step.monteCarloSd = 0.0049;
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.01 ± < 0.01"));
+    v.step.monteCarloSd = 0.0051;
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.01 ± 0.01"));
+}
+
 TEST_F(Strip, saysWhyAVerdictIsWithheld)
 {
     Verdict v = verdict(Outlook::CannotTell, 0.99);
