@@ -299,6 +299,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
     })) << "the question of the probe is that of the verdict";
     const auto first = window->exploration().proposal();
     ASSERT_TRUE(first && first->worth && !first->others.empty());
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->shown() == first->id; }));
     QTest::keyClick(window.get(), Qt::Key_1);
     const auto chosen = window->exploration().proposal();
     ASSERT_TRUE(chosen);
