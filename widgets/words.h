@@ -25,7 +25,9 @@ QString sentence(std::string_view english);
 inline QString number(double value, int decimals)
 {
     if (!std::isfinite(value)) return kNothing;
-    return QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+    const double shown = QString::number(value, 'f', decimals).toDouble();
+    return QString::number(shown + 0.0, 'f', decimals)  // no minus before a zero
+        .replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 /// The sd of something that was drawn at random, which is never 0: "0.01", or "< 0.01" where it would round to that.
