@@ -95,7 +95,7 @@ std::optional<double> EstimatorWorker::progress() const
     return share < 0.0 ? std::nullopt : std::optional(share);
 }
 
-void EstimatorWorker::load(ModelLoader load)
+void EstimatorWorker::load(const ModelLoader& load)
 {
     cancel();
     emit loadRequested(load);

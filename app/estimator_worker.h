@@ -57,7 +57,7 @@ public:
     void start();  ///< loads the model; call once, when everybody listens
     /// Another model for the requests that follow; cancels the one in flight, which is to be made again.  Ends in
     /// modelLoaded or, where it cannot be loaded, in modelKept or modelFailed.
-    void load(ModelLoader load);
+    void load(const ModelLoader& load);
 
     int request(const EstimateRequest& request);  ///< the job's number
     void cancel();

@@ -441,7 +441,7 @@ QString Exploration::stateWords() const
 
 QString Exploration::failureWords() const
 {
-    const QString what = words::sentence(describe(state_.failure));
+    QString what = words::sentence(describe(state_.failure));
     const bool refused =
         state_.failure == AtemFailure::PressRefused || state_.failure == AtemFailure::ProbeRefused;
     if (!refused || refusal_ == Refusal::None) return what;

@@ -183,8 +183,11 @@ void Veil::draw(QPainter* painter, const QwtScaleMap& /*x*/, const QwtScaleMap& 
     painter->setClipRect(canvas, Qt::IntersectClip);
     painter->setPen(hatch);
     const double apart = scaled(20), height = canvas.height();
-    for (double at = canvas.left() - height; at < canvas.right(); at += apart)
-        painter->drawLine(QPointF(at, canvas.bottom()), QPointF(at + height, canvas.top()));
+    const int lines = static_cast<int>((canvas.width() + height) / apart) + 1;
+    for (int line = 0; line < lines; ++line) {
+        const double foot = canvas.left() - height + line * apart;
+        painter->drawLine(QPointF(foot, canvas.bottom()), QPointF(foot + height, canvas.top()));
+    }
     painter->restore();
 
     QFont font = plot()->font();
@@ -192,10 +195,9 @@ void Veil::draw(QPainter* painter, const QwtScaleMap& /*x*/, const QwtScaleMap& 
     font.setBold(true);
     painter->setFont(font);
     const QFontMetricsF metrics(font, painter->device());
-    constexpr double kMargin = 8.0;  // [px]
-    const QRectF place(canvas.left() + kMargin, canvas.bottom() - metrics.height() - 2.0 * kMargin,
-                       metrics.horizontalAdvance(words) + 2.0 * kMargin,
-                       metrics.height() + kMargin);
+    constexpr double kRoom = 8.0;  // [px]
+    const QRectF place(canvas.left() + kRoom, canvas.bottom() - metrics.height() - 2.0 * kRoom,
+                       metrics.horizontalAdvance(words) + 2.0 * kRoom, metrics.height() + kRoom);
     painter->fillRect(place, theme().card);
     painter->setPen(theme().bad);
     painter->drawRect(place);

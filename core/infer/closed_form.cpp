@@ -102,7 +102,7 @@ std::vector<Heights> heightDraws(const GaussianMixture& distribution,
     std::vector<Heights> draws;
     draws.reserve(static_cast<std::size_t>(y.cols()));
     for (Eigen::Index d = 0; d < y.cols(); ++d) {
-        work.done(2 * kBins);
+        work.done(2L * kBins);
         Heights& draw = draws.emplace_back();
         for (std::size_t i = 0; i < kBins; ++i)
             draw[i] = toHeight(y(static_cast<Eigen::Index>(i), d), estimate.ceiling[i]);
