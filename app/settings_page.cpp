@@ -207,7 +207,8 @@ void SettingsPage::buildEstimate(QFormLayout* form)
         [](Preferences& p, std::size_t i) { p.method = offered().at(i); });
     quality_ = choice(
         form, tr("Quality"), qualities,
-        tr("Time against accuracy, as terratact tradeoff has measured them"),
+        tr("As terratact tradeoff has measured them: time, mean error, and in brackets how far the "
+           "quantiles are from a long run's"),
         [](const Preferences& p) { return indexOf(kQualities, p.quality); },
         [](Preferences& p, std::size_t i) { p.quality = kQualities.at(i); });
     seconds_ = whole(form, tr("An estimate may take at most"), 0, kMostEstimateSeconds, tr("s"),
@@ -333,7 +334,7 @@ void SettingsPage::showCosts()
         const QString word = words::sentence(name(quality));
         quality_->setItemText(i, cost == presets_.end()
                                      ? tr("%1: not measured").arg(word)
-                                     : tr("%1: %2 ms, error %3 mm, quantiles ± %4 mm")
+                                     : tr("%1: %2 ms, %3 mm (± %4 mm)")
                                            .arg(word, words::number(cost->milliseconds, 1),
                                                 words::number(cost->errorMm, 0),
                                                 words::number(cost->offMm, 1)));

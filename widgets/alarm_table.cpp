@@ -81,6 +81,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     table_->setColumnWidth(Since, 130);
     table_->setColumnWidth(Times, 64);
     nothing_ = new QLabel(tr("✔ No alarms."), this);
+    nothing_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTone(*nothing_, Tone::Good);
 
     acknowledge_ = button(tr("Acknowledge"), tr("The chosen alarm has been seen"), this);
@@ -117,7 +118,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addLayout(actions);
-    column->addWidget(nothing_);
+    column->addWidget(nothing_, 1);  // one of the two is there
     column->addWidget(table_, 1);
     setAlarms({}, 0.0, 0.0);
 }

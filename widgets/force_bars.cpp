@@ -206,6 +206,8 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
     auto* frame = new QwtPlotCanvas(this);
     frame->setFrameStyle(QFrame::NoFrame);
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
+    frame->setPaintAttribute(QwtPlotCanvas::BackingStore,
+                             false);  // anew with every line of telemetry
     setCanvas(frame);
     plotLayout()->setAlignCanvasToScales(true);
     plotLayout()->setCanvasMargin(0);

@@ -278,6 +278,8 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     auto* frame = new QwtPlotCanvas(this);
     frame->setFrameStyle(QFrame::NoFrame);
     frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
+    frame->setPaintAttribute(QwtPlotCanvas::BackingStore,
+                             false);  // anew with every line of telemetry
     setCanvas(frame);
     frame->installEventFilter(this);
     setAutoFillBackground(false);

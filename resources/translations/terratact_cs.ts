@@ -3447,10 +3447,6 @@ Poslední deaktivace: %1</translation>
         <translation>Kvalita</translation>
     </message>
     <message>
-        <source>Time against accuracy, as terratact tradeoff has measured them</source>
-        <translation>Čas proti přesnosti, jak je naměřil terratact tradeoff</translation>
-    </message>
-    <message>
         <source>An obstacle is a step of more than</source>
         <translation>Překážka je schod nad</translation>
     </message>
@@ -3675,8 +3671,12 @@ Poslední deaktivace: %1</translation>
         <translation>bez omezení</translation>
     </message>
     <message>
-        <source>%1: %2 ms, error %3 mm, quantiles ± %4 mm</source>
-        <translation>%1: %2 ms, chyba %3 mm, kvantily ± %4 mm</translation>
+        <source>As terratact tradeoff has measured them: time, mean error, and in brackets how far the quantiles are from a long run&apos;s</source>
+        <translation>Jak je změřil terratact tradeoff: čas, střední chyba a v závorkách, jak daleko jsou kvantily od dlouhého běhu</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (± %4 mm)</source>
+        <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
     </message>
 </context>
 <context>

@@ -3447,10 +3447,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Güte</translation>
     </message>
     <message>
-        <source>Time against accuracy, as terratact tradeoff has measured them</source>
-        <translation>Zeit gegen Genauigkeit, wie von terratact tradeoff gemessen</translation>
-    </message>
-    <message>
         <source>An obstacle is a step of more than</source>
         <translation>Hindernis ist eine Stufe über</translation>
     </message>
@@ -3675,8 +3671,12 @@ Zuletzt gesperrt: %1</translation>
         <translation>ohne Grenze</translation>
     </message>
     <message>
-        <source>%1: %2 ms, error %3 mm, quantiles ± %4 mm</source>
-        <translation>%1: %2 ms, Fehler %3 mm, Quantile ± %4 mm</translation>
+        <source>As terratact tradeoff has measured them: time, mean error, and in brackets how far the quantiles are from a long run&apos;s</source>
+        <translation>Wie terratact tradeoff sie gemessen hat: Zeit, mittlerer Fehler und in Klammern, wie weit die Quantile von denen eines langen Laufs liegen</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (± %4 mm)</source>
+        <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
     </message>
 </context>
 <context>
