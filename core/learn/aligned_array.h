@@ -4,19 +4,19 @@
 #include <memory>
 #include <new>
 
+#include "core/learn/huge_pages.h"
+
 namespace terratact {
 
 /// For an AlignedArray that is filled before it is read.
 struct Unset {};
 
-/// Numbers on a 64-byte boundary, zero at first unless the caller says Unset.
+/// Numbers on a 64-byte boundary, zero at first unless the caller says Unset.  From 2 MiB on in whole huge pages where
+/// the system has them (preferHugePages).
 template <class T>
 class AlignedArray {
 public:
-    AlignedArray(std::size_t size, Unset)
-        : size_(size), values_(static_cast<T*>(::operator new(size * sizeof(T), kBoundary)))
-    {
-    }
+    AlignedArray(std::size_t size, Unset) : size_(size), values_(allocate(size * sizeof(T))) {}
     explicit AlignedArray(std::size_t size = 0) : AlignedArray(size, Unset{})
     {
         for (std::size_t k = 0; k < size; ++k) values_[k] = T{};
@@ -31,12 +31,26 @@ public:
     }
 
 private:
-    static constexpr std::align_val_t kBoundary{64};
     struct Free {
-        void operator()(T* p) const { ::operator delete(p, kBoundary); }
+        std::align_val_t boundary{64};
+        void operator()(T* p) const { ::operator delete(p, boundary); }
     };
+    using Values = std::unique_ptr<T[], Free>;
+
+    static Values allocate(std::size_t bytes)
+    {
+        Free free;
+        if (bytes >= kHugePage) {
+            free.boundary = std::align_val_t{kHugePage};
+            bytes = (bytes + kHugePage - 1) / kHugePage * kHugePage;
+        }
+        Values values(static_cast<T*>(::operator new(bytes, free.boundary)), free);
+        preferHugePages(values.get(), bytes);
+        return values;
+    }
+
     std::size_t size_;
-    std::unique_ptr<T[], Free> values_;
+    Values values_;
 };
 
 }  // namespace terratact

@@ -172,13 +172,21 @@ inline void prefetch(const void* column)
         __builtin_prefetch(static_cast<const char*>(column) + 64 * line);
 }
 
+/// What the second cache is to fetch meanwhile: so many bytes from there on with every column.
+struct Fetch {
+    const char* from;
+    long perColumn;
+};
+
 /// Adds columns from … to − 1 of the triangle times K, for the vectors of rows kFrom … kTo − 1.
 template <class T, int kFrom, int kTo>
-[[gnu::always_inline]] inline void multiply(const T* panel, const T* K, int from, int to,
+[[gnu::always_inline]] inline void multiply(const T* panel, const T* K, int from, int to, Fetch fetch,
                                             Vector<T> (&product)[kVectors][kColumns])
 {
     for (int j = from; j < to; ++j) {
         if constexpr (kAhead > 0) prefetch(panel + static_cast<long>(j + kAhead) * kPanelRows<T>);
+        for (long byte = 0; byte < fetch.perColumn; byte += 64)
+            __builtin_prefetch(fetch.from + j * fetch.perColumn + byte, 0, 2);
         Vector<T> t[kVectors];
 #pragma GCC unroll 3
         for (int v = kFrom; v < kTo; ++v)
@@ -195,7 +203,8 @@ template <class T, int kFrom, int kTo>
 /// Three vectors of rows of a panel, of which kUsed hold rows of the triangle, times kColumns columns; only
 /// sums of squares leave the registers.  first: the first vector's first row; row: likewise, in the panel.
 template <class T, int kUsed>
-[[gnu::always_inline]] inline void block(const T* panel, const T* K, int first, int row, T* squares)
+[[gnu::always_inline]] inline void block(const T* panel, const T* K, int first, int row, Fetch fetch,
+                                         T* squares)
 {
     constexpr int L = kLanes<T>;
     Vector<T> product[kVectors][kColumns];
@@ -203,11 +212,11 @@ template <class T, int kUsed>
     for (int v = 0; v < kVectors; ++v)
 #pragma GCC unroll 8
         for (int c = 0; c < kColumns; ++c) product[v][c] = Vector<T>{};
-    multiply<T, 0, kUsed>(panel + row, K, 0, first + L, product);
+    multiply<T, 0, kUsed>(panel + row, K, 0, first + L, fetch, product);
     if constexpr (kUsed > 1)
-        multiply<T, 1, kUsed>(panel + row, K, first + L, first + 2 * L, product);
+        multiply<T, 1, kUsed>(panel + row, K, first + L, first + 2 * L, fetch, product);
     if constexpr (kUsed > 2)
-        multiply<T, 2, kUsed>(panel + row, K, first + 2 * L, first + 3 * L, product);
+        multiply<T, 2, kUsed>(panel + row, K, first + 2 * L, first + 3 * L, fetch, product);
 #pragma GCC unroll 8
     for (int c = 0; c < kColumns; ++c)
 #pragma GCC unroll 3
@@ -218,35 +227,54 @@ template <class T, int kUsed>
 }
 
 template <class T>
-[[gnu::noinline]] void fullBlock(const T* panel, const T* K, int first, int row, T* squares)
+[[gnu::noinline]] void fullBlock(const T* panel, const T* K, int first, int row, Fetch fetch, T* squares)
 {
-    block<T, 3>(panel, K, first, row, squares);
+    block<T, 3>(panel, K, first, row, fetch, squares);
 }
 
 /// Where U ends before the block does.
 template <class T>
-[[gnu::noinline]] void lastBlock(const T* panel, const T* K, int first, int row, int used, T* squares)
+[[gnu::noinline]] void lastBlock(const T* panel, const T* K, int first, int row, int used, Fetch fetch,
+                               T* squares)
 {
     if (used == 2)
-        block<T, 2>(panel, K, first, row, squares);
+        block<T, 2>(panel, K, first, row, fetch, squares);
     else
-        block<T, 1>(panel, K, first, row, squares);
+        block<T, 1>(panel, K, first, row, fetch, squares);
 }
 
-/// One panel times the eight columns of a group.  squares: 8 × kSquareLanes, added to.
+/// How often a group passes through a panel.
 template <class T>
-inline void multiplyPanel(const T* panel, const T* K, int first, int U, T* squares)
+constexpr int kPasses = kPanelRows<T> / (kVectors * kLanes<T>) * (kGroup / kColumns);
+
+/// One panel times the eight columns of a group.  squares: 8 × kSquareLanes, added to.  fetch: moved on.
+template <class T>
+inline void multiplyPanel(const T* panel, const T* K, int first, int U, Fetch& fetch, T* squares)
 {
     constexpr int kRows = kVectors * kLanes<T>;
     for (int row = 0; row < kPanelRows<T> && first + row < U; row += kRows) {
         const int used = (U - first - row + kLanes<T> - 1) / kLanes<T>;
         for (int c = 0; c < kGroup; c += kColumns) {
             if (used >= kVectors)
-                fullBlock(panel, K + c, first + row, row, squares + c * kSquareLanes);
+                fullBlock(panel, K + c, first + row, row, fetch, squares + c * kSquareLanes);
             else
-                lastBlock(panel, K + c, first + row, row, used, squares + c * kSquareLanes);
+                lastBlock(panel, K + c, first + row, row, used, fetch, squares + c * kSquareLanes);
+            fetch.from += (first + row) * fetch.perColumn;
         }
     }
+}
+
+/// The panel behind this one in equal parts with the columns of every pass; none behind the last, nor with one pass, which
+/// is as slow as the memory anyway.
+template <class T>
+inline Fetch nextPanel(const T* panel, int first, int U, int groups)
+{
+    constexpr long kColumnBytes = kPanelRows<T> * static_cast<long>(sizeof(T));
+    const long columns = first + kPanelRows<T>;
+    const auto* next = reinterpret_cast<const char*>(panel) + columns * kColumnBytes;
+    const long passes = static_cast<long>(groups) * kPasses<T>;
+    if (columns >= U || first == 0 || passes == 1) return {next, 0};
+    return {next, ((columns + kPanelRows<T>) * kColumnBytes + passes * first - 1) / (passes * first)};
 }
 
 constexpr int kMostGroups = 8;  // whose partial sums lie on the stack
@@ -270,12 +298,14 @@ void sumsOfSquaresOf(const T* panels, const T* K, int U, int groups, double* out
 {
     alignas(64) T squares[kMostGroups * kGroup * kSquareLanes] = {};
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
-    for (int first = 0; first < U; first += kPanelRows<T>)  // a panel stays in the cache for all groups
+    for (int first = 0; first < U; first += kPanelRows<T>) {  // a panel stays in the cache for all groups
+        const T* panel = panels + panelStart<T>(first);
+        Fetch fetch = nextPanel(panel, first, U, groups);
         for (int g = 0; g < groups; ++g) {
             meter.add(static_cast<long>(first + kPanelRows<T>) * kPanelRows<T> * kGroup);
-            multiplyPanel(panels + panelStart<T>(first), K + g * block, first, U,
-                          squares + g * kGroup * kSquareLanes);
+            multiplyPanel(panel, K + g * block, first, U, fetch, squares + g * kGroup * kSquareLanes);
         }
+    }
     for (int c = 0; c < groups * kGroup; ++c) {
         out[c] = 0.0;
         for (int lane = 0; lane < kSquareLanes; ++lane)

@@ -9,6 +9,7 @@
 
 #include "core/learn/aligned_array.h"
 #include "core/learn/covariance_kernels.h"
+#include "core/learn/huge_pages.h"
 #include "core/learn/scene_conditional.h"
 #include "core/learn/sparse_process.h"
 
@@ -18,7 +19,6 @@ namespace {
 
 /// Of σ_n²: how far off single precision may be.
 constexpr double kMostSingleError = 2e-3;
-constexpr int kColumnsPerPoll = 8 * kGroup;
 
 std::size_t area(int a, int b)
 {
@@ -49,9 +49,10 @@ Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters
     AlignedArray<double> block(area(U, kGroup));
     AlignedArray<double> unused(kGroup);
     Eigen::MatrixXd K(U, U);
+    preferHugePages(K.data(), area(U, U) * sizeof(double));
     for (int first = 0; first < U; first += kGroup) {
         const int columns = std::min(kGroup, U - first);
-        if (first % kColumnsPerPoll == 0) callPoll(poll);
+        callPoll(poll);
         for (int c = 0; c < columns; ++c)
             for (int j = 0; j < d; ++j) z.data()[j * kGroup + c] = rows.data()[(first + c) * d + j];
         // Rows before the block are the upper triangle of its columns.

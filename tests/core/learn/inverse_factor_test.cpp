@@ -3,15 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <chrono>
+#include <cinttypes>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
 #include <functional>
 #include <future>
 #include <memory>
 #include <random>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "core/learn/aligned_array.h"
 #include "core/learn/covariance_kernels.h"
 #include "core/learn/lazy_processes.h"
 
@@ -180,6 +187,38 @@ TEST(InverseFactor, isPackedByTheNextCallerWhereOneWasStopped)
                      Stop);
     }
     EXPECT_EQ(entry(factor.panelsSingle([] {}), 299, 5), entry(whole.panelsSingle(), 299, 5));
+}
+
+/// Flags of the mapping that holds an address (proc(5), VmFlags of smaps); empty where the system does not tell.
+std::string mappingFlags(const void* address)
+{
+    const auto wanted = reinterpret_cast<std::uintptr_t>(address);
+    std::ifstream maps("/proc/self/smaps");
+    bool here = false;
+    for (std::string line; std::getline(maps, line);) {
+        std::uintptr_t begin = 0, end = 0;
+        if (std::sscanf(line.c_str(), "%" SCNxPTR "-%" SCNxPTR " ", &begin, &end) == 2)
+            here = begin <= wanted && wanted < end;
+        if (here && line.starts_with("VmFlags:")) return line;
+    }
+    return {};
+}
+
+TEST(AlignedArray, liesInWholeHugePagesWhereItIsLarge)
+{
+    const auto remainder = [](const AlignedArray<float>& array, std::size_t boundary) {
+        return reinterpret_cast<std::uintptr_t>(array.data()) % boundary;
+    };
+    const AlignedArray<float> none, few(100), many((kHugePage + kHugePage / 2) / sizeof(float));
+    EXPECT_EQ(none.size(), 0U);
+    EXPECT_EQ(remainder(few, 64), 0U);
+    EXPECT_EQ(remainder(many, kHugePage), 0U);
+    EXPECT_TRUE(
+        std::all_of(many.data(), many.data() + many.size(), [](float x) { return x == 0.0F; }));
+    const std::string flags = mappingFlags(many.data() + many.size() - 1);
+    if (flags.empty() || !std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled"))
+        GTEST_SKIP() << "this system does not tell about huge pages";
+    EXPECT_NE(flags.find(" hg"), std::string::npos) << flags;
 }
 
 }  // namespace
