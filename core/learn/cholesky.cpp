@@ -13,17 +13,17 @@ namespace terratact {
 namespace {
 
 constexpr int kBlock = 128;
-constexpr int kVectorBlock = 2048;  // its square is kMostRead
+constexpr int kVectorBlock = 1024;  // its square is kMostRead
 
 int size(const Eigen::MatrixXd& A)
 {
     return static_cast<int>(A.rows());
 }
 
-/// Columns of a product with `inner` × kBlock multiplications each that lie between two polls.
+/// Columns that lie between two polls where each takes a product of kBlock × inner and a triangle of kBlock rows.
 int columnsAtOnce(int inner)
 {
-    return std::max(1, static_cast<int>(kMostMultiplications / (kBlock * (1.0 + inner))));
+    return std::max(1, static_cast<int>(kMostMultiplications / (kBlock * (0.5 * kBlock + inner))));
 }
 
 /// Rows first … first + rows of R right of the diagonal block, from the rows above them.

@@ -7,8 +7,8 @@
 namespace terratact {
 
 /// What lies between two polls at most, here and below: some milliseconds of arithmetic, or of memory's.
-inline constexpr double kMostMultiplications = 1e8;
-inline constexpr long kMostRead = 1L << 22;  ///< numbers, each read once
+inline constexpr double kMostMultiplications = 4e7;
+inline constexpr long kMostRead = 1L << 20;  ///< numbers, each read once
 
 /// Factorises K = Rᵀ R in place: R in the upper triangle, the lower one is not read and not changed.
 /// False where K is not positive definite or holds a value that is not finite; K is then spoilt.

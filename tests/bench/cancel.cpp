@@ -17,7 +17,7 @@
 #include "core/infer/estimator.h"
 #include "core/infer/quality.h"
 #include "core/infer/reconstruct.h"
-#include "core/learn/model_file.h"
+#include "tests/bench/shipped_model.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {
@@ -85,18 +85,18 @@ ModelData manyRows(ModelData model)
 using Estimate = std::function<void(const Watch&)>;
 
 /// An estimate with a model that has not been used before.
-Estimate estimateOf(const Scene& scene, const RobotModel& robot, const ModelData& shipped,
-                    const Settings& settings, Effort effort)
+Estimate estimateOf(const Scene& scene, const RobotModel& robot, const Settings& settings,
+                    Effort effort)
 {
     if (effort == ManyRows) {
-        auto models = std::make_shared<const BinModels>(manyRows(shipped), FeatureSet::Paf);
+        auto models = std::make_shared<const BinModels>(manyRows(shippedModel()), FeatureSet::Paf);
         std::vector<ArmReading> arm;  // leaves three bins, each of which takes seconds
         for (int bin = 0; bin < 8; ++bin) arm.push_back({bin, -0.3, 0.03});
         return [=](const Watch& watch) {
             benchmark::DoNotOptimize(reconstruct(scene.s, arm, robot, *models, settings, watch));
         };
     }
-    auto models = std::make_shared<const Models>(shipped, robot);
+    auto models = std::make_shared<const Models>(shippedModel(), robot);
     return [=](const Watch& watch) {
         benchmark::DoNotOptimize(estimateTerrain(scene.s, {}, robot, *models, settings, watch));
     };
@@ -108,14 +108,12 @@ void cancelWaits(benchmark::State& state)
     const auto method = kMethods[static_cast<std::size_t>(state.range(0))];
     const auto effort = static_cast<Effort>(state.range(1));
     const RobotModel robot = absolem();
-    const auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
-    if (!stored) throw std::runtime_error(stored.error().text);
     const Scene scene = someScenes(1, 7)[3];
     const Settings settings = settingsFor(method, effort);
     double first = 0.0, later = 0.0;
     for (auto _ : state) {
         state.PauseTiming();
-        const Estimate estimate = estimateOf(scene, robot, stored->data, settings, effort);
+        const Estimate estimate = estimateOf(scene, robot, settings, effort);
         state.ResumeTiming();
         first = std::max(first, longestWait(estimate));
         later = std::max(later, longestWait(estimate));

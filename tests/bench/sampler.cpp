@@ -19,27 +19,17 @@
 #include "core/infer/quality.h"
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
-#include "core/infer/truncated_normal.h"
 #include "core/learn/likelihood.h"
-#include "core/learn/model_file.h"
 #include "core/terrain/body_ceiling.h"
 #include "tests/bench/fma_peak.h"
+#include "tests/bench/shipped_model.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {
 namespace {
 
 constexpr int kSweeps = 20;
-
-const ModelData& shippedModel()
-{
-    static const ModelData model = [] {
-        auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
-        if (!stored) throw std::runtime_error(stored.error().text);
-        return stored->data;
-    }();
-    return model;
-}
+constexpr std::size_t kAhead = 8;  // a bin ahead of the robot
 
 const BinModels& shippedBins()
 {
@@ -182,7 +172,8 @@ void oneClearanceScene(benchmark::State& state)
 }
 BENCHMARK(oneClearanceScene)->Unit(benchmark::kMillisecond);
 
-/// One scene at the preset balanced, of those that the method can estimate, all around it included.
+/// One scene at the preset balanced, of those that the method can estimate, all around it included.  The method that
+/// wants arm readings has one, ahead of the robot.
 void oneBalancedScene(benchmark::State& state, Method method)
 {
     static const Models models(shippedModel(), absolem());
@@ -191,7 +182,10 @@ void oneBalancedScene(benchmark::State& state, Method method)
     settings.method = method;
     const RobotModel robot = absolem();
     const auto run = [&](const Scene& scene) {
-        return estimateTerrain(scene.s, {}, robot, models, settings);
+        std::vector<ArmReading> arm;
+        if (method == Method::Pafac)
+            arm.push_back({kAhead, scene.truth[kAhead].value_or(0.0), 0.03});
+        return estimateTerrain(scene.s, arm, robot, models, settings);
     };
     std::vector<Scene> some;
     for (const Scene& scene : all) {
@@ -204,10 +198,6 @@ void oneBalancedScene(benchmark::State& state, Method method)
     std::size_t next = 0;
     for (auto _ : state) benchmark::DoNotOptimize(run(some[next++ % some.size()]));
 }
-BENCHMARK_CAPTURE(oneBalancedScene, pafc, Method::Pafc)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(oneBalancedScene, clearance, Method::Clearance)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(oneBalancedScene, joint, Method::Joint)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(oneBalancedScene, local, Method::Local)->Unit(benchmark::kMillisecond);
 
 /// Scenes of an evaluation by one of the paper's methods, twice as many as fit into a batch, but 64 at most, each with
 /// its own known bins, through EstimateBatch or one after the other.  Per chain-sweep, all else included.
@@ -241,14 +231,14 @@ void scenes(benchmark::State& state, Settings settings, bool batched)
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// One draw with the ceiling so many tenths of a deviation above the mean.
-void draw(benchmark::State& state)
+void factoriseOneBin(benchmark::State& state)
 {
-    std::mt19937_64 rng(1);
-    const double ceiling = 0.1 * static_cast<double>(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(drawBelow(ceiling, 0.0, 1.0, rng));
+    for (auto _ : state) {
+        const BinModels models(shippedModel(), FeatureSet::Paf);
+        benchmark::DoNotOptimize(models.bin(5).rows());
+    }
 }
-BENCHMARK(draw)->Arg(60)->Arg(0)->Arg(-1)->Arg(-20)->Arg(-500);
+BENCHMARK(factoriseOneBin)->Unit(benchmark::kMillisecond);
 
 void likelihoodAndGradient(benchmark::State& state)
 {
@@ -307,6 +297,9 @@ void registerAll()
     }
     for (const Quality quality : kQualities)
         evaluation(std::string(name(quality)), withQuality({}, quality));
+    for (const Method method : kMethods)
+        add("oneBalancedScene/" + std::string(name(method)),
+            [=](benchmark::State& s) { oneBalancedScene(s, method); }, {});
     add("oneScene/f32", [](benchmark::State& s) { oneScene(s, Precision::Single); }, {});
     add("oneScene/f64", [](benchmark::State& s) { oneScene(s, Precision::Double); }, {});
 }

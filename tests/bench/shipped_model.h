@@ -1,0 +1,20 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "core/learn/model_file.h"
+
+namespace terratact {
+
+/// Throws std::runtime_error if it cannot be read.
+inline const ModelData& shippedModel()
+{
+    static const ModelData model = [] {
+        auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
+        if (!stored) throw std::runtime_error(stored.error().text);
+        return stored->data;
+    }();
+    return model;
+}
+
+}  // namespace terratact
