@@ -10,24 +10,16 @@ namespace {
 
 constexpr std::string_view kPresetColumns = "model,method,quality,ms,quantile_off_mm,error_mm";
 
-struct Fronts {
-    std::vector<bool> reference, truth;
-};
-
-Fronts frontsOf(std::span<const TradePoint> points)
-{
-    std::vector<double> cost, off, error;
-    for (const TradePoint& p : points) {
-        cost.push_back(p.seconds);
-        off.push_back(p.reference.quantile);
-        error.push_back(p.error);
-    }
-    return {paretoFront(cost, off), paretoFront(cost, error)};
-}
-
 std::string inducingName(int rows)
 {
     return rows == 0 ? "all" : std::to_string(rows);
+}
+
+/// The fronts that a point is on, behind its numbers.
+std::string_view mark(const TradeFronts& fronts, std::size_t point)
+{
+    if (fronts.reference[point]) return fronts.truth[point] ? " *+" : " *";
+    return fronts.truth[point] ? "  +" : "";
 }
 
 Result<PresetCost> presetFrom(const CsvReader& csv)
@@ -52,7 +44,7 @@ Result<PresetCost> presetFrom(const CsvReader& csv)
 
 std::string tradeoffCsv(std::span<const TradePoint> points)
 {
-    const Fronts fronts = frontsOf(points);
+    const TradeFronts fronts = tradeFronts(points);
     std::string text = "method,varied,draws,chains,burn_in,precision,inducing,ms,mean_off_mm,"
                        "quantile_off_mm,error_mm,crps_mm,front_reference,front_truth\n";
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -70,11 +62,12 @@ std::string tradeoffCsv(std::span<const TradePoint> points)
 
 std::string tradeoffTable(std::span<const TradePoint> points)
 {
-    const Fronts fronts = frontsOf(points);
+    const TradeFronts fronts = tradeFronts(points);
     std::string text =
         "per scene: time, and how far means and 0.1/0.9 quantiles lie from a long run [mm]; error "
-        "and CRPS against the truth [mm]; * on the Pareto front of time and quantiles, + of time "
-        "and error\n\n";
+        "and CRPS against the truth [mm]; * on its method's Pareto front of time and quantiles, + "
+        "on that "
+        "of time and error of all\n\n";
     text +=
         fmt::format("{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>9} {:>7} {:>9} {:>7} {:>6}\n",
                     "method", "varied", "draws", "chains", "burn-in", "precision", "inducing", "ms",
@@ -82,14 +75,12 @@ std::string tradeoffTable(std::span<const TradePoint> points)
     for (std::size_t k = 0; k < points.size(); ++k) {
         const TradePoint& p = points[k];
         const Settings& s = p.setting.settings;
-        text +=
-            fmt::format("{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>9.3g} {:>7.2f} {:>9.2f} "
-                        "{:>7.1f} {:>6.1f} "
-                        "{}{}\n",
-                        name(s.method), p.setting.varied, s.draws, s.chains, s.burnIn,
-                        name(s.precision), inducingName(s.inducing), 1e3 * p.seconds,
-                        1e3 * p.reference.mean, 1e3 * p.reference.quantile, 1e3 * p.error,
-                        1e3 * p.crps, fronts.reference[k] ? "*" : " ", fronts.truth[k] ? "+" : "");
+        text += fmt::format(
+            "{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>9.3g} {:>7.2f} {:>9.2f} "
+            "{:>7.1f} {:>6.1f}{}\n",
+            name(s.method), p.setting.varied, s.draws, s.chains, s.burnIn, name(s.precision),
+            inducingName(s.inducing), 1e3 * p.seconds, 1e3 * p.reference.mean,
+            1e3 * p.reference.quantile, 1e3 * p.error, 1e3 * p.crps, mark(fronts, k));
     }
     return text;
 }

@@ -19,28 +19,42 @@ constexpr double kTop = 110.0, kBottom = 620.0, kPanelWidth = 760.0, kFirstLeft 
                  kSecondLeft = 990.0;
 constexpr Colour kFront{0x16222e, 0.55};
 
-/// A logarithmic scale over whole decades.
+constexpr double kLeast = 1e-9, kMost = 1e9;  // on a scale
+
+/// 1, 2 or 5 of every decade: the one so many steps above 1.
+double oneTwoFive(int step)
+{
+    const int decade = step >= 0 ? step / 3 : (step - 2) / 3;
+    constexpr double kDigits[]{1.0, 2.0, 5.0};
+    return kDigits[step - 3 * decade] * std::pow(10.0, decade);
+}
+
+/// A logarithmic scale from one of 1, 2, 5 to another.  What is 0 lies at its beginning.
 class LogScale {
 public:
     LogScale(const std::vector<double>& values, double from, double to) : from_(from), to_(to)
     {
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        first_ = static_cast<int>(std::floor(std::log10(std::max(*least, 1e-9))));
-        last_ =
-            std::max(first_ + 1, static_cast<int>(std::ceil(std::log10(std::max(*most, 1e-9)))));
+        double least = kMost, most = kLeast;
+        for (const double value : values) {
+            if (value > 0.0) least = std::min(least, std::max(value, kLeast));
+            most = std::max(most, std::min(value, kMost));
+        }
+        least = std::min(least, most);
+        first_ = static_cast<int>(std::floor(3.0 * std::log10(least))) - 1;
+        while (oneTwoFive(first_ + 1) <= least * (1.0 + 1e-9)) ++first_;
+        last_ = first_ + 1;
+        while (oneTwoFive(last_) < most * (1.0 - 1e-9)) ++last_;
     }
     double operator()(double value) const
     {
-        const double decades = std::log10(std::max(value, 1e-9)) - first_;
-        return from_ + (to_ - from_) * std::max(decades, 0.0) / (last_ - first_);
+        const double first = std::log10(oneTwoFive(first_)), last = std::log10(oneTwoFive(last_));
+        const double share = (std::log10(std::max(value, kLeast)) - first) / (last - first);
+        return from_ + (to_ - from_) * std::clamp(share, 0.0, 1.0);
     }
-    /// 1, 2, 5 of every decade.
     std::vector<double> ticks() const
     {
         std::vector<double> all;
-        for (int decade = first_; decade <= last_; ++decade)
-            for (const double digit : {1.0, 2.0, 5.0})
-                if (decade < last_ || digit == 1.0) all.push_back(digit * std::pow(10.0, decade));
+        for (int step = first_; step <= last_; ++step) all.push_back(oneTwoFive(step));
         return all;
     }
 
@@ -83,15 +97,15 @@ public:
         canvas_.text({left_ - 62.0, 0.5 * (kTop + kBottom)}, "[mm]", centre, true);
     }
 
-    void front()
+    /// Through those points that are on it.
+    void front(const std::vector<bool>& on, Colour colour)
     {
-        const std::vector<bool> on = paretoFront(series_.cost, series_.error);
         std::vector<Point> line;
         for (std::size_t k = 0; k < on.size(); ++k)
             if (on[k]) line.push_back(at(k));
         std::sort(line.begin(), line.end(),
                   [](const Point& a, const Point& b) { return a.x < b.x; });
-        canvas_.polyline(line, {kFront, 2.0, {6.0, 4.0}});
+        if (line.size() > 1) canvas_.polyline(line, {colour, 2.0, {6.0, 4.0}});
     }
 
     void points(std::span<const TradePoint> all)
@@ -130,18 +144,25 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
     truth.cost = reference.cost;
     canvas.text({24.0, 36.0}, "Time and accuracy",
                 {.colour = kFigureText, .size = 21.0, .bold = true});
-    canvas.text(
-        {24.0, 62.0},
-        "every marker is one setting; large and named: the presets; dashed: the Pareto front",
-        {.colour = kFigureMuted, .size = 14.0});
+    canvas.text({24.0, 62.0},
+                "every marker is one setting; large and named: the presets; dashed: Pareto fronts, "
+                "on the left of each method, "
+                "whose own long run that is; closed forms are exact there: 0, at the bottom",
+                {.colour = kFigureMuted, .size = 14.0});
     Panel left(canvas, kFirstLeft, std::move(reference));
     Panel right(canvas, kSecondLeft, std::move(truth));
     left.axes("distance of the 0.1 and 0.9 quantiles from a long run");
     right.axes("mean |height − truth|");
-    for (Panel* panel : {&left, &right}) {
-        panel->front();
-        panel->points(points);
+    const TradeFronts fronts = tradeFronts(points);
+    for (const Method method : methods) {
+        std::vector<bool> own = fronts.reference;
+        for (std::size_t k = 0; k < own.size(); ++k)
+            if (points[k].setting.settings.method != method) own[k] = false;
+        left.front(own, lookOf(method).colour);
     }
+    right.front(fronts.truth, kFront);
+    left.points(points);
+    right.points(points);
     std::vector<KeyEntry> entries;
     entries.reserve(methods.size());
     for (const Method method : methods)

@@ -21,7 +21,8 @@ say '# Time and accuracy' '' \
   "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), one core.  Times are the processor's, median over the scenes; take ratios." '' \
   'The distance from a long run of the same method tells what fewer draws, single precision or fewer inducing rows cost;' \
   'the error against the truth tells whether it matters.  A method may be certain and wrong: compare both.' \
-  'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table, and measured as the program runs them: they end once the chains have converged.'
+  'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table, and measured as the program runs them: they end once the chains have converged.' \
+  '`pafac` is two estimates: one to choose where the arm probes, and one with what it found.'
 show simulate --terrain varied --count 8 --exact-truth --seed 2 --out scenes.csv
 show tradeoff --data scenes.csv --seed 1 --out tradeoff
 say '' '![Time and accuracy](tradeoff.svg)'

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -107,6 +108,29 @@ std::vector<bool> paretoFront(std::span<const double> cost, std::span<const doub
         least = &error[k];
     }
     return front;
+}
+
+TradeFronts tradeFronts(std::span<const TradePoint> points)
+{
+    std::vector<double> cost, error;
+    std::map<Method, std::vector<std::size_t>> sampled;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        cost.push_back(points[k].seconds);
+        error.push_back(points[k].error);
+        const Method method = points[k].setting.settings.method;
+        if (!isClosedForm(method)) sampled[method].push_back(k);
+    }
+    TradeFronts fronts{std::vector<bool>(points.size(), false), paretoFront(cost, error)};
+    for (const auto& [method, own] : sampled) {
+        std::vector<double> ownCost, off;
+        for (const std::size_t k : own) {
+            ownCost.push_back(points[k].seconds);
+            off.push_back(points[k].reference.quantile);
+        }
+        const std::vector<bool> front = paretoFront(ownCost, off);
+        for (std::size_t n = 0; n < own.size(); ++n) fronts.reference[own[n]] = front[n];
+    }
+    return fronts;
 }
 
 }  // namespace terratact

@@ -72,4 +72,12 @@ struct PresetCost {
 /// point.
 std::vector<bool> paretoFront(std::span<const double> cost, std::span<const double> error);
 
+/// Which points are on a front.  Distances from a long run are of its own method and say nothing about another one, so
+/// each method has a front of time and quantiles; a closed form, whose quantiles are exact, has none.
+struct TradeFronts {
+    std::vector<bool> reference;  ///< of time and quantiles, among the points of the same method
+    std::vector<bool> truth;      ///< of time and error, among all
+};
+TradeFronts tradeFronts(std::span<const TradePoint> points);
+
 }  // namespace terratact

@@ -18,7 +18,7 @@ namespace {
 TradePoint point(std::string varied, std::optional<Quality> preset, double seconds, double off)
 {
     TradePoint p;
-    p.setting = {std::move(varied), Settings{}, preset};
+    p.setting = {std::move(varied), Settings{.method = Method::Pafc}, preset};
     p.seconds = seconds;
     p.reference = {0.5 * off, off};
     p.error = 0.02;
@@ -33,10 +33,10 @@ const std::vector<TradePoint> kPoints{point("fast", Quality::Fast, 0.001, 0.003)
 TEST(TradeoffCsv, marksTheFronts)
 {
     const std::string text = tradeoffCsv(kPoints);
-    EXPECT_NE(text.find("local,fast,1000,16,50,single,all,1,1.5,3,20,15,1,1\n"), std::string::npos)
+    EXPECT_NE(text.find("pafc,fast,1000,16,50,single,all,1,1.5,3,20,15,1,1\n"), std::string::npos)
         << text;
-    EXPECT_NE(text.find("local,draws,1000,16,50,single,all,2,2,4,20,15,0,0\n"), std::string::npos);
-    EXPECT_NE(text.find("local,accurate,1000,16,50,single,all,50,0.25,0.5,20,15,1,0\n"),
+    EXPECT_NE(text.find("pafc,draws,1000,16,50,single,all,2,2,4,20,15,0,0\n"), std::string::npos);
+    EXPECT_NE(text.find("pafc,accurate,1000,16,50,single,all,50,0.25,0.5,20,15,1,0\n"),
               std::string::npos);
 }
 
@@ -47,8 +47,8 @@ TEST(PresetsCsv, goesBackAndForth)
     const auto costs = readPresets(path);
     ASSERT_TRUE(costs) << costs.error().text;
     EXPECT_EQ(costs->model, "abc");
-    const std::vector<PresetCost> expected{{Method::Local, Quality::Fast, 1.0, 3.0, 20.0},
-                                           {Method::Local, Quality::Accurate, 50.0, 0.5, 20.0}};
+    const std::vector<PresetCost> expected{{Method::Pafc, Quality::Fast, 1.0, 3.0, 20.0},
+                                           {Method::Pafc, Quality::Accurate, 50.0, 0.5, 20.0}};
     EXPECT_EQ(costs->costs, expected);
 }
 
@@ -153,10 +153,10 @@ TEST_F(TradeoffFigure, drawsPresetsLargerThanOtherSettings)
 
 TEST_F(TradeoffFigure, drawsTheFrontThroughWhatNoOtherBeatsOnly)
 {
-    // From corner to corner, through the panel's centre; or no line, where one of the two is beaten.
-    const auto darkPixels = [&](double firstMm, double secondMm) {
-        const Picture picture = drawn({marker(Method::Pafc, 1.0, firstMm, 10.0),
-                                       marker(Method::Pafc, 100.0, secondMm, 10.0)});
+    // From corner to corner, through the panel's centre; or no line, where one of the two is beaten or of another method.
+    const auto darkPixels = [&](double firstMm, double secondMm, Method second = Method::Pafc) {
+        const Picture picture = drawn(
+            {marker(Method::Pafc, 1.0, firstMm, 10.0), marker(second, 100.0, secondMm, 10.0)});
         int dark = 0;
         for (int y = (kTop + kBottom) / 2 - 10; y < (kTop + kBottom) / 2 + 10; ++y)
             for (int x = (kLeft + kRight) / 2 - 10; x < (kLeft + kRight) / 2 + 10; ++x)
@@ -165,6 +165,7 @@ TEST_F(TradeoffFigure, drawsTheFrontThroughWhatNoOtherBeatsOnly)
     };
     EXPECT_GT(darkPixels(100.0, 1.0), 10);
     EXPECT_EQ(darkPixels(1.0, 100.0), 0);
+    EXPECT_EQ(darkPixels(100.0, 1.0, Method::Pa), 0);
 }
 
 TEST_F(TradeoffFigure, staysInItsFrameWhateverTheNumbers)

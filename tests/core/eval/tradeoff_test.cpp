@@ -122,5 +122,24 @@ TEST(Quality, changesNothingButTheEffort)
     EXPECT_EQ(accurate.inducing, 0);
 }
 
+TEST(TradeFronts, areOfEachMethodWhereItsOwnLongRunIsTheMeasureAndOfAllAgainstTheTruth)
+{
+    const auto point = [](Method method, double seconds, double off, double error) {
+        TradePoint p;
+        p.setting.settings.method = method;
+        p.seconds = seconds;
+        p.reference.quantile = off;
+        p.error = error;
+        return p;
+    };
+    const std::vector<TradePoint> points{
+        point(Method::Local, 0.001, 0.0, 0.030), point(Method::Pafc, 0.010, 0.004, 0.040),
+        point(Method::Pafc, 0.020, 0.005, 0.020), point(Method::Pa, 0.015, 0.006, 0.035),
+        point(Method::Pa, 0.030, 0.003, 0.025)};
+    const TradeFronts fronts = tradeFronts(points);
+    EXPECT_EQ(fronts.reference, (std::vector<bool>{false, true, false, true, true}));
+    EXPECT_EQ(fronts.truth, (std::vector<bool>{true, false, true, false, false}));
+}
+
 }  // namespace
 }  // namespace terratact
