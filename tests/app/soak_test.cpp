@@ -6,11 +6,15 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QTimer>
 #include <atomic>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -139,8 +143,60 @@ double wantedSeconds()
     return qEnvironmentVariable("TERRATACT_SOAK_SECONDS").toDouble();
 }
 
+/// What the robot's lines of telemetry are about.
+struct Lines {
+    std::atomic<double> pressed = 0.0;  ///< when the newest scene was complete
+    std::atomic<int> pressing = 0;      ///< so many while front flippers moved
+};
+
+class TimedSource final : public MeasurementSource {
+public:
+    TimedSource(std::unique_ptr<MeasurementSource> source, Lines& lines)
+        : source_(std::move(source)), lines_(lines)
+    {
+    }
+    std::string name() const override { return source_->name(); }
+    Result<std::optional<Sample>> next(std::chrono::milliseconds patience) override
+    {
+        auto sample = source_->next(patience);
+        if (!sample || !*sample) return sample;
+        const RobotActivity activity = (*sample)->measurement.activity;
+        if (activity == RobotActivity::Pressed && before_ != RobotActivity::Pressed)
+            lines_.pressed = steadyNow();
+        if (activity == RobotActivity::Pressing) ++lines_.pressing;
+        before_ = activity;
+        return sample;
+    }
+    Status send(const Command& command) override { return source_->send(command); }
+
+private:
+    std::unique_ptr<MeasurementSource> source_;
+    Lines& lines_;
+    RobotActivity before_ = RobotActivity::Halted;
+};
+
+/// Called after everything in a window that has changed was painted.
+class Painted final : public QObject {
+public:
+    Painted(QWidget& window, std::function<void()> then) : then_(std::move(then))
+    {
+        window.installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject* window, QEvent* event) override
+    {
+        if (event->type() == QEvent::UpdateRequest) QTimer::singleShot(0, this, then_);
+        return QObject::eventFilter(window, event);
+    }
+
+private:
+    std::function<void()> then_;
+};
+
 struct Soak : testing::Test {
-    void open()
+    void open() { open(busy.loader(model)); }
+    void open(ModelLoader loader)
     {
         giveBackBigBlocks();
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
@@ -158,8 +214,8 @@ struct Soak : testing::Test {
         MainWindow::Options options;
         options.robot = model;
         options.link = source.get();
-        options.source = std::move(source);
-        options.model = busy.loader(model);
+        options.source = std::make_unique<TimedSource>(std::move(source), lines);
+        options.model = std::move(loader);
         options.recorder = recorder;
         options.exploration.linkLostAfter = 3.0;  // of a machine that is busy with other things
         window = std::make_unique<MainWindow>(std::move(options));
@@ -196,16 +252,28 @@ struct Soak : testing::Test {
             exploration.abort();
     }
 
+    /// A little, which lifts the flippers, so that there is a new scene.
+    void driveOn()
+    {
+        window->exploration().abort();
+        QTest::qWait(100);
+        QTest::keyPress(window.get(), Qt::Key_W);
+        QTest::qWait(300);
+        QTest::keyRelease(window.get(), Qt::Key_W);
+        QTest::qWait(200);
+    }
+
     TemporaryDirectory directory;
     RobotModel model = absolem();
     Busy busy;
+    Lines lines;
     std::shared_ptr<SessionRecorder> recorder;
     MemoryBus bus{steadyNow};
     std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 
-QString line(const char* what, const NewestValues& values)
+QString spread(const char* what, const NewestValues& values)
 {
     return QStringLiteral("%1: p50 %2 ms, p99 %3 ms, max %4 ms of %5\n")
         .arg(QLatin1String(what))
@@ -241,9 +309,9 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
     const double rate = static_cast<double>(view.frames.received - received) / elapsed;
     const LoopMeter& meter = window->meter();
     const double megabytes = residentMemory() / 1e6;
-    std::printf("%s", qUtf8Printable(line("an event waits", meter.lateness())
-                                     + line("a frame takes", meter.frames())
-                                     + line("telemetry to screen", meter.latencies())));
+    std::printf("%s", qUtf8Printable(spread("an event waits", meter.lateness())
+                                     + spread("a frame takes", meter.frames())
+                                     + spread("telemetry to screen", meter.latencies())));
     std::printf("%.0f s: %.0f frames/s, %llu dropped, %zu waiting at most; %.0f %% of a core, with "
                 "robot and "
                 "other nodes; estimating %.0f %% of the time, %d estimates; %.0f MB resident, at "
@@ -291,6 +359,48 @@ TEST_F(Soak, costsLittleWhileNothingIsEstimated)
     if (!(wanted > 0.0)) return;
     EXPECT_LT(share, 0.10);
     EXPECT_LT(residentMemory() / 1e6, 150.0);
+}
+
+TEST_F(Soak, showsAnEstimateSoonAfterTheSceneAndOneOfEveryLineBefore)
+{
+    const double wanted = wantedSeconds();
+    const double seconds = wanted > 0.0 ? wanted : 6.0;
+    open(modelFileLoader(resourcePath("models/default.ttm"), model));
+    const Estimation& estimation = window->exploration().estimation();
+    NewestValues waits(1000);
+    int estimates = 0;                 // of the flippers' way
+    double scene = 0.0, shown = -1.0;  // the newest, and that of which an estimate was painted
+    std::optional<TerrainEstimate> last;
+    QObject::connect(&estimation, &Estimation::captured, window.get(),
+                     [&] { scene = lines.pressed; });
+    const Painted painted(*window, [&] {
+        if (window->showsEstimate() && shown < scene) {
+            waits.add(steadyNow() - scene);
+            shown = scene;
+        }
+        const auto& live = estimation.live();
+        if (live && (!last || last->mean != live->mean)) ++estimates;
+        last = live;
+    });
+    ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
+    ASSERT_TRUE(arms());
+
+    const double began = steadyNow();
+    while (steadyNow() - began < seconds) {
+        QTest::qWait(20);
+        if (exploring(window->exploration().state().phase) && shown < scene) continue;
+        if (scene > 0.0) driveOn();
+        keepExploring();
+    }
+    std::printf("%s", qUtf8Printable(spread("scene to screen", waits)));
+    std::printf("%d estimates painted of %d lines of telemetry at 20 Hz while flippers moved\n",
+                estimates, lines.pressing.load());
+    EXPECT_GT(waits.count(), 0U);
+    EXPECT_GT(estimates, 0);
+    EXPECT_LT(waits.most(), 10.0) << "hangs";
+    if (!(wanted > 0.0)) return;
+    EXPECT_LE(waits.most(), 0.050);
+    EXPECT_GE(estimates, 0.95 * lines.pressing);
 }
 
 TEST_F(Soak, isThereSoonAfterTheProcessBegan)
