@@ -388,9 +388,11 @@ TEST_F(Soak, showsAnEstimateSoonAfterTheSceneAndOneOfEveryLineBefore)
     const double began = steadyNow();
     while (steadyNow() - began < seconds) {
         QTest::qWait(20);
-        if (exploring(window->exploration().state().phase) && shown < scene) continue;
-        if (scene > 0.0) driveOn();
-        keepExploring();
+        const AtemPhase phase = window->exploration().state().phase;
+        if (exploring(phase) && phase != AtemPhase::ProposingProbe) continue;
+        QTest::qWait(100);
+        driveOn();
+        window->exploration().request();
     }
     std::printf("%s", qUtf8Printable(spread("scene to screen", waits)));
     std::printf("%d estimates painted of %d lines of telemetry at 20 Hz while flippers moved\n",

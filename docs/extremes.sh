@@ -1,0 +1,89 @@
+#!/bin/sh
+# Writes docs/extremes.md: every test of the extremes and their long forms, some ten minutes.
+# Usage: docs/extremes.sh [build directory]       default: build/headless
+set -eu
+cd "$(dirname "$0")/.."
+build=${1:-build/headless}
+export OPENBLAS_NUM_THREADS=1
+ran=$(mktemp)
+trap 'rm -f "$ran"' EXIT
+
+# What a command says, below the command itself; a failure ends all.
+show() {
+  what=$1
+  shift
+  printf '> %s\n' "$what" >>"$ran"
+  "$@" >>"$ran" 2>&1 || { cat "$ran" >&2; exit 1; }
+  echo >>"$ran"
+}
+
+tests() {
+  ctest --test-dir "$build" -L extremes -j "$(nproc)" | sed -n '/tests passed/p; /tests failed/p'
+}
+draws() {
+  TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.truncated_normal_test" --gtest_filter='*EveryOneOfManyDraws' |
+    sed -n '/^[^[]/p; /PASSED/p; /FAILED/p'
+}
+rows() {
+  TERRATACT_ROWS=5600 "$build/tests/core.learn.gaussian_process_extremes_test" --gtest_filter='*ofAModel*/plain:*ofAModel*/doubledRows' |
+    sed -n '/^[^[]/p; /PASSED/p; /FAILED/p'
+}
+per_draw() {
+  "$build/tests/terratact-bench" --benchmark_filter=^draws 2>/dev/null | awk '/^draws/ { printf "%-40s %6.1f ns\n", $1, $4 }'
+}
+cancelling() {
+  "$build/tests/terratact-bench" --benchmark_filter=cancelWaits 2>/dev/null |
+    sed -n 's/^cancelWaits.*first_ms=\([^ ]*\) later_ms=\([^ ]*\) \(.*\)/\1 \2 \3/p' |
+    awk 'BEGIN { printf "%-24s %10s %10s\n", "ms", "first", "later" }
+         { what = $3; for (i = 4; i <= NF; ++i) what = what " " $i; printf "%-24s %10.1f %10.1f\n", what, $1, $2 }'
+}
+
+show "ctest --test-dir $build -L extremes" tests
+show "TERRATACT_DRAWS=1000000000 truncated_normal_test" draws
+show "terratact-bench --benchmark_filter=draws" per_draw
+show "TERRATACT_ROWS=5600 gaussian_process_extremes_test" rows
+show "terratact-bench --benchmark_filter=cancelWaits" cancelling
+
+cat >docs/extremes.md <<END
+# At the extremes
+
+Every case answers right or refuses with a text; none ends in a NaN or hangs.  \`ctest --preset headless -L extremes\` runs
+them all; \`docs/extremes.sh $build\` made this page, with the long forms and what they said, at the end.
+
+| what | tests | long form |
+|---|---|---|
+| truncated normal draws | \`tests/core/infer/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'\` |
+| Gaussian processes against long double | \`tests/core/learn/gaussian_process_extremes_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gaussian_process_extremes_test --gtest_filter='*ofAModel*'\` |
+| surface processes against long double | \`tests/core/learn/projected_process_test.cpp\` | |
+| estimates by all methods, cancelled at every question, work between two questions | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
+| robots and ground | \`tests/core/sim/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
+| same seed, same bytes | \`tests/core/infer/same_draws_test.py\` | \`python3 tests/core/infer/same_draws_test.py\` (four builds), \`--native\` (AVX kernels), \`--programs\` (what is built) |
+| R-hat and ESS as the R package posterior | \`tests/core/infer/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference anew |
+
+What a truncated normal draw costs: \`build/headless/tests/terratact-bench --benchmark_filter=draws\`.
+
+**Same bytes.** The same seed gives the same draws, states and estimate with g++ and clang++, at every optimisation and
+with any number of threads, as long as the processor picks the same kernels (baseline, AVX2 or AVX-512) and the same
+variants of the C library's functions, and OpenBLAS runs in one thread, as both programs set it.
+
+**Singular models.** Where the covariance of the training rows is singular to working precision, a jitter of 1e-10 to
+1e-6 of its diagonal is added and kept with the model; an estimate that used it says so among its warnings. A model that
+this does not mend is refused. What is accepted is right to 1e-14 over the reciprocal condition number, at most 1e-2 of
+the largest output. The surface processes of \`local\` and \`joint\` always have a jitter of 1e-6
+(\`core/learn/projected_process.h\`) and are refused by the same condition when they are trained.
+
+**Cancelling.** An estimate asks whether it is still wanted at least once per bin of a sweep, and in between every
+forty million multiplications of a factorisation (\`core/learn/cholesky.h\`), every 67 million of a sweep's sums of
+squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/poll.h\`). So do
+a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, and the advice
+where to probe. What cannot ask is the system: a model of 5600 rows gives back 250 MB at once.
+
+## What the long forms said
+
+$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1).  *first*: an estimate with a model that has not been used before, whose Gaussian processes
+are factorised on the way; *later*: one after it.  Milliseconds of the processor between two questions.
+
+\`\`\`
+$(cat "$ran")
+\`\`\`
+END
