@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QApplication>
 #include <optional>
 
 #include "app/console_options.h"
 #include "app/preferences.h"
+#include "app/watched_application.h"
 #include "core/result.h"
 
 namespace terratact {
@@ -23,7 +23,7 @@ public:
 private:
     int& argc_;
     char** argv_;
-    std::optional<QApplication> application_;
+    std::optional<WatchedApplication> application_;
 };
 
 /// Shows a window in the size that the command line says, else as it was left (QWidget::saveGeometry()), else in a
