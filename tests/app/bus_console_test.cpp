@@ -184,6 +184,15 @@ struct BusConsole : testing::Test {
             [&] { return arming() != ArmingPhase::Armed || robotDoes(RobotActivity::Driving); });
         return arming() == ArmingPhase::Armed && robotDoes(RobotActivity::Driving);
     }
+    /// The same, again after each disarming: on a busy machine heartbeats may come too late.
+    bool drivesAtLast()
+    {
+        for (int go = 0; go < 20; ++go) {
+            if (drives()) return true;
+            if (arming() == ArmingPhase::Armed) return false;  // that was not it
+        }
+        return false;
+    }
     void exploreAndProbe()
     {
         ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
@@ -292,19 +301,14 @@ TEST_F(BusConsole, heldKeyThatAnXServerRepeatsArmsNothing)
 TEST_F(BusConsole, driveExploreProbeAndDriveOn)
 {
     open();
-    arm();
-    ASSERT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
-    QTest::keyPress(window.get(), Qt::Key_W);
-    ASSERT_TRUE(robotIs(RobotActivity::Driving));
+    ASSERT_TRUE(drivesAtLast());
     QTest::keyRelease(window.get(), Qt::Key_W);
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
     exploreAndProbe();
     EXPECT_TRUE(window->exploration().state().probed);
     picture("presenting");
-    ASSERT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
     QTest::qWait(200);
-    QTest::keyPress(window.get(), Qt::Key_W);
-    EXPECT_TRUE(robotIs(RobotActivity::Driving)) << "the exploration has ended for the robot, too";
+    EXPECT_TRUE(drivesAtLast()) << "the exploration has ended for the robot, too";
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
