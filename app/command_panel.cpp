@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 
@@ -11,8 +10,6 @@
 namespace terratact {
 namespace {
 
-using PanelClock = std::chrono::steady_clock;
-
 volatile std::sig_atomic_t interrupted = 0;
 
 /// Ends with the handler's work done: the lamps are dark again.
@@ -22,18 +19,13 @@ void endOnInterrupt()
     std::signal(SIGTERM, [](int) { interrupted = 1; });
 }
 
-double since(PanelClock::time_point begin)
-{
-    return std::chrono::duration<double>(PanelClock::now() - begin).count();
-}
-
-/// Looks at the panel for so long; what it saw last.
+/// Looks at the panel until there are so many seconds between the first look and the last; what that one saw.
 template <class Watch>
 PanelReport pollFor(OperatorPanel& panel, const LampState& lamps, double seconds, Watch watch)
 {
-    const PanelClock::time_point begin = PanelClock::now();
     PanelReport report = panel.poll(lamps, OperatorPanel::kPeriod);
-    while (since(begin) < seconds && !interrupted) {
+    const double first = report.state.time;
+    while (report.state.time - first < seconds && !interrupted) {
         watch(report);
         report = panel.poll(lamps, OperatorPanel::kPeriod);
     }
@@ -78,6 +70,7 @@ Status lightLamps(OperatorPanel& panel)
     (void)pollFor(panel, lamps, 1.4);
     for (std::size_t i = 0; i < kPanelOutputs && !interrupted; ++i) {
         lamps = {.link = i == 0, .armed = i == 1, .probing = i == 2, .buzzer = i == 3};
+        (void)panel.poll(lamps, OperatorPanel::kPeriod);  // lights it
         fmt::print("lit     {}\n", kPanelOutputNames[i]);
         std::fflush(stdout);
         const PanelReport report = pollFor(panel, lamps, 1.0);

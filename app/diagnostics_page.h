@@ -9,6 +9,7 @@
 
 #include "app/can_source.h"
 #include "app/estimation.h"
+#include "app/event_watch.h"
 #include "app/page.h"
 #include "drivers/operator_panel.h"
 
@@ -47,6 +48,7 @@ struct ConsoleFacts {
     bool estimating = false;
     QString source{}, robot{}, robotDetails{};
     ModelInUse model{};
+    std::vector<LongEvent> longest{};  ///< since the start
 };
 
 /// These facts, and frame times, latency and the lateness of the event loop.

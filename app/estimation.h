@@ -67,10 +67,7 @@ public:
     // What there is.
     const std::optional<CapturedScene>& scene() const { return scene_; }
     bool hasMoved() const { return pose_ && pose_->hasMoved(); }  ///< the robot, since scene()
-    const std::vector<ArmReading>& readings() const
-    {
-        return readings_;
-    }  ///< of the arm in scene()
+    const std::vector<ArmReading>& readings() const { return readings_; }  ///< in scene()
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     double seconds() const { return seconds_; }  ///< that estimate() took
     /// Why there was no estimate() when that was last asked for; empty: no reason of a scene's.

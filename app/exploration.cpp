@@ -334,24 +334,19 @@ void Exploration::advance()
 
 void Exploration::preview()
 {
-    if (state_.phase == AtemPhase::Pressing)
-        estimation_.preview(*latest_);
-    else if (state_.phase
-             != AtemPhase::Estimating)  // there the preview stays until there is better
-        estimation_.endPreview();
+    if (state_.phase == AtemPhase::Pressing) return estimation_.preview(*latest_);
+    if (state_.phase == AtemPhase::Estimating) return;  // it stays until there is better
+    estimation_.endPreview();
 }
 
 void Exploration::enter(const AtemState& before)
 {
-    const auto note = [this](const QString& text, Weight weight = Weight::Note) {
-        emit happened(text, weight);
-    };
     if (before.phase == AtemPhase::ProposingProbe && state_.phase != AtemPhase::Probing)
         probes_.withdraw();
     switch (state_.phase) {
     case AtemPhase::Halting:
         forget(tr("Exploring: the robot halts"));
-        note(tr("exploration requested"));
+        emit happened(tr("exploration requested"), Weight::Note);
         command(BeginAtemCommand{});
         break;
     case AtemPhase::Pressing:
@@ -365,44 +360,51 @@ void Exploration::enter(const AtemState& before)
         break;
     case AtemPhase::ProposingProbe:
         emit proposed();
-        note(tr("probe proposed at %1").arg(words::binName(probes_.current()->bin)));
+        emit happened(tr("probe proposed at %1").arg(words::binName(probes_.current()->bin)),
+                      Weight::Note);
         break;
-    case AtemPhase::Probing:
-        probing_ = probes_.current()->bin;
-        probes_.withdraw();
-        note(tr("probe at %1 approved").arg(words::binName(probing_)));
-        sawProbing_ = false;
-        armBefore_ = latest_->sample.measurement.arm;
-        if (link_) link_->approve(probing_);
-        command(ProbeCommand{.bin = probing_});
-        break;
+    case AtemPhase::Probing: probe(); break;
     case AtemPhase::EstimatingAgain: estimation_.take(*latest_->sample.measurement.arm); break;
-    case AtemPhase::Presenting:
-        if (before.phase == AtemPhase::ProposingProbe) {
-            if (state_.approvalExpired)
-                note(tr("no answer in time: no probe"), Weight::Doubt);
-            else
-                note(tr("probe refused"));
-        }
-        probes_.withdraw();
-        command(AbortAtemCommand{});
-        break;
-    case AtemPhase::Idle:
-        if (exploring(before.phase)) {
-            estimation_.cancel();
-            command(AbortAtemCommand{});
-            note(tr("exploration ended by the operator"), Weight::Doubt);
-            if (!estimation_.estimate()) forget(tr("No estimate: explore the terrain (A)"));
-        }
-        releasing_ = false;
-        break;
+    case AtemPhase::Presenting: present(before.phase == AtemPhase::ProposingProbe); break;
+    case AtemPhase::Idle: end(exploring(before.phase)); break;
     case AtemPhase::Stopped:
         estimation_.cancel();
-        note(tr("STOP"), Weight::Bad);
+        emit happened(tr("STOP"), Weight::Bad);
         if (!estimation_.estimate()) forget(tr("No estimate: STOP was pressed"));
         break;
     case AtemPhase::Failed: fail(); break;
     }
+}
+
+void Exploration::probe()
+{
+    probing_ = probes_.current()->bin;
+    probes_.withdraw();
+    emit happened(tr("probe at %1 approved").arg(words::binName(probing_)), Weight::Note);
+    sawProbing_ = false;
+    armBefore_ = latest_->sample.measurement.arm;
+    if (link_) link_->approve(probing_);
+    command(ProbeCommand{.bin = probing_});
+}
+
+void Exploration::present(bool unprobed)
+{
+    if (unprobed && state_.approvalExpired)
+        emit happened(tr("no answer in time: no probe"), Weight::Doubt);
+    else if (unprobed)
+        emit happened(tr("probe refused"), Weight::Note);
+    probes_.withdraw();
+    command(AbortAtemCommand{});
+}
+
+void Exploration::end(bool aborted)
+{
+    releasing_ = false;
+    if (!aborted) return;
+    estimation_.cancel();
+    command(AbortAtemCommand{});
+    emit happened(tr("exploration ended by the operator"), Weight::Doubt);
+    if (!estimation_.estimate()) forget(tr("No estimate: explore the terrain (A)"));
 }
 
 void Exploration::fail()

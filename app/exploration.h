@@ -50,8 +50,8 @@ public:
     void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
     void setStepLimit(double metres);        ///< what counts as an obstacle
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
-    void
-    setSecondMethod(std::optional<Method> method);  ///< estimated beside the first; empty: none
+    /// Estimated beside the first; empty: none.
+    void setSecondMethod(std::optional<Method> method);
     void drive(int direction);
     void halt();  ///< ends drive(); does nothing when not driving
     /// Goes out at once and again until the robot confirms it; over a link that takes no commands it only says so.
@@ -103,8 +103,8 @@ signals:
 
 private:
     void takeAdvice();
-    void
-    askAnew();  ///< the same probe by the newest advice: another question, with an id of its own
+    /// The same probe by the newest advice: another question, with an id of its own.
+    void askAnew();
 
     // The state by one tick.
     void advance();
@@ -114,6 +114,9 @@ private:
     void sendStop();
     void confirmStop(bool latched);
     void enter(const AtemState& before);
+    void probe();
+    void present(bool unprobed);
+    void end(bool aborted);
     void fail();
     QString failureWords() const;
     void preview();

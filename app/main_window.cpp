@@ -22,6 +22,7 @@
 #include "app/signals_page.h"
 #include "app/training_page.h"
 #include "app/view_menu.h"
+#include "app/watched_application.h"
 #include "widgets/alarm_table.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -441,7 +442,8 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
                        .source = QString::fromStdString(source_->name()),
                        .robot = QString::fromStdString(robot_.name),
                        .robotDetails = robotDetails_,
-                       .model = exploration_->estimation().model()};
+                       .model = exploration_->estimation().model(),
+                       .longest = WatchedApplication::longestEvents()};
     if (latest) facts.telemetryAge = steadyNow() - secondsOf(latest->arrived);
     if (link_) facts.waiting = link_->waiting();
     if (panel_)

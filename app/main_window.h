@@ -80,7 +80,6 @@ public:
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
     TrainingPage* training() const { return training_; }
-    QPushButton* recordingButton() const { return recording_; }
     VerdictStrip* verdict() const { return terrainPage_->verdict(); }
     QPushButton* viewButton() const { return terrainPage_->viewButton(); }
     ConsoleAlarms& alarms() { return *alarms_; }
@@ -115,10 +114,10 @@ private:
     void open();
     void defineKeys();
     void applyPreferences(const Preferences& before);
-    void
-    arrange() override;  ///< the terrain page in the layout in force, at the font scale in force
-    void
-    placeCards();  ///< forces, robot and events: on the page of the terrain, or on one of their own
+    /// The terrain page in the layout in force, at the font scale in force.
+    void arrange() override;
+    /// Forces, robot and events: on the page of the terrain, or on one of their own.
+    void placeCards();
     void showCards();  ///< of model and robot, on the page of the settings
     void leave();
     void reopen();

@@ -112,7 +112,7 @@ build_source() {
 
 build_qwt() {
   sed -i -E -e "s|^( *QWT_INSTALL_PREFIX *= ).*|\1$qwt_prefix|" \
-    -e 's/^( *QWT_CONFIG *\+= *Qwt(Dll|Polar|Designer|Examples|Playground|Tests|OpenGL))/#\1/' \
+    -e 's/^( *QWT_CONFIG *\+= *Qwt(Dll|Polar|Widgets|Designer|Examples|Playground|Tests|OpenGL))/#\1/' \
     qwtconfig.pri &&
     qmake6 && make -j"$(nproc)" && make install
 }

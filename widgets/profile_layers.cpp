@@ -34,13 +34,16 @@ QPointF pixel(const QwtScaleMap& x, const QwtScaleMap& y, double metres, double 
 QPainterPath profile(const Heights& heights, double aside, const QwtScaleMap& x,
                      const QwtScaleMap& y)
 {
-    std::vector<QPointF> points;
+    QPainterPath path;
+    bool pen = false;
     for (int bin = 0; bin < kBins; ++bin) {
         const double h = heights[static_cast<std::size_t>(bin)];
-        if (drawable(h)) points.push_back(pixel(x, y, binCentre(bin) + aside, h));
+        const bool there = drawable(h);
+        const QPointF point = there ? pixel(x, y, binCentre(bin) + aside, h) : QPointF();
+        if (there && pen) path.lineTo(point);
+        if (there && !pen) path.moveTo(point);
+        pen = there;
     }
-    QPainterPath path;
-    if (points.size() == kBins) path.addPolygon(QPolygonF(QList(points.begin(), points.end())));
     return path;
 }
 

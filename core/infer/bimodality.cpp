@@ -31,12 +31,16 @@ TwoModes bestSplit(const std::vector<double>& x)
     return best;
 }
 
+bool allFinite(const std::vector<double>& draws)
+{
+    return std::all_of(draws.begin(), draws.end(), [](double x) { return std::isfinite(x); });
+}
+
 }  // namespace
 
 std::optional<TwoModes> twoModes(std::vector<double> draws)
 {
-    if (!std::all_of(draws.begin(), draws.end(), [](double x) { return std::isfinite(x); }))
-        throw std::invalid_argument("twoModes: a draw is not finite");
+    if (!allFinite(draws)) throw std::invalid_argument("twoModes: a draw is not finite");
     if (draws.empty()) return std::nullopt;
     std::sort(draws.begin(), draws.end());
     const double mean =
@@ -58,7 +62,7 @@ std::array<std::optional<TwoModes>, kBins> twoModes(const TerrainEstimate& estim
     for (std::size_t i = 0; i < kBins; ++i) {
         std::transform(estimate.draws.begin(), estimate.draws.end(), draws.begin(),
                        [i](const Heights& h) { return h[i]; });
-        result[i] = twoModes(draws);
+        if (allFinite(draws)) result[i] = twoModes(draws);
     }
     return result;
 }

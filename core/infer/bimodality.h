@@ -31,7 +31,7 @@ inline constexpr double kLeastModeDistance = 0.06;  ///< [m]
 /// Source: Fisher, "On grouping for maximum homogeneity", J. Am. Stat. Assoc. 53 (1958).
 std::optional<TwoModes> twoModes(std::vector<double> draws);
 
-/// Of every bin.
+/// Of every bin; empty, too, for one of which a draw is not finite.
 std::array<std::optional<TwoModes>, kBins> twoModes(const TerrainEstimate& estimate);
 
 }  // namespace terratact

@@ -1695,6 +1695,18 @@ Poslední deaktivace: %1</translation>
         <source>STOP to the bus</source>
         <translation>STOP až na sběrnici</translation>
     </message>
+    <message>
+        <source>%1 at %2: %3</source>
+        <translation>%1 v %2: %3</translation>
+    </message>
+    <message>
+        <source>Since the start</source>
+        <translation>Od spuštění</translation>
+    </message>
+    <message>
+        <source>longest events</source>
+        <translation>nejdelší události</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>

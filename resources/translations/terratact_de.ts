@@ -1695,6 +1695,18 @@ Zuletzt gesperrt: %1</translation>
         <source>STOP to the bus</source>
         <translation>STOP bis auf den Bus</translation>
     </message>
+    <message>
+        <source>%1 at %2: %3</source>
+        <translation>%1 um %2: %3</translation>
+    </message>
+    <message>
+        <source>Since the start</source>
+        <translation>Seit dem Start</translation>
+    </message>
+    <message>
+        <source>longest events</source>
+        <translation>längste Ereignisse</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>

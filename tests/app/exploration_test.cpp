@@ -1,133 +1,7 @@
-#include "app/exploration.h"
-
-#include <gtest/gtest.h>
-
-#include <QCoreApplication>
-#include <atomic>
-#include <mutex>
-#include <stdexcept>
-#include <thread>
-
-#include "app/steady_now.h"
-#include "drivers/memory_bus.h"
-#include "tests/support/estimates.h"
-#include "tests/support/gui.h"
-#include "tests/support/scripted_source.h"
+#include "tests/support/exploration_bench.h"
 
 namespace terratact {
 namespace {
-
-using namespace std::chrono_literals;
-
-constexpr int kBin06 = 9;
-
-/// An exploration whose telemetry and clock are in the test's hands; only the estimator is a thread.
-struct Bench : testing::Test {
-    explicit Bench(CanSource* link = nullptr)
-    {
-        RobotModel robot;
-        robot.armReachBegin = 0.35;
-        robot.armReachEnd = 0.75;
-        worker = std::make_unique<EstimatorWorker>([this]() -> Result<LoadedModel> {
-            return LoadedModel{.estimate = [this](const EstimateRequest& r,
-                                                  const Watch& w) { return estimate(r, w); },
-                               .name = "fake.ttm",
-                               .details = {}};
-        });
-        exploration =
-            std::make_unique<Exploration>(source, robot, *worker, Exploration::Options{}, link);
-        QObject::connect(exploration.get(), &Exploration::happened,
-                         [this](const QString& text) { events << text; });
-        worker->start();
-        EXPECT_TRUE(gui::eventually([this] { return events.contains("model fake.ttm loaded"); }));
-        tick(3);
-    }
-
-    TerrainEstimate estimate(const EstimateRequest& request, const Watch& watch)
-    {
-        {
-            const std::scoped_lock lock(mutex);
-            asked = request;
-        }
-        ++estimates;
-        while (blocked && !watch.cancelled()) std::this_thread::sleep_for(1ms);
-        if (watch.cancelled()) throw Cancelled{};
-        if (broken) throw std::runtime_error("the covariance is not positive definite");
-        TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
-        e.settings = request.settings;
-        return e;
-    }
-
-    /// Lets ticks of 40 ms pass, each with fresh telemetry.
-    void tick(int times = 1)
-    {
-        for (int i = 0; i < times; ++i) {
-            line();
-            exploration->tick(now, latest);
-        }
-    }
-    /// Telemetry at which nobody looks.
-    void line()
-    {
-        now += 0.04;
-        latest = received(latest, {.measurement = telemetry, .truth = std::nullopt},
-                          SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
-                              std::chrono::duration<double>(now))));
-    }
-    EstimateRequest lastAsked() const
-    {
-        const std::scoped_lock lock(mutex);
-        return asked;
-    }
-    /// Lets ticks pass without telemetry.
-    void tickInSilence(int times)
-    {
-        for (int i = 0; i < times; ++i) exploration->tick(now += 0.04, latest);
-    }
-    AtemPhase phase() const { return exploration->state().phase; }
-    bool reaches(AtemPhase wanted)
-    {
-        // Slowly: an estimate in the other thread must not run into a time limit of this clock.
-        return gui::eventually([&] {
-            if (phase() == wanted) return true;
-            tick();
-            return phase() == wanted;
-        });
-    }
-    template <class C>
-    int sent()
-    {
-        for (const Command& command : source.takeCommands()) all.push_back(command);
-        return static_cast<int>(std::count_if(
-            all.begin(), all.end(), [](const Command& c) { return std::holds_alternative<C>(c); }));
-    }
-    void press()
-    {
-        exploration->request();
-        tick();
-        telemetry.activity = RobotActivity::Halted;
-        ASSERT_TRUE(reaches(AtemPhase::Pressing));
-        telemetry.activity = RobotActivity::Pressed;
-    }
-    void propose()
-    {
-        press();
-        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    }
-
-    std::atomic<int> estimates = 0;
-    std::atomic<bool> blocked = false, broken = false;
-    ScriptedSource source;
-    std::unique_ptr<EstimatorWorker> worker;
-    std::unique_ptr<Exploration> exploration;
-    Measurement telemetry;
-    std::optional<Received> latest;
-    mutable std::mutex mutex;
-    EstimateRequest asked;  ///< of the newest estimate; guarded by the mutex
-    double now = 1000.0;
-    QStringList events;
-    std::vector<Command> all;
-};
 
 TEST_F(Bench, theWholeLoop)
 {
@@ -290,12 +164,15 @@ TEST_F(Bench, aLivePreviewEndsWithTheExploration)
         return exploration->estimation().live().has_value();
     }));
     blocked = true;
-    tick();
+    const int before = estimates;
+    ASSERT_TRUE(gui::eventually([&] {
+        tick();
+        return estimates > before;
+    }));
+    ASSERT_TRUE(answerIsQueued());
     exploration->abort();
     tick();
-    blocked = false;
     EXPECT_FALSE(exploration->estimation().live());
-    tick(3);
     QCoreApplication::processEvents();
     EXPECT_FALSE(exploration->estimation().live()) << "a preview already on its way is not shown";
 }
@@ -586,7 +463,7 @@ TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
     EXPECT_EQ(phase(), AtemPhase::Idle);
     EXPECT_EQ(sent<AbortAtemCommand>(), before + 1);
     blocked = false;
-    QTest::qWait(50);
+    ASSERT_TRUE(settles());
     tick(3);
     EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->proposal());
@@ -597,16 +474,10 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
     blocked = true;
     press();
     ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    // Heard in the worker's own thread, after the result was queued for this one.
-    std::atomic<bool> onItsWay = false;
-    QObject::connect(
-        &*worker, &EstimatorWorker::estimated, &*worker, [&] { onItsWay = true; },
-        Qt::DirectConnection);
-    blocked = false;
-    while (!onItsWay) std::this_thread::yield();
+    ASSERT_TRUE(answerIsQueued());
     exploration->abort();
     tick();
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     tick();
     EXPECT_FALSE(exploration->estimation().estimate());
 }
@@ -812,185 +683,6 @@ TEST_F(Bench, aPressFromBeforeTheCommandIsNoScene)
     telemetry.pitch = 0.012;
     ASSERT_TRUE(reaches(AtemPhase::Estimating)) << "it was pressed again between two lines";
     EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.012);
-}
-
-/// The bus that a console only listens to.
-struct SilentBus {
-    MemoryBus bus{steadyNow};
-    CanSource link{bus.join("can0"), RobotModel{}, {.mode = CanSource::Mode::Listen}};
-};
-
-/// An exploration that follows what the telemetry says.
-struct FollowingBench : SilentBus, Bench {
-    FollowingBench() : Bench(&link) {}
-
-    void robotPresses()
-    {
-        telemetry.activity = RobotActivity::Pressing;
-        tick(3);
-        telemetry.activity = RobotActivity::Pressed;
-        ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    }
-    bool probes(const ArmReading& reading)
-    {
-        telemetry.activity = RobotActivity::Probing;
-        if (!reaches(AtemPhase::Probing)) return false;
-        telemetry.activity = RobotActivity::Pressed;
-        telemetry.arm = reading;
-        return reaches(AtemPhase::EstimatingAgain) && reaches(AtemPhase::Presenting);
-    }
-};
-
-TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
-{
-    EXPECT_TRUE(exploration->whyNoEstimate().contains("when the robot presses"));
-    telemetry.activity = RobotActivity::Pressing;
-    ASSERT_TRUE(gui::eventually([this] {
-        tick();
-        return exploration->estimation().live().has_value();
-    })) << "a preview while the flippers move";
-    telemetry.activity = RobotActivity::Pressed;
-    telemetry.pitch = 0.011;
-    line();
-    telemetry.pitch = 0.012;
-    ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.011) << "its first line";
-    EXPECT_TRUE(exploration->estimation().estimate());
-    EXPECT_FALSE(exploration->estimation().live());
-    EXPECT_FALSE(exploration->proposal()) << "nobody here may approve it";
-    const int once = estimates;
-    tick(50);
-    QTest::qWait(20);
-    EXPECT_EQ(estimates, once);
-    exploration->request();
-    exploration->stop();
-    exploration->drive(+1);
-    exploration->releaseStop();
-    tick(3);
-    exploration->leave();
-    EXPECT_TRUE(source.takeCommands().empty());
-    EXPECT_EQ(phase(), AtemPhase::Presenting);
-    EXPECT_TRUE(events.join('\n').contains("STOP has no effect"));
-    EXPECT_EQ(exploration->stopSight().state, StopSight::State::NoEffect);
-}
-
-TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
-{
-    robotPresses();
-    const ArmReading reading{.bin = kBin06, .height = -0.04, .sd = 0.03};
-    ASSERT_TRUE(probes(reading));
-    EXPECT_EQ(exploration->estimation().estimate()->origin[kBin06], Origin::Arm);
-    EXPECT_EQ(lastAsked().arm, std::vector{reading});
-    tick(20);
-    EXPECT_EQ(phase(), AtemPhase::Presenting) << "the same reading is no news";
-    ASSERT_EQ(exploration->estimation().ledger().entries().size(), 1U);
-    const ArmReading second{.bin = kBin06 + 1, .height = -0.05, .sd = 0.03};
-    ASSERT_TRUE(probes(second));
-    EXPECT_EQ(lastAsked().arm, (std::vector{reading, second}));
-    EXPECT_EQ(exploration->estimation().ledger().entries().size(), 2U);
-}
-
-TEST_F(FollowingBench, secondMethodChosenDuringAnEstimateDoesNotOvertakeIt)
-{
-    robotPresses();
-    blocked = true;
-    telemetry.activity = RobotActivity::Probing;
-    ASSERT_TRUE(reaches(AtemPhase::Probing));
-    telemetry.activity = RobotActivity::Pressed;
-    telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
-    ASSERT_TRUE(reaches(AtemPhase::EstimatingAgain));
-    exploration->setSecondMethod(Method::Joint);
-    tick(3);
-    blocked = false;
-    ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_TRUE(gui::eventually([this] {
-        tick();
-        return exploration->estimation().second().has_value();
-    }));
-}
-
-TEST_F(FollowingBench, answerToAForgottenSceneIsNone)
-{
-    telemetry.activity = RobotActivity::Pressed;
-    ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    for (int i = 0; i < 2000 && (estimates == 0 || worker->progress()); ++i)
-        std::this_thread::sleep_for(1ms);  // the answer waits for this thread to look
-    std::this_thread::sleep_for(20ms);
-    telemetry.activity = RobotActivity::Pressing;
-    tick();
-    ASSERT_EQ(phase(), AtemPhase::Pressing);
-    ASSERT_FALSE(exploration->estimation().scene());
-    QCoreApplication::processEvents();
-    EXPECT_FALSE(exploration->estimation().estimate());
-}
-
-TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
-{
-    blocked = true;
-    telemetry.activity = RobotActivity::Pressed;
-    ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    telemetry.activity = RobotActivity::Probing;
-    tick(3);
-    telemetry.activity = RobotActivity::Pressed;
-    telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
-    tick(3);
-    EXPECT_EQ(phase(), AtemPhase::Estimating);
-    blocked = false;
-    ASSERT_TRUE(reaches(AtemPhase::EstimatingAgain));
-    ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(exploration->estimation().ledger().entries().size(), 1U)
-        << "scored against the first";
-}
-
-TEST_F(FollowingBench, forgetsWhenTheRobotDrivesOnAndCapturesTheNextPress)
-{
-    robotPresses();
-    telemetry.activity = RobotActivity::Driving;
-    ASSERT_TRUE(reaches(AtemPhase::Idle));
-    EXPECT_FALSE(exploration->estimation().estimate());
-    EXPECT_TRUE(exploration->whyNoEstimate().contains("has moved"))
-        << exploration->whyNoEstimate().toStdString();
-    telemetry.pitch = 0.05;
-    robotPresses();
-    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.05);
-}
-
-TEST_F(FollowingBench, clearsWhatItShowsUntilTheNextPress)
-{
-    robotPresses();
-    exploration->abort();
-    ASSERT_TRUE(reaches(AtemPhase::Idle));
-    EXPECT_FALSE(exploration->estimation().estimate());
-    const int before = estimates;
-    tick(20);
-    EXPECT_EQ(phase(), AtemPhase::Idle);
-    EXPECT_EQ(estimates, before);
-    robotPresses();
-    EXPECT_TRUE(exploration->estimation().estimate());
-}
-
-TEST_F(FollowingBench, trustsNothingFromBeforeALostLink)
-{
-    robotPresses();
-    tickInSilence(10);
-    EXPECT_EQ(exploration->state().failure, AtemFailure::LinkLost);
-    EXPECT_FALSE(exploration->estimation().estimate());
-    telemetry.pitch = 0.05;
-    ASSERT_TRUE(reaches(AtemPhase::Presenting)) << "it is pressed, and that is news";
-    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.05)
-        << "not a line from before";
-}
-
-TEST_F(FollowingBench, showsAStopOfSomebodyElse)
-{
-    robotPresses();
-    telemetry.activity = RobotActivity::Stopped;
-    ASSERT_TRUE(reaches(AtemPhase::Stopped));
-    tick(20);
-    telemetry.activity = RobotActivity::Halted;
-    ASSERT_TRUE(reaches(AtemPhase::Idle));
-    tick(20);
-    EXPECT_TRUE(source.takeCommands().empty());
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 import csv
 import os
+import queue
 import subprocess
+import threading
 
 CLI = os.environ["TERRATACT_CLI"]
 SOURCE = os.environ["TERRATACT_SOURCE_DIR"]
@@ -25,3 +27,47 @@ def complaint(*arguments, code=1):
 def rows(path):
     with open(path, newline="") as file:
         return list(csv.DictReader(file))
+
+
+class Running:
+    """A running terratact: what it says, line by line as it says it."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([CLI, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                        text=True)
+        self.said, self.lines = [], queue.Queue()
+        self.reader = threading.Thread(target=self._read)
+        self.reader.start()
+
+    def _read(self):
+        for text in self.process.stdout:
+            self.lines.put(text)
+        self.lines.put(None)  # it has ended
+
+    def line(self):
+        """The next line it says."""
+        text = self.lines.get(timeout=100)
+        assert text is not None, f"it has ended, and said:\n{''.join(self.said)}"
+        self.said.append(text)
+        return text
+
+    def until(self, words):
+        """The next line with these words."""
+        while words not in (text := self.line()):
+            pass
+        return text
+
+    def has_said_more(self):
+        """Than was looked at; its end counts."""
+        return not self.lines.empty()
+
+    def wait(self):
+        """Its exit status."""
+        self.reader.join(timeout=100)
+        self.process.stdout.close()
+        return self.process.wait(timeout=20)
+
+    def end(self):
+        """Ends it as Ctrl-C would; its exit status."""
+        self.process.terminate()
+        return self.wait()

@@ -142,6 +142,8 @@ TEST(TwoModes, areFoundPerBin)
     for (std::size_t i = 0; i < kBins; ++i) EXPECT_EQ(modes[i].has_value(), i == 7) << i;
     EXPECT_EQ(modes[7], twoModes(high));
     EXPECT_FALSE(twoModes(TerrainEstimate{})[0]);
+    e.draws.front()[7] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(twoModes(e)[7]) << "of what is not finite nothing is said";
     const std::vector<double> endless{0.1, std::numeric_limits<double>::infinity()};
     EXPECT_THROW(twoModes(endless), std::invalid_argument);
 }

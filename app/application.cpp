@@ -1,0 +1,77 @@
+#include "app/application.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <QIcon>
+#include <QScreen>
+#include <QSocketNotifier>
+#include <csignal>
+#include <cstdlib>
+
+#include "app/console_window.h"
+#include "app/language.h"
+#include "widgets/look.h"
+
+namespace terratact {
+namespace {
+
+constexpr QSize kDefaultSize{1440, 900};
+
+int endingPipe[2] = {-1, -1};
+
+extern "C" void requestEnd(int /*signal*/)
+{
+    const char byte = 0;
+    [[maybe_unused]] const ssize_t written = ::write(endingPipe[1], &byte, 1);
+}
+
+void closeOnSignals(QWidget& window)
+{
+    if (endingPipe[0] < 0 && ::pipe2(endingPipe, O_CLOEXEC | O_NONBLOCK) != 0) return;
+    auto* notifier = new QSocketNotifier(endingPipe[0], QSocketNotifier::Read, &window);
+    QObject::connect(notifier, &QSocketNotifier::activated, &window, [&window, notifier] {
+        notifier->setEnabled(false);
+        window.close();
+    });
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, requestEnd);
+}
+
+void setSize(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left)
+{
+    if (options.size)
+        window.resize(*options.size);
+    else if (left.isEmpty() || !window.restoreGeometry(left))
+        window.resize(options.isPicture()
+                          ? kDefaultSize
+                          : kDefaultSize.boundedTo(window.screen()->availableSize()));
+    if (options.isPicture()) window.setRoom(window.size());
+}
+
+}  // namespace
+
+Status Application::start(const Preferences& preferences, bool pictures)
+{
+    if (pictures && !std::getenv("QT_QPA_PLATFORM")) setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    if (!std::getenv("QT_QPA_PLATFORM") && !std::getenv("DISPLAY")
+        && !std::getenv("WAYLAND_DISPLAY"))
+        return Error{"no display: set DISPLAY, or use --screenshot FILE"};
+    if (!application_) application_.emplace(argc_, argv_);
+    QApplication::setApplicationName(QStringLiteral("terratact-console"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
+    QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
+    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
+    installLanguage(*application_, preferences.language);
+    applyLook(*application_, preferences.theme, preferences.fontScale);
+    return Done{};
+}
+
+void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left)
+{
+    setSize(window, options, left);
+    closeOnSignals(window);
+    window.show();
+}
+
+}  // namespace terratact

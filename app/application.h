@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "app/console_options.h"
+#include "app/preferences.h"
+#include "app/watched_application.h"
+#include "core/result.h"
+
+namespace terratact {
+
+class ConsoleWindow;
+
+/// The QApplication, made when the first window is to be opened: what is wrong before is told without a display.
+class Application {
+public:
+    /// Both are QApplication's, and outlive it.
+    Application(int& argc, char** argv) : argc_(argc), argv_(argv) {}
+
+    /// The application in the language and look preferred; `pictures`: without a display.
+    Status start(const Preferences& preferences, bool pictures);
+
+private:
+    int& argc_;
+    char** argv_;
+    std::optional<WatchedApplication> application_;
+};
+
+/// Shows a window in the size that the command line says, else as it was left (QWidget::saveGeometry()), else in a
+/// usual one.  A polite signal closes it as its user would: the robot is halted and the recording closed.
+void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left = {});
+
+}  // namespace terratact

@@ -1,0 +1,61 @@
+#include "app/console_setup.h"
+
+#include <QFileInfo>
+
+#include "app/resources.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+LoadedPreferences preferencesFor(const ConsoleOptions& options)
+{
+    const bool none = options.safeMode || options.isPicture();
+    return loadPreferences(none ? QString() : preferencesPath());
+}
+
+Preferences inForce(Preferences preferences, const ConsoleOptions& options)
+{
+    for (const ThemeName theme : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast})
+        if (name(theme) == options.theme) preferences.theme = theme;
+    for (const Layout layout : {Layout::Drive, Layout::Probe, Layout::Review})
+        if (name(layout) == options.layout) preferences.layout = layout;
+    if (options.fontScale > 0) preferences.fontScale = options.fontScale;
+    if (!options.language.empty()) preferences.language = QString::fromStdString(options.language);
+    if (!options.model.empty()) preferences.model = QString::fromStdString(options.model);
+    if (!options.robot.empty()) preferences.robot = QString::fromStdString(options.robot);
+    return preferences;
+}
+
+std::string usableRobot(const QString& preferred, QStringList& troubles)
+{
+    if (!preferred.isEmpty()) {
+        const auto robot = readRobotModel(preferred.toStdString());
+        if (robot) return preferred.toStdString();
+        troubles << robotNotUsed(QString::fromStdString(robot.error().text));
+    }
+    return resourcePath("robots/absolem.toml");
+}
+
+std::string usableModel(const QString& preferred, QStringList& troubles)
+{
+    if (!preferred.isEmpty()) {
+        if (const QFileInfo info(preferred); info.isFile() && info.isReadable())
+            return preferred.toStdString();
+        troubles << modelNotUsed(preferred);
+    }
+    return resourcePath("models/default.ttm");
+}
+
+std::string robotFor(const ConsoleOptions& options, LoadedPreferences& loaded)
+{
+    return options.robot.empty() ? usableRobot(loaded.preferences.robot, loaded.troubles)
+                                 : options.robot;
+}
+
+std::string modelFor(const ConsoleOptions& options, LoadedPreferences& loaded)
+{
+    return options.model.empty() ? usableModel(loaded.preferences.model, loaded.troubles)
+                                 : options.model;
+}
+
+}  // namespace terratact

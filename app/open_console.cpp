@@ -1,0 +1,185 @@
+#include "app/open_console.h"
+
+#include <QFileInfo>
+#include <QTime>
+#include <QTimer>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/console_setup.h"
+#include "app/demo.h"
+#include "app/main_window.h"
+#include "app/resources.h"
+#include "app/robot_connection.h"
+#include "app/session_housekeeping.h"
+#include "core/file_read.h"
+#include "core/learn/sha256.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kReopen = 1000;                      // never an exit code
+constexpr std::size_t kMostRobotFile = 1U << 20U;  // bytes
+
+/// What outlives a window that is opened anew.
+struct Lasting {
+    std::optional<Preferences> inForce;  ///< in the window before; empty: there was none
+    std::optional<SessionHousekeeping> house;
+};
+
+struct Chosen {
+    LoadedPreferences loaded;
+    Preferences inForce;
+    std::string robot, model;  ///< files
+};
+
+Chosen choose(const ConsoleOptions& options, const std::optional<Preferences>& before)
+{
+    Chosen chosen;
+    chosen.loaded = preferencesFor(options);
+    QStringList& troubles = chosen.loaded.troubles;
+    chosen.robot = before ? usableRobot(before->robot, troubles) : robotFor(options, chosen.loaded);
+    chosen.model = before ? usableModel(before->model, troubles) : modelFor(options, chosen.loaded);
+    chosen.inForce = before ? *before : inForce(chosen.loaded.preferences, options);
+    return chosen;
+}
+
+std::string sessionsOf(const ConsoleOptions& options)
+{
+    return options.sessions.empty() ? sessionFolder() : options.sessions;
+}
+
+std::shared_ptr<SessionRecorder> recorderFor(const ConsoleOptions& options, const Chosen& chosen)
+{
+    const bool simulated = options.can.empty();
+    const auto content = readFile(chosen.robot, kMostRobotFile);
+    const std::string robot = content ? *content : std::string();
+    SessionRecorder::Options recording;
+    recording.folder = sessionsOf(options);
+    recording.on = chosen.inForce.record;
+    recording.start = {.program = std::string("terratact-console ") + TERRATACT_VERSION,
+                       .source = simulated ? "SIMULATED ROBOT" : options.can,
+                       .bus = simulated ? "sim0" : options.can,
+                       .transmits = simulated || options.transmit,
+                       .robot = robot,
+                       .robotHash = sha256Hex(robot)};
+    return std::make_shared<SessionRecorder>(std::move(recording));
+}
+
+/// What the shipped model's presets cost.
+PresetTable shippedPresets()
+{
+    auto presets = readPresets(resourcePath("models/default.presets.csv"));
+    if (!presets) std::fprintf(stderr, "terratact-console: %s\n", presets.error().text.c_str());
+    return presets ? *presets : PresetTable{};
+}
+
+/// "Absolem: robots/absolem.toml\nfile of 2026-01-31, 1234 bytes; content 0123456789abcdef"
+QString fileDetails(const std::string& path, const RobotModel& robot)
+{
+    const auto content = readFile(path, kMostRobotFile);
+    const std::string hash = content ? sha256Hex(*content).substr(0, 16) : content.error().text;
+    const QFileInfo file(QString::fromStdString(path));
+    return QCoreApplication::translate("RobotCard", "%1: %2\nfile of %3, %4 bytes; content %5")
+        .arg(QString::fromStdString(robot.name), QString::fromStdString(path),
+             file.lastModified().toUTC().date().toString(Qt::ISODate), QString::number(file.size()),
+             QString::fromStdString(hash));
+}
+
+Exploration::Options explorationFor(const ConsoleOptions& options, const Preferences& preferences)
+{
+    Exploration::Options exploration;
+    exploration.settings = withPreferences(exploration.settings, preferences);
+    exploration.settings.seed = options.seed;
+    exploration.stepLimit = preferences.obstacleLimit;
+    exploration.seconds = preferences.estimateSeconds;
+    if (options.isPicture()) exploration.linkLostAfter = 5.0;  // must not fail on a busy machine
+    return exploration;
+}
+
+/// All but the connection.
+MainWindow::Options windowOptions(const ConsoleOptions& options, const RobotModel& robot,
+                                  Chosen chosen)
+{
+    MainWindow::Options window;
+    window.robot = robot;
+    window.robotDetails = fileDetails(chosen.robot, robot);
+    window.modelPath = chosen.model;
+    window.model = modelFileLoader(chosen.model, robot);
+    window.exploration = explorationFor(options, chosen.inForce);
+    window.presets = shippedPresets();
+    window.preferences =
+        std::make_unique<PreferenceStore>(std::move(chosen.loaded), chosen.inForce);
+    return window;
+}
+
+/// Looks after the earlier recordings, once there is a window to tell of it.
+void keepHouse(Lasting& lasting, std::vector<std::string> earlier, MainWindow& window)
+{
+    const Preferences& preferences = window.preferences().current();
+    if (!lasting.house)
+        lasting.house.emplace(
+            std::move(earlier),
+            SessionRetention{.days = static_cast<double>(preferences.keepDays),
+                             .gigabytes = static_cast<double>(preferences.keepGigabytes)});
+    SessionHousekeeping* house = &*lasting.house;
+    const auto tell = [house, events = window.events()] {
+        for (const QString& sentence : house->takeNews())
+            events->add(sentence, Weight::Doubt, QTime::currentTime());
+    };
+    QObject::connect(house, &SessionHousekeeping::news, &window, tell);
+    tell();
+    QTimer::singleShot(0, house, &SessionHousekeeping::start);
+}
+
+/// kReopen: it is to be opened anew.
+Result<int> openOnce(Application& application, const ConsoleOptions& options, Lasting& lasting)
+{
+    Chosen chosen = choose(options, lasting.inForce);
+    const auto robot = readRobotModel(chosen.robot);
+    if (!robot) return robot.error();
+    std::vector<std::string> earlier;
+    std::shared_ptr<SessionRecorder> recorder;
+    if (options.records()) {
+        earlier = sessionsIn(sessionsOf(options));  // before there is one of this run
+        recorder = recorderFor(options, chosen);
+    }
+    auto connection = connectRobot(*robot, options, recorder);  // outlives the window
+    if (!connection) return connection.error();
+    auto panel = openPanel(options);
+    if (!panel) return panel.error();
+    if (const Status ready = application.start(chosen.inForce, options.isPicture()); !ready)
+        return ready.error();
+
+    MainWindow::Options parts = windowOptions(options, *robot, std::move(chosen));
+    parts.link = connection->source.get();
+    parts.source = std::move(connection->source);
+    parts.panel = std::move(*panel);
+    parts.recorder = recorder;
+    MainWindow window(std::move(parts));
+    QObject::connect(
+        &window, &MainWindow::reopenWanted, &window, [] { QApplication::exit(kReopen); },
+        Qt::QueuedConnection);
+    showWindow(window, options, window.preferences().current().window);
+    keepHouse(lasting, std::move(earlier), window);
+    std::optional<ScreenshotDemo> screenshot;
+    if (options.isPicture()) screenshot.emplace(window, QString::fromStdString(options.screenshot));
+    const int ended = QApplication::exec();
+    lasting.inForce = window.preferences().current();
+    return ended;
+}
+
+}  // namespace
+
+Result<int> openConsole(Application& application, const ConsoleOptions& options)
+{
+    Lasting lasting;
+    for (;;) {
+        auto ended = openOnce(application, options, lasting);
+        if (!ended || *ended != kReopen) return ended;
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "app/exploration.h"
+#include "app/steady_now.h"
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/scripted_source.h"
+
+namespace terratact {
+
+inline constexpr int kBin06 = 9;
+
+/// An exploration whose telemetry and clock are in the test's hands; only the estimator is a thread.
+struct Bench : testing::Test {
+    explicit Bench(CanSource* link = nullptr)
+    {
+        RobotModel robot;
+        robot.armReachBegin = 0.35;
+        robot.armReachEnd = 0.75;
+        worker = std::make_unique<EstimatorWorker>([this]() -> Result<LoadedModel> {
+            return LoadedModel{.estimate = [this](const EstimateRequest& r,
+                                                  const Watch& w) { return estimate(r, w); },
+                               .name = "fake.ttm",
+                               .details = {}};
+        });
+        exploration =
+            std::make_unique<Exploration>(source, robot, *worker, Exploration::Options{}, link);
+        QObject::connect(exploration.get(), &Exploration::happened,
+                         [this](const QString& text) { events << text; });
+        worker->start();
+        EXPECT_TRUE(gui::eventually([this] { return events.contains("model fake.ttm loaded"); }));
+        tick(3);
+    }
+
+    TerrainEstimate estimate(const EstimateRequest& request, const Watch& watch)
+    {
+        {
+            const std::scoped_lock lock(mutex);
+            asked = request;
+        }
+        ++estimates;
+        while (blocked && !watch.cancelled())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (watch.cancelled()) throw Cancelled{};
+        if (broken) throw std::runtime_error("the covariance is not positive definite");
+        TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
+        e.settings = request.settings;
+        return e;
+    }
+
+    /// Lets ticks of 40 ms pass, each with fresh telemetry.
+    void tick(int times = 1)
+    {
+        for (int i = 0; i < times; ++i) {
+            line();
+            exploration->tick(now, latest);
+        }
+    }
+    /// Telemetry at which nobody looks.
+    void line()
+    {
+        now += 0.04;
+        latest = received(latest, {.measurement = telemetry, .truth = std::nullopt},
+                          SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
+                              std::chrono::duration<double>(now))));
+    }
+    EstimateRequest lastAsked() const
+    {
+        const std::scoped_lock lock(mutex);
+        return asked;
+    }
+    /// Lets ticks pass without telemetry.
+    void tickInSilence(int times)
+    {
+        for (int i = 0; i < times; ++i) exploration->tick(now += 0.04, latest);
+    }
+    AtemPhase phase() const { return exploration->state().phase; }
+    bool reaches(AtemPhase wanted)
+    {
+        // Slowly: an estimate in the other thread must not run into a time limit of this clock.
+        return gui::eventually([&] {
+            if (phase() == wanted) return true;
+            tick();
+            return phase() == wanted;
+        });
+    }
+    template <class C>
+    int sent()
+    {
+        for (const Command& command : source.takeCommands()) all.push_back(command);
+        return static_cast<int>(std::count_if(
+            all.begin(), all.end(), [](const Command& c) { return std::holds_alternative<C>(c); }));
+    }
+    /// Lets the blocked estimate end and waits until its answer lies in the queue of this thread, which has not heard
+    /// of it yet.
+    bool answerIsQueued()
+    {
+        // Called in the worker's own thread, after everybody else has been told.
+        const auto queued = std::make_shared<std::promise<void>>();
+        QObject::connect(
+            worker.get(), &EstimatorWorker::estimated, worker.get(),
+            [queued] { queued->set_value(); },
+            static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::SingleShotConnection));
+        blocked = false;
+        return queued->get_future().wait_for(std::chrono::seconds(20)) == std::future_status::ready;
+    }
+    /// Waits until the worker has done all that it was asked for and this thread has heard of it: the worker answers in
+    /// turn, so one question more is answered last.
+    bool settles()
+    {
+        constexpr double kNobodysLimit = 0.123;  // [m] an advice for which is nobody's but ours
+        bool heard = false;
+        const auto listening = QObject::connect(
+            worker.get(), &EstimatorWorker::advised, exploration.get(),
+            [&heard](const ProbeAdvice& a) { heard = heard || a.stepLimit == kNobodysLimit; });
+        worker->advise(stepEstimate(), RobotModel{}, kNobodysLimit);
+        const bool settled = gui::eventually([&heard] { return heard; });
+        QObject::disconnect(listening);
+        return settled;
+    }
+    void press()
+    {
+        exploration->request();
+        tick();
+        telemetry.activity = RobotActivity::Halted;
+        ASSERT_TRUE(reaches(AtemPhase::Pressing));
+        telemetry.activity = RobotActivity::Pressed;
+    }
+    void propose()
+    {
+        press();
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    }
+
+    std::atomic<int> estimates = 0;
+    std::atomic<bool> blocked = false, broken = false;
+    ScriptedSource source;
+    std::unique_ptr<EstimatorWorker> worker;
+    std::unique_ptr<Exploration> exploration;
+    Measurement telemetry;
+    std::optional<Received> latest;
+    mutable std::mutex mutex;
+    EstimateRequest asked;  ///< of the newest estimate; guarded by the mutex
+    double now = 1000.0;
+    QStringList events;
+    std::vector<Command> all;
+};
+
+}  // namespace terratact
