@@ -92,6 +92,28 @@ inline std::set<std::string> textsOf(const QWidget& window)
     return texts;
 }
 
+/// What can be read in a window: the texts of its visible labels, buttons, bars and tables, and of what is drawn what a
+/// screen reader says of it.
+inline QStringList readableTexts(const QWidget& window)
+{
+    QStringList texts;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible()) continue;
+        texts << widget->accessibleDescription();
+        if (const auto* label = qobject_cast<const QLabel*>(widget)) texts << label->text();
+        if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+            texts << button->text();
+        if (const auto* bar = qobject_cast<const QProgressBar*>(widget)) texts << bar->text();
+        if (const auto* table = qobject_cast<const QTableView*>(widget)) {
+            const QAbstractItemModel& model = *table->model();
+            for (int row = 0; row < model.rowCount(); ++row)
+                for (int column = 0; column < model.columnCount(); ++column)
+                    texts << model.index(row, column).data().toString();
+        }
+    }
+    return texts;
+}
+
 inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border
 
 /// The texts of visible labels, buttons and columns' names that have less room than they need.
