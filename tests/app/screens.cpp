@@ -30,6 +30,7 @@ using gui::eventually;
 
 constexpr double kSpeed = 10.0;   // simulated seconds per second
 constexpr int kHold = 600;        // [ms] of a hold that is seen at its half
+constexpr int kSettles = 60;      // [ms] until all of the window has been drawn anew
 constexpr int kPatience = 60000;  // [ms]
 constexpr const char* kLanguages[]{"en", "cs", "de"};
 
@@ -210,8 +211,9 @@ void Screens::look(std::string_view name, const QStringList& says, bool isCovere
         return found;
     };
     EXPECT_FALSE(says.isEmpty()) << name << ": what does it show?";
-    // A busy machine lays out late.
-    (void)eventually([&] { return missingIn(window(), says).isEmpty() && untidy().empty(); }, 5000);
+    (void)eventually([&] { return missingIn(window(), says).isEmpty(); }, 5000);
+    QTest::qWait(kSettles);
+    (void)eventually([&] { return untidy().empty(); }, 3000);  // a busy machine lays out late
     for (const QString& text : missingIn(window(), says))
         ADD_FAILURE() << name << " does not say: " << text.toStdString();
     for (const std::string& text : untidy()) ADD_FAILURE() << "in " << name << ": " << text;
@@ -245,9 +247,9 @@ ModelLoader Screens::altered()
     return [this]() -> Result<LoadedModel> {
         auto loaded = shipped();
         if (!loaded) return loaded;
-        LoadedModel model = *loaded;
-        model.estimate = [this, estimate = model.estimate](const EstimateRequest& request,
-                                                           const Watch& watch) {
+        LoadedModel changed = *loaded;
+        changed.estimate = [this, estimate = changed.estimate](const EstimateRequest& request,
+                                                               const Watch& watch) {
             while (holdsEstimates) {
                 stopIfCancelled(watch);
                 watch.progress(0.4);
@@ -258,7 +260,7 @@ ModelLoader Screens::altered()
             if (alters_) alters_(made);
             return made;
         };
-        return model;
+        return changed;
     };
 }
 
@@ -302,8 +304,8 @@ void Screens::open(const Setting& setting)
     Preferences preferences;
     preferences.probeAbove = 0.03;
     options.exploration.settings = withPreferences({}, preferences);
-    options.preferences = std::make_unique<PreferenceStore>(
-        LoadedPreferences{.preferences = preferences}, preferences);
+    options.preferences =
+        std::make_unique<PreferenceStore>(LoadedPreferences{preferences, {}, {}}, preferences);
     options.presets.model = readPresets(resourcePath("models/default.presets.csv"))->model;
     options.presets.costs = {{Method::Local, Quality::Balanced, 1.1, 2.0, 25.0}};
     if (setting.hasPanel) {
@@ -315,6 +317,7 @@ void Screens::open(const Setting& setting)
     console->setRoom({1440, 900});
     console->resize(1440, 900);
     gui::showActive(*console);
+    (void)eventually([&] { return console->probeCard()->isVisible(); }, 5000);  // it has its size
 }
 
 void Screens::press(int key, Qt::KeyboardModifiers with)
@@ -326,16 +329,18 @@ void Screens::arm()
 {
     ArmingControl& arming = *console->header()->arming();
     arming.confirmButton()->setHoldTime(1);
-    for (int attempt = 0; attempt < 3 && !console->exploration().armed(); ++attempt) {
+    const auto state = [&] { return console->link()->view().link.arming; };
+    for (int attempt = 0; attempt < 5 && !console->exploration().armed(); ++attempt) {
         ASSERT_TRUE(eventually([&] { return arming.armButton()->isEnabled(); }, kPatience));
         press(Qt::Key_M);
-        ASSERT_TRUE(eventually([&] { return arming.confirmButton()->isVisible(); }, kPatience));
+        if (!eventually([&] { return arming.confirmButton()->isVisible(); }, 2000)) continue;
         QTest::qWait(60);  // a second action, not a repeated key
         QTest::keyPress(&window(), Qt::Key_M);
-        (void)eventually([&] { return console->exploration().armed(); }, 5000);
+        (void)eventually([&] { return console->exploration().armed(); }, 2000);
         QTest::keyRelease(&window(), Qt::Key_M);
+        QTest::qWait(60);  // likewise
     }
-    ASSERT_TRUE(console->exploration().armed());
+    ASSERT_TRUE(console->exploration().armed()) << describe(state().cause);
 }
 
 bool Screens::reaches(AtemPhase phase)

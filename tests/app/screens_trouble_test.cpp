@@ -91,8 +91,7 @@ TEST_F(Screens, following)
                  Exploration::tr("No estimate yet: it comes when the robot presses its flippers")});
         robot->stage({.says = RobotActivity::Pressing});
         picture("following_live_preview",
-                {follows(AtemPhase::Pressing),
-                 TerrainPage::tr("The flippers still move: nothing ahead is felt yet")});
+                {follows(AtemPhase::Pressing), TerrainPage::tr("LIVE preview")});
         robot->stage({});
         picture("following_estimate",
                 {follows(AtemPhase::Presenting),

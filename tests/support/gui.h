@@ -116,7 +116,7 @@ inline QStringList readableTexts(const QWidget& window)
 
 inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border
 
-/// The texts of visible labels, buttons and columns' names that have less room than they need.
+/// The texts of visible labels, buttons, bars and columns' names that have less room than they need.
 inline std::vector<std::string> cutText(const QWidget& window)
 {
     std::vector<std::string> cut;
@@ -132,6 +132,9 @@ inline std::vector<std::string> cutText(const QWidget& window)
                                    : label->sizeHint());
     for (const QPushButton* button : window.findChildren<QPushButton*>())
         look(*button, button->text(), button->minimumSizeHint());
+    for (const QProgressBar* bar : window.findChildren<QProgressBar*>())
+        if (bar->isTextVisible())
+            look(*bar, bar->text(), {bar->fontMetrics().horizontalAdvance(bar->text()), 0});
     for (const QTableView* table : window.findChildren<QTableView*>()) {
         const QHeaderView& header = *table->horizontalHeader();
         for (int column = 0; table->isVisible() && column < header.count(); ++column) {
