@@ -69,7 +69,7 @@ struct Screens : testing::Test {
     static constexpr AtemLimits kPatient{
         .halt = 600.0, .press = 600.0, .estimate = 600.0, .approval = 600.0, .probe = 600.0};
     void open(const Setting& setting);
-    static Result<LoadedModel> shipped();
+    Result<LoadedModel> shipped() const;
 
     // Of the console.
     void arm();
@@ -83,6 +83,8 @@ struct Screens : testing::Test {
     void holdAtHalf(HoldToConfirmButton& button, Qt::Key key, std::string_view name,
                     const QStringList& says);
     QWidget& window() const;
+    /// What was recorded is in the language of then.
+    void unsay(const QString& recorded);
 
     std::set<std::string> said;  ///< in all pictures of the language so far
     RobotModel model = absolem();

@@ -46,9 +46,9 @@ const std::vector<Chapter>& chapters()
         {"tooLate", {"no_answer_in_time", "probe_took_too_long"}},
         {"result",
          {"page_numbers", "page_alarms", "page_signals", "page_training", "page_settings",
-          "settings_down_to_the_model_card", "page_diagnostics", "layout_drive", "layout_review",
-          "keys", "smallest", "letters_200_percent", "letters_200_percent_page_robot", "ghost",
-          "ghost_by_night", "ghost_in_high_contrast"}},
+          "page_diagnostics", "layout_drive", "layout_review", "keys", "smallest",
+          "settings_down_to_the_model_card", "letters_200_percent",
+          "letters_200_percent_page_robot", "ghost", "ghost_by_night", "ghost_in_high_contrast"}},
         {"stop",
          {"stop_not_confirmed", "stopped", "hold_to_release_stop_at_half", "stop_not_sent"}},
         {"trouble",
@@ -233,7 +233,7 @@ TEST_F(Screens, verdict)
             "unlike the training scenes: 1.8 times the distance that 1 % of them exceed");
     };
     inEveryLanguage([&] {
-        open({.before = 0.5, .linkLostAfter = 1.2});
+        open({.before = 0.5, .linkLostAfter = 0.8});
         ASSERT_NO_FATAL_FAILURE(explore());
         withLimit(Outlook::Clear);
         picture("clear", {VerdictStrip::tr("✔ CLEAR")});
@@ -336,7 +336,7 @@ TEST_F(Screens, tooLate)
 {
     inEveryLanguage([&] {
         AtemLimits hasty = kPatient;
-        hasty.approval = hasty.probe = 1.0;
+        hasty.approval = hasty.probe = 0.6;
         open({.limits = hasty});
         ASSERT_NO_FATAL_FAILURE(explore());
         picture("no_answer_in_time",

@@ -50,7 +50,7 @@ TEST_F(Screens, trouble)
 {
     const Staging mute{.isMute = true};
     inEveryLanguage([&] {
-        open({.linkLostAfter = 1.2, .staging = mute});
+        open({.linkLostAfter = 0.8, .staging = mute});
         picture("no_telemetry_yet", {LinkStatus::tr("no telemetry yet")});
         robot->stage({});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
