@@ -80,6 +80,7 @@ QFrame#navigationRail[dense="true"] QPushButton { min-height: 26px; }
 QFrame#navigationRail QPushButton:hover { background: @chipHover; }
 QFrame#navigationRail QPushButton:checked { background: @chipArea; color: @source; border-left: 4px solid @source;
                                             padding-left: 2px; }
+QFrame#navigationRail QPushButton[role="alarm"] { background: @chipBadArea; color: @chipBadText; }
 QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 
 QFrame#statusHeader { background: @header; }

@@ -176,7 +176,8 @@ TEST_F(Screens, review)
                  ReviewWindow::tr("A review commands no robot")});
         press(Qt::Key_F4);
         picture("review_events", {QStringLiteral("demo.tts")});
-        for (const std::string& text : gui::textsOf(*review->events())) said.erase(text);
+        for (const std::string& text : gui::textsOf(*review->events()))
+            unsay(QString::fromStdString(text));
         press(Qt::Key_F6);
         picture("what_if", {WhatIfPage::tr("Estimate %1 of scene %2 at %3 s, by %4 with the model "
                                            "%5")});
