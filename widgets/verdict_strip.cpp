@@ -17,7 +17,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kBadgeFrame = 28;  // [px] beside its word
+constexpr int kBadgeFrame = 16;  // [px] beside its word
 
 QString likeliestText(const Verdict& verdict)
 {

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>%1 is bus-off after too many errors: check the wires, then restart it</source>
-        <translation>%1 ist bus-off nach zu vielen Fehlern: Kabel prüfen, dann neu starten</translation>
+        <translation>%1 ist bus-off: Kabel prüfen, dann neu starten</translation>
     </message>
     <message>
         <source>%1 is down: bring it up</source>
