@@ -134,17 +134,31 @@ TEST_F(Screens, exploring)
     inEveryLanguage([&] {
         open({});
         ASSERT_NO_FATAL_FAILURE(arm());
-        robot->stage({.says = RobotActivity::Driving});
-        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
-        press(Qt::Key_A);
-        picture("halting", {told(describe(AtemPhase::Halting))});
-        robot->stage({.lasts = RobotActivity::Pressing});
-        ASSERT_TRUE(
-            eventually([&] { return console->exploration().estimation().live().has_value(); }));
+        const auto isSeenToPress = [&] {
+            const auto latest = console->acquisition().latest();
+            return console->exploration().estimation().live()
+                && latest->sample.measurement.activity == RobotActivity::Pressing;
+        };
+        for (int attempt = 0; attempt < 3 && !isSeenToPress(); ++attempt) {  // a busy machine
+            robot->stage({.says = RobotActivity::Driving});
+            ASSERT_NO_FATAL_FAILURE(arm());
+            ASSERT_TRUE(
+                eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+            press(Qt::Key_A);
+            ASSERT_TRUE(reaches(AtemPhase::Halting));
+            if (attempt == 0) picture("halting", {told(describe(AtemPhase::Halting))});
+            robot->stage({.lasts = RobotActivity::Pressing});
+            (void)eventually([&] {
+                return isSeenToPress() || console->exploration().state().phase == AtemPhase::Failed;
+            });
+        }
+        ASSERT_TRUE(isSeenToPress()) << describe(console->exploration().state().failure);
         picture("live_preview",
                 {told(describe(AtemPhase::Pressing)), TerrainPage::tr("LIVE preview")});
         holdsEstimates = true;
         robot->stage({});
+        ASSERT_TRUE(reaches(AtemPhase::Estimating))
+            << describe(console->exploration().state().failure);
         picture("estimating", {told(describe(AtemPhase::Estimating))});
         holdsEstimates = false;
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
