@@ -133,15 +133,14 @@ TEST_F(Screens, exploring)
 {
     inEveryLanguage([&] {
         open({});
-        ASSERT_NO_FATAL_FAILURE(arm());
         const auto isSeenToPress = [&] {
             const auto latest = console->acquisition().latest();
-            return console->exploration().estimation().live()
+            return latest && console->exploration().estimation().live()
                 && latest->sample.measurement.activity == RobotActivity::Pressing;
         };
         for (int attempt = 0; attempt < 3 && !isSeenToPress(); ++attempt) {  // a busy machine
-            robot->stage({.says = RobotActivity::Driving});
             ASSERT_NO_FATAL_FAILURE(arm());
+            robot->stage({.says = RobotActivity::Driving});
             ASSERT_TRUE(
                 eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
             press(Qt::Key_A);
