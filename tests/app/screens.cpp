@@ -235,7 +235,7 @@ void Screens::look(std::string_view name, const QStringList& says, bool isCovere
         return found;
     };
     EXPECT_FALSE(says.isEmpty()) << name << ": what does it show?";
-    (void)eventually([&] { return missingIn(window(), says).isEmpty(); }, 5000);
+    (void)eventually([&] { return missingIn(window(), says).isEmpty(); }, 15000);
     QTest::qWait(kSettles);
     (void)eventually([&] { return untidy().empty(); }, 3000);  // a busy machine lays out late
     for (const QString& text : missingIn(window(), says))
