@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "app/can_source.h"
-#include "app/steady_now.h"
 
 namespace terratact {
 namespace {
@@ -37,7 +36,7 @@ void sendAll(CanBus& bus, const std::vector<CanFrame>& frames)
 
 Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
                   const std::function<void(const std::string&)>& say,
-                  const std::function<void()>& measured)
+                  const std::function<void()>& measured, const std::function<double()>& clock)
 {
     std::array<BusFrame, 64> frames;
     std::optional<Shown> before;
@@ -45,8 +44,8 @@ Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& g
         const auto count = bus.receive(frames, 5ms);
         if (!count) return count.error();
         for (std::size_t i = 0; i < *count; ++i)
-            if (!frames[i].echo) sendAll(bus, robot.receive(frames[i].frame, steadyNow()));
-        const std::vector<CanFrame> line = robot.tick(steadyNow());
+            if (!frames[i].echo) sendAll(bus, robot.receive(frames[i].frame, clock()));
+        const std::vector<CanFrame> line = robot.tick(clock());
         if (!line.empty()) measured();
         sendAll(bus, line);
         const Shown shown{robot.armed(), robot.robot().activity(), bus.state()};

@@ -36,10 +36,12 @@ namespace {
 constexpr int kColumnBefore = 1, kColumnAfter = 2, kColumnDifference = 3;
 constexpr int kPerMille = 1000;  // of the bar
 
-QString cellText(const TrainingProgress::Cell& cell)
+/// runs: what waits will have its turn.
+QString cellText(const TrainingProgress::Cell& cell, bool runs)
 {
     switch (cell.state) {
-    case TrainingProgress::State::Waiting: return TrainingPage::tr("waiting");
+    case TrainingProgress::State::Waiting:
+        return runs ? TrainingPage::tr("waiting") : words::kNothing;
     case TrainingProgress::State::Running: return TrainingPage::tr("running");
     case TrainingProgress::State::Skipped: return TrainingPage::tr("too few");
     case TrainingProgress::State::Done: break;
@@ -488,7 +490,7 @@ void TrainingPage::showBins(const TrainingProgress& progress)
         for (std::size_t kind = 0; kind < kTrainingKinds.size(); ++kind) {
             const auto& cell = progress.cells[static_cast<std::size_t>(bin)][kind];
             QTableWidgetItem* item = bins_->item(bin, 1 + static_cast<int>(kind));
-            const QString text = cellText(cell);
+            const QString text = cellText(cell, phase_ == Phase::Training);
             const QColor colour =
                 cell.state == TrainingProgress::State::Waiting ? theme().muted : theme().text;
             if (item->text() == text && item->foreground().color() == colour) continue;

@@ -43,7 +43,6 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
                                        tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setStretchLastSection(true);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
     table_->setFrameShape(QFrame::NoFrame);

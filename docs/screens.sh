@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md anew from a release build: the console on its built-in robot,
-# the review of the shipped session, and five of the states that tests/app/screens_test.cpp walks through.  Wants
+# the review of the shipped session, and five of the states that tests/app/screens_test.cpp takes a picture of.  Wants
 # imagemagick, to make the files smaller.
 #   docs/screens.sh
 set -eu
@@ -13,12 +13,13 @@ small() { convert "$1" +dither -colors 200 -strip "$2"; }
 
 build/release/app/terratact-console --screenshot "$all/console.png"
 build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screenshot "$all/review.png"
-TERRATACT_PICTURES="$all" build/release/tests/app.screens_test --gtest_filter='*/0'  # in English
+TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.screens_test \
+  --gtest_filter=Screens.start:Screens.probe:Screens.result:Screens.trouble
 mkdir -p docs/screens
 small "$all/console.png" docs/console.png
 small "$all/review.png" docs/screens/review.png
-small "$all/02_not_armed.png" docs/screens/start.png
-small "$all/08_draws_second_method_and_a_bin_up_close.png" docs/screens/draws.png
-small "$all/11_probed.png" docs/screens/probed.png
-small "$all/23_page_Signals.png" docs/screens/signals.png
-small "$all/14_alarms_of_a_lost_link.png" docs/screens/alarms.png
+small "$all"/??-??_not_armed.png docs/screens/start.png
+small "$all"/??-??_draws_second_method_and_a_bin_up_close.png docs/screens/draws.png
+small "$all"/??-??_probed.png docs/screens/probed.png
+small "$all"/??-??_page_signals.png docs/screens/signals.png
+small "$all"/??-??_alarms_of_a_lost_link.png docs/screens/alarms.png

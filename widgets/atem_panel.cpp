@@ -169,13 +169,13 @@ void AtemPanel::showList()
         if (!used) continue;
         const Precondition& condition = preconditions[row];
         static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Doubt, Tone::Bad};
-        static const QString kSpoken[]{tr("met"), tr("overridden"), tr("doubtful"), tr("missing")};
+        const QString spoken[]{tr("met"), tr("overridden"), tr("doubtful"), tr("missing")};
         const auto level = static_cast<std::size_t>(condition.level);
         mark->setText(markOf(condition.level));
         reason->setText(condition.level == Precondition::Level::Overridden
                             ? tr("%1 (overridden)").arg(condition.text)
                             : condition.text);
-        reason->setAccessibleName(kSpoken[level] + QStringLiteral(": ") + condition.text);
+        reason->setAccessibleName(spoken[level] + QStringLiteral(": ") + condition.text);
         setTone(*mark, kTones[level]);
         setTone(*reason, condition.level == Precondition::Level::Met ? Tone::Plain : kTones[level]);
     }
@@ -239,7 +239,10 @@ void AtemPanel::showButtons()
     abort_->setVisible(!stopped);
     release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
-    override_->setVisible(!busy && !stopped && missing.isEmpty() && !doubtful.isEmpty());
+    const bool overrides = !busy && !stopped && missing.isEmpty() && !doubtful.isEmpty();
+    override_->setVisible(overrides);  // beside the others it leaves no room for the request
+    buttons_->setDirection(narrow_ || overrides ? QBoxLayout::TopToBottom
+                                                : QBoxLayout::LeftToRight);
     QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
     if (busy && !state_.followed)
         tip = tr("An exploration is running: end it with Esc first");

@@ -70,7 +70,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     row->addWidget(headline_);
     row->addStretch(1);
     row->addWidget(details_);
-    row->addWidget(progress_);
+    row->addWidget(progress_, 100);  // all of the room there is, up to its own
     row->addWidget(cancel_);
     connect(cancel_, &QPushButton::clicked, this, &EstimateStrip::cancelled);
     setNothing(QString());

@@ -64,7 +64,7 @@ QPushButton[role^="stop"]:focus { border: 3px solid @source; }
 QPushButton[role="stopNone"], QPushButton[role="stopNone"]:pressed { background: @chipArea; color: @chipOffText;
   border: 2px dashed @chipBorder; font-size: @16px; font-weight: normal; }
 
-QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; min-width: 172px; font-size: @19px; font-weight: bold; }
+QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; font-size: @19px; font-weight: bold; }
 QLabel#verdictBadge[outlook="clear"] { background: @clearArea; color: @clearText; }
 QLabel#verdictBadge[outlook="blocked"] { background: @blockedArea; color: @blockedText; }
 QLabel#verdictBadge[outlook="open"] { background: @openArea; color: @openText; }
@@ -80,6 +80,7 @@ QFrame#navigationRail[dense="true"] QPushButton { min-height: 26px; }
 QFrame#navigationRail QPushButton:hover { background: @chipHover; }
 QFrame#navigationRail QPushButton:checked { background: @chipArea; color: @source; border-left: 4px solid @source;
                                             padding-left: 2px; }
+QFrame#navigationRail QPushButton[role="alarm"] { background: @chipBadArea; color: @chipBadText; }
 QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 
 QFrame#statusHeader { background: @header; }

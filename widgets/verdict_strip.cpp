@@ -17,7 +17,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kBadgeFrame = 28;  // [px] beside its word
+constexpr int kBadgeFrame = 16;  // [px] beside its word
 
 QString likeliestText(const Verdict& verdict)
 {
@@ -25,6 +25,27 @@ QString likeliestText(const Verdict& verdict)
         .arg(words::signedNumber(binCentre(verdict.likeliest), 1),
              words::signedNumber(binCentre(verdict.likeliest + 1), 1),
              words::number(verdict.likeliestP, 2));
+}
+
+/// One of several reasons, which share two lines.
+QString briefly(Doubt doubt)
+{
+    switch (doubt) {
+    case Doubt::Stale: return VerdictStrip::tr("no live telemetry");
+    case Doubt::NotConverged: return VerdictStrip::tr("not converged");
+    case Doubt::UnlikeTraining: return VerdictStrip::tr("unlike all training");
+    case Doubt::Roll: return VerdictStrip::tr("the robot rolls");
+    case Doubt::Asymmetry: return VerdictStrip::tr("the flippers differ");
+    }
+    return {};
+}
+
+QString withheldText(const std::vector<Doubt>& doubts)
+{
+    QStringList reasons;
+    for (const Doubt doubt : doubts)
+        reasons << (doubts.size() > 1 ? briefly(doubt) : words::sentence(describe(doubt)));
+    return VerdictStrip::tr("withheld: %1").arg(reasons.join(QStringLiteral(" · ")));
 }
 
 }  // namespace
@@ -121,8 +142,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     question_->setText(tr("P(step > %1 m ahead) = %2 ± %3")
                            .arg(words::number(limit_, 2), words::number(verdict.step.p, 2),
                                 words::randomError(verdict.step.monteCarloSd, 2)));
-    QStringList why;
-    for (const Doubt doubt : verdict.doubts) why << words::sentence(describe(doubt));
+    QStringList why, tip;
     switch (verdict.outlook) {
     case Outlook::Clear:
         setBadge(tr("✔ CLEAR"), QStringLiteral("clear"));
@@ -135,17 +155,19 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
         break;
     case Outlook::CannotTell:
         setBadge(tr("? CANNOT TELL"), QStringLiteral("open"));
-        if (!why.isEmpty())
-            why = {tr("withheld: %1").arg(why.join(QStringLiteral(" · ")))};
-        else
+        if (verdict.doubts.empty())
             why << tr("undecided from %1 to %2, %3")
                        .arg(words::number(kClearBelow, 2), words::number(kBlockedAbove, 2),
                             likeliestText(verdict));
+        else
+            why << withheldText(verdict.doubts);
+        for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
         break;
     }
     if (!probe.isEmpty()) why << probe;
     reason_->setText(why.join(QStringLiteral(" — ")));
-    reason_->setToolTip(reason_->text());
+    tip.prepend(reason_->text());
+    reason_->setToolTip(tip.join(QLatin1Char('\n')));
 }
 
 void VerdictStrip::setNothing(const QString& why)

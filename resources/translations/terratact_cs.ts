@@ -4583,6 +4583,26 @@ vpředu</translation>
         <source>undecided from %1 to %2, %3</source>
         <translation>nerozhodnuto od %1 do %2, %3</translation>
     </message>
+    <message>
+        <source>no live telemetry</source>
+        <translation>bez živé telemetrie</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>nezkonvergovalo</translation>
+    </message>
+    <message>
+        <source>unlike all training</source>
+        <translation>nepodobá se trénování</translation>
+    </message>
+    <message>
+        <source>the robot rolls</source>
+        <translation>robot se naklání</translation>
+    </message>
+    <message>
+        <source>the flippers differ</source>
+        <translation>flippery se liší</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ViewMenu</name>

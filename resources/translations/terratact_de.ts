@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>%1 is bus-off after too many errors: check the wires, then restart it</source>
-        <translation>%1 ist nach zu vielen Fehlern abgeschaltet (bus-off): Kabel prüfen, dann neu starten</translation>
+        <translation>%1 ist bus-off: Kabel prüfen, dann neu starten</translation>
     </message>
     <message>
         <source>%1 is down: bring it up</source>
@@ -4582,6 +4582,26 @@ voraus</translation>
     <message>
         <source>undecided from %1 to %2, %3</source>
         <translation>offen von %1 bis %2, %3</translation>
+    </message>
+    <message>
+        <source>no live telemetry</source>
+        <translation>keine aktuelle Telemetrie</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>unlike all training</source>
+        <translation>anders als im Training</translation>
+    </message>
+    <message>
+        <source>the robot rolls</source>
+        <translation>der Roboter rollt</translation>
+    </message>
+    <message>
+        <source>the flippers differ</source>
+        <translation>die Flipper weichen ab</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,11 @@
 #!/bin/sh
-# Puts the pictures of a folder (tests/app/screens_test.cpp) on one sheet, DIR/contact_sheet.png; wants imagemagick.
-#   tests/app/contact_sheet.sh DIR
+# Puts the pictures of a folder (tests/app/screens_test.cpp) on sheets of nine that can still be read, in their order:
+# DIR/sheet-01.png, …; wants imagemagick.  NAMES: of the pictures, as the shell matches them (default: all).
+#   tests/app/contact_sheet.sh DIR [NAMES]
 set -eu
 cd "$1"
-rm -f contact_sheet.png
-montage -label '%t' -font DejaVu-Sans -pointsize 22 -tile 4x -geometry 960x+16+16 -background '#8899aa' ./*.png contact_sheet.png
-echo "$1/contact_sheet.png"
+rm -f sheet-*.png
+# shellcheck disable=SC2086 # the names are a pattern
+montage -label '%t' -font DejaVu-Sans -pointsize 20 -tile 3x3 -geometry '900x>+10+10' -background '#8899aa' \
+  ${2:-*.png} sheet-%02d.png
+ls "$PWD"/sheet-*.png

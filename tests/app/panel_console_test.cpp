@@ -2,11 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <QPushButton>
-#include <array>
-#include <cerrno>
-#include <mutex>
-#include <stdexcept>
-#include <thread>
 
 #include "app/main_window.h"
 #include "app/robot_in_process.h"
@@ -15,6 +10,7 @@
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/panel_board.h"
 #include "tests/support/scripted_source.h"
 #include "tests/support/sim_source.h"
 #include "widgets/arming_control.h"
@@ -30,79 +26,7 @@
 namespace terratact {
 namespace {
 
-using namespace std::chrono_literals;
 using gui::eventually;
-
-/// Contacts that a test closes and lamps that it reads, from another thread than the panel's.
-class Board {
-public:
-    void close(PanelContact contact, bool closed)
-    {
-        const std::scoped_lock lock(mutex_);
-        closed_[contact] = closed;
-        edges_.edges.push_back(
-            {.input = static_cast<std::size_t>(contact), .active = closed, .time = steadyNow()});
-    }
-    void unplug()
-    {
-        const std::scoped_lock lock(mutex_);
-        gone_ = true;
-    }
-    /// From now on reading it throws.
-    void breakDown()
-    {
-        const std::scoped_lock lock(mutex_);
-        broken_ = true;
-    }
-    bool lit(std::size_t lamp) const
-    {
-        const std::scoped_lock lock(mutex_);
-        return lit_.at(lamp);
-    }
-    Result<std::unique_ptr<GpioLines>> open()
-    {
-        const std::scoped_lock lock(mutex_);
-        if (gone_) return Error{"no such chip", ENODEV};
-        return std::unique_ptr<GpioLines>(std::make_unique<Lines>(*this));
-    }
-
-private:
-    class Lines final : public GpioLines {
-    public:
-        explicit Lines(Board& board) : board_(board) {}
-        const GpioFound& found() const override { return found_; }
-        Result<GpioEdges> readEdges(std::chrono::milliseconds) override
-        {
-            std::this_thread::sleep_for(2ms);
-            const std::scoped_lock lock(board_.mutex_);
-            if (board_.broken_) throw std::runtime_error("the board is on fire");
-            if (board_.gone_) return Error{"the chip is gone", ENODEV};
-            return std::exchange(board_.edges_, {});
-        }
-        Result<std::vector<bool>> levels() override
-        {
-            const std::scoped_lock lock(board_.mutex_);
-            if (board_.gone_) return Error{"the chip is gone", ENODEV};
-            return std::vector<bool>(board_.closed_.values.begin(), board_.closed_.values.end());
-        }
-        Status set(std::size_t output, bool active) override
-        {
-            const std::scoped_lock lock(board_.mutex_);
-            board_.lit_.at(output) = active;
-            return Done{};
-        }
-
-    private:
-        Board& board_;
-        GpioFound found_;
-    };
-
-    mutable std::mutex mutex_;                                        // guards what follows
-    PerContact<bool> closed_{.values = {false, false, false, true}};  // STOP is normally closed
-    GpioEdges edges_;
-    std::array<bool, kPanelOutputs> lit_{};
-    bool gone_ = false, broken_ = false;
-};
 
 struct PanelConsole : testing::Test {
     static void SetUpTestSuite()
@@ -165,7 +89,7 @@ struct PanelConsole : testing::Test {
     }
 
     RobotModel model = absolem();
-    Board board;
+    PanelBoard board;
     std::unique_ptr<MainWindow> window;
 };
 

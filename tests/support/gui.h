@@ -92,9 +92,31 @@ inline std::set<std::string> textsOf(const QWidget& window)
     return texts;
 }
 
+/// What can be read in a window: the texts of its visible labels, buttons, bars and tables, and of what is drawn what a
+/// screen reader says of it.
+inline QStringList readableTexts(const QWidget& window)
+{
+    QStringList texts;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible()) continue;
+        texts << widget->accessibleDescription();
+        if (const auto* label = qobject_cast<const QLabel*>(widget)) texts << label->text();
+        if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+            texts << button->text();
+        if (const auto* bar = qobject_cast<const QProgressBar*>(widget)) texts << bar->text();
+        if (const auto* table = qobject_cast<const QTableView*>(widget)) {
+            const QAbstractItemModel& model = *table->model();
+            for (int row = 0; row < model.rowCount(); ++row)
+                for (int column = 0; column < model.columnCount(); ++column)
+                    texts << model.index(row, column).data().toString();
+        }
+    }
+    return texts;
+}
+
 inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border
 
-/// The texts of visible labels, buttons and columns' names that have less room than they need.
+/// The texts of visible labels, buttons, bars and columns' names that have less room than they need.
 inline std::vector<std::string> cutText(const QWidget& window)
 {
     std::vector<std::string> cut;
@@ -110,6 +132,9 @@ inline std::vector<std::string> cutText(const QWidget& window)
                                    : label->sizeHint());
     for (const QPushButton* button : window.findChildren<QPushButton*>())
         look(*button, button->text(), button->minimumSizeHint());
+    for (const QProgressBar* bar : window.findChildren<QProgressBar*>())
+        if (bar->isTextVisible())
+            look(*bar, bar->text(), {bar->fontMetrics().horizontalAdvance(bar->text()), 0});
     for (const QTableView* table : window.findChildren<QTableView*>()) {
         const QHeaderView& header = *table->horizontalHeader();
         for (int column = 0; table->isVisible() && column < header.count(); ++column) {

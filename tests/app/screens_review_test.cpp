@@ -1,0 +1,204 @@
+// An estimate on every page and in every look, training a model, and looking back at a mission, as pictures: see
+// screens_test.cpp.
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTableWidget>
+
+#include "app/resources.h"
+#include "app/review_events_page.h"
+#include "app/settings_page.h"
+#include "app/training_page.h"
+#include "app/what_if_page.h"
+#include "core/learn/scene_file.h"
+#include "core/log/session_reader.h"
+#include "tests/app/screens.h"
+#include "tests/support/gui.h"
+#include "tests/support/toy_model.h"
+#include "widgets/drive_pad.h"
+#include "widgets/force_bars.h"
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/navigation_rail.h"
+#include "widgets/status_header.h"
+#include "widgets/words.h"
+
+namespace terratact {
+
+using gui::eventually;
+
+TEST_F(Screens, result)
+{
+    inEveryLanguage([&] {
+        open({});
+        ASSERT_NO_FATAL_FAILURE(explore());
+        press(Qt::Key_N);
+        ASSERT_TRUE(reaches(AtemPhase::Presenting));
+        const struct {
+            Qt::Key key;
+            std::string_view name;
+            QString says;
+        } kPages[]{{Qt::Key_F3, "page_numbers", QStringLiteral("0.6")},
+                   {Qt::Key_F4, "page_alarms", StatusHeader::tr("no alarms")},
+                   {Qt::Key_F5, "page_signals", QStringLiteral("Attitude")},
+                   {Qt::Key_F6, "page_training", TrainingPage::tr("nothing runs")},
+                   {Qt::Key_F7, "page_settings", SettingsPage::tr("Method")},
+                   {Qt::Key_F8, "page_diagnostics", QStringLiteral("OpenBLAS")}};
+        for (const auto& page : kPages) {
+            press(page.key);
+            EXPECT_EQ(console->rail()->chosen(), console->rail()->pageOf(page.key));
+            picture(page.name, {page.says});
+        }
+        press(Qt::Key_F2);
+
+        const QString stands = words::sentence(describe(AtemPhase::Presenting));
+        press(Qt::Key_1, Qt::ControlModifier);
+        picture("layout_drive", {stands});
+        EXPECT_EQ(console->preferences().current().layout, Layout::Drive);
+        press(Qt::Key_3, Qt::ControlModifier);
+        picture("layout_review", {stands});
+        EXPECT_EQ(console->preferences().current().layout, Layout::Review);
+        press(Qt::Key_2, Qt::ControlModifier);
+        press(Qt::Key_F1);
+        QWidget* sheet = nullptr;
+        for (QWidget* other : QApplication::topLevelWidgets())
+            if (other != &window() && other->isVisible()) sheet = other;
+        ASSERT_TRUE(sheet);
+        EXPECT_EQ(sheet->size().expandedTo(sheet->sizeHint()), sheet->size()) << "keys are cut";
+        EXPECT_EQ(sheet->size().boundedTo(window().size()), sheet->size());
+        pictureWith(*sheet, "keys", {stands});
+        sheet->close();
+
+        console->setRoom({1200, 680});
+        console->resize(1200, 680);
+        picture("smallest", {stands});
+        EXPECT_EQ(console->size(), QSize(1200, 680));
+        press(Qt::Key_F7);
+        QTest::qWait(60);  // the card is filled when the page is drawn
+        auto* area = console->settings()->findChild<QScrollArea*>();
+        area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
+        picture("settings_down_to_the_model_card", {QStringLiteral("robots/absolem.toml")});
+        press(Qt::Key_F2);
+        console->setRoom({1440, 900});
+        console->resize(1440, 900);
+        console->preferences().change([](Preferences& p) { p.fontScale = 200; });
+        picture("letters_200_percent", {stands});
+        EXPECT_GE(lookInForce().fontScale, 180) << "they are as large as the words let them be";
+        press(Qt::Key_F9);
+        EXPECT_TRUE(eventually([&] { return console->forces()->isVisible(); }));
+        picture("letters_200_percent_page_robot", {QStringLiteral("N")});
+        press(Qt::Key_F2);
+        console->preferences().change([](Preferences& p) { p.fontScale = 100; });
+
+        const auto way = [&] {
+            const auto ghost = console->exploration().estimation().ghost();
+            return ghost ? ghost->motion.way : 0.0;
+        };
+        for (int attempt = 0; attempt < 3 && way() < 0.2; ++attempt) {  // a busy machine
+            ASSERT_NO_FATAL_FAILURE(explore());
+            press(Qt::Key_N);
+            ASSERT_TRUE(eventually([&] {
+                const auto robotSays = console->link()->view().link.robot;
+                return console->drivePad()->backButton()->isEnabled() && !robotSays->exploring;
+            }));
+            QTest::keyPress(&window(), Qt::Key_S);
+            (void)eventually([&] { return way() > 0.2; }, 5000);
+            QTest::keyRelease(&window(), Qt::Key_S);
+        }
+        const QString moved = Exploration::tr("The robot has moved: explore again (A)");
+        picture("ghost", {moved});
+        EXPECT_GT(way(), 0.2) << console->exploration().estimation().whyNoGhost().toStdString();
+        console->setRoom({1200, 680});
+        console->resize(1200, 680);
+        for (const auto& [theme, name] :
+             {std::pair(ThemeName::NightRed, "ghost_by_night"),
+              std::pair(ThemeName::HighContrast, "ghost_in_high_contrast")}) {
+            console->preferences().change([theme = theme](Preferences& p) { p.theme = theme; });
+            picture(name, {moved});
+        }
+    });
+}
+
+TEST_F(Screens, training)
+{
+    constexpr int kPatience = 180000;  // [ms] for what takes seconds on an idle machine
+    const TemporaryDirectory files;
+    ASSERT_TRUE(writeScenes(files.file("learn.csv"), someScenes(4, 1)));
+    ASSERT_TRUE(writeScenes(files.file("test.csv"), someScenes(2, 7)));
+    inEveryLanguage([&] {
+        const TemporaryDirectory models;
+        qputenv("XDG_DATA_HOME", QByteArray::fromStdString(models.file("share")));
+        open({});
+        qunsetenv("XDG_DATA_HOME");
+        TrainingPage& page = *console->training();
+        press(Qt::Key_F6);
+        page.scenesField()->setText(QString::fromStdString(files.file("learn.csv")));
+        page.startButton()->click();
+        ASSERT_TRUE(eventually(
+            [&] { return page.bins()->item(0, 1)->text() != TrainingPage::tr("waiting"); },
+            kPatience));
+        picture("training_running",
+                {TrainingPage::tr("training: %1 %"),
+                 TrainingPage::tr("Training on %1; the robot goes on meanwhile")});
+        ASSERT_TRUE(eventually([&] { return !page.cancelButton()->isEnabled(); }, kPatience));
+        page.testField()->setText(QString::fromStdString(files.file("test.csv")));
+        ASSERT_TRUE(page.compareButton()->isEnabled()) << page.status()->text().toStdString();
+        page.compareButton()->click();
+        ASSERT_TRUE(eventually([&] { return page.adoptButton()->isEnabled(); }, kPatience))
+            << page.status()->text().toStdString();
+        picture("training_compared",
+                {TrainingPage::tr("compared"), TrainingPage::tr("Compared on %1 scenes")});
+    });
+}
+
+TEST_F(Screens, review)
+{
+    inEveryLanguage([&] {
+        auto session = SessionReader::open(resourcePath("sessions/demo.tts"));
+        ASSERT_TRUE(session) << session.error().text;
+        review = std::make_unique<ReviewWindow>(ReviewWindow::Options{
+            .session = std::move(*session),
+            .robot = model,
+            .models = {QString::fromStdString(resourcePath("models/default.ttm"))}});
+        review->setRoom({1440, 900});
+        review->resize(1440, 900);
+        gui::showActive(*review);
+        review->goTo(66.0);
+        ASSERT_TRUE(eventually([&] { return review->surveyed(); }));
+        ASSERT_TRUE(review->moment().model);
+        const QString recordedModel = words::text(review->moment().model->details);
+        picture("review",
+                {ReviewWindow::tr("closed and sealed"), ReviewWindow::tr("no command can be sent"),
+                 ReviewWindow::tr("A review commands no robot")});
+        press(Qt::Key_F4);
+        picture("review_events", {QStringLiteral("demo.tts")});
+        for (const std::string& text : gui::textsOf(*review->events()))
+            unsay(QString::fromStdString(text));
+        press(Qt::Key_F6);
+        picture("what_if", {WhatIfPage::tr("Estimate %1 of scene %2 at %3 s, by %4 with the model "
+                                           "%5")});
+        WhatIfPage& whatIf = *review->whatIf();
+        whatIf.method()->setCurrentText(words::text(name(Method::Joint)));
+        press(Qt::Key_E);
+        ASSERT_TRUE(eventually([&] { return whatIf.answer().has_value(); }, 60000));
+        picture("what_if_by_another_method",
+                {WhatIfPage::tr("Differs from what was shown by %1 m at most, at bin %2.")});
+        press(Qt::Key_F2);
+        press(Qt::Key_F12);
+        QWidget* banner = nullptr;
+        for (QLabel* label : review->findChildren<QLabel*>())
+            if (label->isVisible() && label->objectName() == QLatin1String("banner"))
+                banner = label;
+        ASSERT_TRUE(banner);
+        pictureWith(*banner, "review_has_no_stop",
+                    {ConsoleWindow::tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to "
+                                       "the console's own window")});
+        unsay(recordedModel);
+    });
+}
+
+}  // namespace terratact

@@ -1,0 +1,114 @@
+// STOP, what goes wrong, and a console that only follows, as pictures: see screens_test.cpp.
+#include <QPushButton>
+
+#include "app/bus_words.h"
+#include "app/link_status.h"
+#include "app/recording_display.h"
+#include "app/robot_words.h"
+#include "app/stop_display.h"
+#include "app/terrain_page.h"
+#include "core/atem/following.h"
+#include "tests/app/screens.h"
+#include "tests/support/gui.h"
+#include "widgets/arming_control.h"
+#include "widgets/atem_panel.h"
+#include "widgets/held_button.h"
+#include "widgets/status_header.h"
+#include "widgets/words.h"
+
+namespace terratact {
+
+using gui::eventually;
+
+TEST_F(Screens, stop)
+{
+    inEveryLanguage([&] {
+        open({.staging = {.says = RobotActivity::Halted}});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        press(Qt::Key_F12);
+        picture("stop_not_confirmed",
+                {StatusHeader::tr("STOP SENT …"),
+                 StopDisplay::tr("STOP SENT, NOT CONFIRMED for %1: the robot may still move; STOP "
+                                 "is sent again")});
+        robot->stage({});
+        picture("stopped", {StatusHeader::tr("STOPPED (F12)"), glance(RobotActivity::Stopped),
+                            words::sentence(describe(AtemPhase::Stopped))});
+        holdAtHalf(*console->atemPanel()->releaseButton(), Qt::Key_R,
+                   "hold_to_release_stop_at_half", {AtemPanel::tr("hold to release STOP (R)")});
+        ASSERT_TRUE(reaches(AtemPhase::Idle));
+        QTest::keyRelease(&window(), Qt::Key_R);
+        bus.setState(BusState::BusOff, "can0");
+        press(Qt::Key_F12);
+        picture("stop_not_sent",
+                {StatusHeader::tr("STOP NOT SENT"),
+                 StopDisplay::tr("STOP NOT SENT for %1: %2. It is tried again; use the robot's own "
+                                 "switch")});
+    });
+}
+
+TEST_F(Screens, trouble)
+{
+    const Staging mute{.isMute = true};
+    inEveryLanguage([&] {
+        open({.linkLostAfter = 0.8, .staging = mute});
+        picture("no_telemetry_yet", {LinkStatus::tr("no telemetry yet")});
+        robot->stage({});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        robot->stage(mute);
+        const QString lost = LinkStatus::tr("LINK LOST for %1 — nothing on this screen is live%2");
+        picture("link_lost", {LinkStatus::tr("LINK LOST · %1"), lost});
+        press(Qt::Key_F4);
+        picture("alarms_of_a_lost_link", {lost, ConsoleAlarms::tr("Link lost%1")});
+        press(Qt::Key_F2);
+        bus.setState(BusState::BusOff, "can0");
+        picture("bus_off", {lost, busWords(BusState::BusOff, "can0")});
+
+        open({.hasPanel = true});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        ASSERT_TRUE(eventually([&] { return board->lit(0); }));
+        board->unplug();
+        picture("panel_lost", {PanelControl::tr("the operator's panel does not answer"),
+                               StatusHeader::tr("STOPPED (F12)")});
+
+        open({.sessions = "/proc/terratact"});
+        picture("not_recorded", {RecordingDisplay::tr("NOT RECORDED: %1"),
+                                 RecordingDisplay::tr("✕ NOT\nRECORDED")});
+    });
+}
+
+TEST_F(Screens, following)
+{
+    inEveryLanguage([&] {
+        const auto follows = [](AtemPhase phase) {
+            return words::sentence(describeFollowed(phase));
+        };
+        open({.before = 0.5,
+              .isPressed = true,
+              .mode = CanSource::Mode::Listen,
+              .staging = {.says = RobotActivity::Halted}});
+        picture("no_commands",
+                {ArmingControl::tr("NO COMMANDS"), StatusHeader::tr("STOP: no commands"),
+                 Exploration::tr("No estimate yet: it comes when the robot presses its flippers")});
+        robot->stage({.says = RobotActivity::Pressing});
+        picture("following_live_preview",
+                {follows(AtemPhase::Pressing), TerrainPage::tr("LIVE preview")});
+        robot->stage({});
+        picture("following_estimate",
+                {follows(AtemPhase::Presenting),
+                 TerrainPage::tr("Following: probes are approved where the robot is commanded.")});
+        press(Qt::Key_F12);
+        picture("stop_has_no_effect", {MainWindow::tr("STOP HAS NO EFFECT HERE: %1")});
+
+        open({.before = 0.5,
+              .isPressed = true,
+              .mode = CanSource::Mode::Replay,
+              .busName = "REPLAY mission.log"});
+        ASSERT_TRUE(reaches(AtemPhase::Presenting));
+        bus.setState(BusState::Ended, "REPLAY mission.log");
+        robot->stage({.isMute = true});
+        picture("end_of_the_log",
+                {LinkStatus::tr("END OF THE LOG"), TerrainPage::tr("the log has ended")});
+    });
+}
+
+}  // namespace terratact

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include "app/robot_service.h"
+#include "app/steady_now.h"
+#include "core/sim/robot_on_bus.h"
+#include "core/wire/can_codec.h"
+#include "drivers/memory_bus.h"
+
+namespace terratact {
+
+/// What a robot tells of itself besides what is so.
+struct Staging {
+    std::optional<RobotActivity> says{};   ///< whatever it does
+    std::optional<RobotActivity> lasts{};  ///< once it is at this it says so on and on
+    std::optional<Refusal> refuses{};      ///< each command, it says
+    double pitch = 0.0, roll = 0.0;        ///< [rad] added
+    double twist = 0.0;                    ///< [rad] added between its left and right front flipper
+    bool isMute = false;                   ///< nothing of it is heard
+};
+
+/// A simulated robot in a thread of its own on the end "robot" of a MemoryBus, which must outlive it, with telemetry as
+/// it is staged.  It waits a while for a console that has beaten its heart and falls silent, as one does whose threads
+/// a busy machine keeps from running: its time stands still.
+class StagedRobot {
+public:
+    StagedRobot(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
+                const RobotOnBus::Options& options)
+        : robot_(model, robot, options), truth_(robot.truth()), end_(*this, bus.join("robot", 0)),
+          thread_([this](const std::stop_token& stop) {
+              const auto keepTruth = [this] {
+                  const std::scoped_lock lock(mutex_);
+                  truth_ = robot_.robot().truth();
+              };
+              (void)serveRobot(  // a MemoryBus has no errors
+                  end_, robot_, [&] { return !stop.stop_requested(); }, [](const std::string&) {},
+                  keepTruth, [this] { return now(); });
+          })
+    {
+    }
+
+    void stage(const Staging& staging)
+    {
+        const std::scoped_lock lock(mutex_);
+        staging_ = staging;
+        lasting_ = false;
+    }
+    /// True bin heights at the pose of the newest line of telemetry; from any thread.
+    Heights truth() const
+    {
+        const std::scoped_lock lock(mutex_);
+        return truth_;
+    }
+
+private:
+    /// Its end of the bus, where what it says is staged.
+    class End final : public CanBus {
+    public:
+        End(StagedRobot& robot, std::unique_ptr<CanBus> bus) : robot_(robot), bus_(std::move(bus))
+        {
+        }
+        std::string name() const override { return bus_->name(); }
+        BusState state() const override { return bus_->state(); }
+        BusCounters counters() const override { return bus_->counters(); }
+        Result<std::size_t> receive(std::span<BusFrame> frames,
+                                    std::chrono::milliseconds patience) override
+        {
+            auto count = bus_->receive(frames, patience);
+            for (std::size_t i = 0; count && i < *count; ++i)
+                if (!frames[i].echo) robot_.hear();
+            return count;
+        }
+        Status send(const CanFrame& frame) override
+        {
+            const auto staged = robot_.staged(frame);
+            return staged ? bus_->send(*staged) : Done{};
+        }
+
+    private:
+        StagedRobot& robot_;
+        std::unique_ptr<CanBus> bus_;
+    };
+
+    static constexpr double kBeat = 0.2;   // [s] of its time that it goes on after a frame
+    static constexpr double kWaits = 2.0;  // [s] of the machine's time
+
+    double now()
+    {
+        const double machine = steadyNow();
+        const double passed = machine - std::exchange(machine_, machine);
+        const bool waits = heard_ && machine - heardAt_ < kWaits;
+        time_ = waits ? std::clamp(*heard_ + kBeat, time_, time_ + passed) : time_ + passed;
+        return time_;
+    }
+    void hear()
+    {
+        heard_ = now();
+        heardAt_ = machine_;
+    }
+    std::optional<CanFrame> staged(const CanFrame& frame)
+    {
+        const std::scoped_lock lock(mutex_);
+        if (staging_.isMute) return std::nullopt;
+        const auto unpacked = unpack(frame);
+        Unpacked content = std::get<Unpacked>(unpacked);
+        if (const auto status = statusOf(content))
+            return frameOf(stagedStatus(*status), content.counter);
+        if (content.kind == FrameKind::Attitude) {
+            content.values[0] += staging_.pitch;
+            content.values[1] += staging_.roll;
+        } else if (content.kind == FrameKind::FrontAngles) {
+            content.values[0] += 0.5 * staging_.twist;
+            content.values[1] -= 0.5 * staging_.twist;
+        }
+        return pack(content);
+    }
+    RobotStatus stagedStatus(RobotStatus status)
+    {
+        lasting_ = lasting_ || (staging_.lasts && status.activity == *staging_.lasts);
+        if (lasting_) status.activity = *staging_.lasts;
+        status.activity = staging_.says.value_or(status.activity);
+        status.refusal = staging_.refuses.value_or(status.refusal);
+        return status;
+    }
+
+    RobotOnBus robot_;  // only the thread touches what follows
+    double time_ = 0.0;
+    double machine_ = steadyNow();
+    std::optional<double> heard_;  ///< [s] of its time, the newest frame
+    double heardAt_ = 0.0;         ///< [s] of the machine's
+
+    mutable std::mutex mutex_;  // guards what follows
+    Staging staging_;
+    bool lasting_ = false;
+    Heights truth_;
+
+    End end_;
+    std::jthread thread_;  // last: it starts when all else stands
+};
+
+}  // namespace terratact
