@@ -196,7 +196,8 @@ void ProbeCard::paintEvent(QPaintEvent* event)
 void ProbeCard::setProposal(const ProbeProposal& proposal)
 {
     if (proposal_ == proposal) return;
-    approve_->letGo();  // a hold begun on another question does not count for this one
+    // A hold begun on another question does not count for this one.
+    if (!proposal_ || proposal_->id != proposal.id) approve_->letGo();
     proposal_ = proposal;
     where_->setText(tr("bin %1").arg(words::binName(proposal.bin)));
     showAnswer();

@@ -171,6 +171,10 @@ TEST_F(Probe, theSameQuestionAgainDoesNotDisturbTheHold)
     card.setProposal(kProposal);
     card.setTimeLeft(3.0);
     EXPECT_TRUE(card.approveButton()->isHeld());
+    ProbeProposal decided = kProposal;
+    decided.answer = Outlook::Clear;
+    card.setProposal(decided);
+    EXPECT_TRUE(card.approveButton()->isHeld()) << "it is still the same question";
 }
 
 TEST_F(Probe, withoutAQuestionThereIsNothingToAnswer)
