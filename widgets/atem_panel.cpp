@@ -294,7 +294,9 @@ void AtemPanel::arrange()
     const bool brief = narrow_ && busy && !onlyShows_;
     setTitleShown(!brief);
     // The button is higher than the title beside it: the room around that is the button's.
-    const bool button = !brief && !onlyShows_;
+    // While the robot is at work, its time stands there.
+    const bool idle = !busy || state_.phase == AtemPhase::ProposingProbe;
+    const bool button = idle && !brief && !onlyShows_;
     needsButton_->setVisible(button);
     QMargins margins = kCardMargins;
     if (button) margins.setTop(1);
