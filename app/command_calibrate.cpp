@@ -80,7 +80,7 @@ Status calibrateForces(const CalibrateOptions& options)
     if (!robot) return robot.error();
     const auto readings = readRecording(options.data);
     if (!readings) return readings.error();
-    const auto fitted = calibrate(*readings, robot->forceCalibration);
+    const auto fitted = calibrate(*readings, robot->forceCalibration, robot->forceArrays);
     if (!fitted) return Error{options.data + ": " + fitted.error().text, 0};
     fmt::print("{} readings\n", readings->size());
     fmt::print("force read less force applied: median {:.3f} N, worst {:.3f} N\n",

@@ -90,9 +90,12 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
     sight.driving = exploration.toDrive();
     sight.probing = exploration.toProbe();
     sight.releasing = exploration.toReleaseStop();
+    if (parts_.link && !exploration.following())
+        sight.arming = Preconditions::toArm(parts_.link->view());
     if (const auto says = panel(now))
-        for (auto* list : {&sight.preconditions, &sight.driving, &sight.probing, &sight.releasing})
-            *list << *says;
+        for (auto* list : {&sight.preconditions, &sight.driving, &sight.arming, &sight.probing,
+                           &sight.releasing})
+            if (!list->isEmpty()) *list << *says;
     return sight;
 }
 

@@ -211,9 +211,18 @@ QSize ConsoleWindow::needs() const
     const QSize now = layout()->totalMinimumSize();
     int height =
         now.height() + header_->heightFor(room().width()) - header_->minimumSizeHint().height();
-    if (banners_->isEmpty() && banners_->count() > 0)
-        height += banners_->itemAt(0)->widget()->sizeHint().height();
+    if (banners_->isEmpty()) height += bannerLine();
     return {now.width(), height};
+}
+
+int ConsoleWindow::bannerLine() const
+{
+    return banners_->count() > 0 ? banners_->itemAt(0)->widget()->sizeHint().height() : 0;
+}
+
+int ConsoleWindow::bannersTake() const
+{
+    return std::max(0, pages_->y() - header_->y() - header_->height());
 }
 
 void ConsoleWindow::fitLetters()

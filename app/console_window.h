@@ -32,6 +32,8 @@ public:
 
     /// Room for the window [px] instead of its screen's, for a picture that needs no screen.
     void setRoom(QSize room);
+    int bannerLine() const;   ///< [px] that banners need, whether there are any or not
+    int bannersTake() const;  ///< [px] that they take from the pages now
     static constexpr QSize kLeast{1200, 680};  ///< [px] of any window, and of any room
 
 protected:

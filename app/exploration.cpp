@@ -471,15 +471,18 @@ QList<Precondition> Exploration::toProbe() const
     if (following()) return {Preconditions::arming(following_->why())};
     QList<Precondition> list{Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
-    return list << Preconditions::stands(probes_.current()
-                                         && probes_.grounds() == probes_.proposedOn());
+    const bool asks = state_.phase == AtemPhase::ProposingProbe && probes_.current();
+    return list << (asks ? Preconditions::stands(probes_.grounds() == probes_.proposedOn())
+                         : Preconditions::noProbeProposed());
 }
 
 QList<Precondition> Exploration::toReleaseStop() const
 {
     if (following()) return {Preconditions::arming(following_->why())};
+    const bool confirmed = stopSight().state == StopSight::State::Confirmed;
     return {Preconditions::telemetry(linkAlive_, ended_),
-            Preconditions::stopConfirmed(stopSight().state == StopSight::State::Confirmed)};
+            state_.phase == AtemPhase::Stopped ? Preconditions::stopConfirmed(confirmed)
+                                               : Preconditions::nothingToRelease()};
 }
 
 QString Exploration::whyNotArmed() const

@@ -19,17 +19,28 @@ bool hasVoltages(const SensorLine& line)
                        [](const auto& three) { return three.has_value(); });
 }
 
+QString nameOf(const ForceArrayLayout& layout)
+{
+    if (!layout.name.empty()) return QString::fromStdString(layout.name);
+    return layout.side == Side::Left ? QCoreApplication::translate("terratact::ForceArrays", "L")
+                                     : QCoreApplication::translate("terratact::ForceArrays", "R");
+}
+
 }  // namespace
 
-ForceArray ForceArrays::ofSide(Side side, const SensorLine& line, const ElementForces& felt,
-                               ForceDrift::Forces& beyondBias) const
+static_assert(kMostForceArrays <= ForceBars::kArrays);
+
+ForceArray ForceArrays::arrayOf(const ForceArrayLayout& layout, const SensorLine& line,
+                                const ElementForces& felt, ForceDrift::Forces& beyondBias) const
 {
     ForceArray array;
-    array.name = side == Side::Left ? QCoreApplication::translate("terratact::ForceArrays", "L")
-                                    : QCoreApplication::translate("terratact::ForceArrays", "R");
+    const Side side = layout.side;
+    array.name = nameOf(layout);
     const auto& forces = side == Side::Left ? felt.left : felt.right;
     for (std::size_t e = 0; e < forces.size(); ++e) {
         ForceElement& element = array.elements[e];
+        element.exists = layout.has[e];
+        if (!element.exists) continue;
         element.volts = voltageOf(line, side, e);
         if (!forces[e] || !element.volts) continue;
         element.saturated = forces[e]->state == ElementState::Saturated;
@@ -48,9 +59,9 @@ std::vector<ForceArray> ForceArrays::of(const Measurement& measurement,
     std::vector<ForceDrift::Forces> beyondBias;
     if (line && hasVoltages(*line)) {
         const ElementForces felt = elementForces(*line, robot_);
-        for (const Side side : {Side::Left, Side::Right}) {
+        for (const ForceArrayLayout& layout : robot_.forceArrays) {
             beyondBias.emplace_back();
-            arrays.push_back(ofSide(side, *line, felt, beyondBias.back()));
+            arrays.push_back(arrayOf(layout, *line, felt, beyondBias.back()));
         }
     } else {
         arrays.emplace_back();

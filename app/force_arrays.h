@@ -15,14 +15,14 @@ class ForceArrays {
 public:
     explicit ForceArrays(const RobotModel& robot) : robot_(robot) {}
 
-    /// Left and right, where a line of the bus says what each feels; else one array that feels the measured
-    /// forces, without voltages.  `threshold` [N] of contact.
+    /// Those of the robot's file, where a line of the bus says what each feels; else one array that feels the
+    /// measured forces, without voltages.  `threshold` [N] of contact.
     std::vector<ForceArray> of(const Measurement& measurement,
                                const std::optional<SensorLine>& line, double threshold);
 
 private:
-    ForceArray ofSide(Side side, const SensorLine& line, const ElementForces& felt,
-                      ForceDrift::Forces& beyondBias) const;
+    ForceArray arrayOf(const ForceArrayLayout& layout, const SensorLine& line,
+                       const ElementForces& felt, ForceDrift::Forces& beyondBias) const;
 
     RobotModel robot_;
     std::vector<ForceDrift> drifts_;

@@ -154,7 +154,7 @@ void MainWindow::addPages(const Options& options)
     addScrolledPage(cardsPage_, tr("Robot"), Qt::Key_F9,
                     tr("Forces, attitude and the last events"));
     connect(terrainPage_, &TerrainPage::tightened, this, &MainWindow::placeCards);
-    terrainPage_->allowTight();
+    terrainPage_->allowTight(*this);
     placeCards();
 }
 
@@ -544,6 +544,9 @@ void MainWindow::defineKeys()
         keys.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
                   tr("ask for another bin instead: the %1. offered").arg(other + 1),
                   ifAsked([this, other] { probeCard()->otherButton(other)->click(); })});
+    keys.add({{Qt::Key_P}, tr("what each command needs, one after the other"), [this] {
+                  if (atemPanel()->isVisible()) atemPanel()->lookUpNext();
+              }});
     QPushButton *raise = verdict()->raiseButton(), *lower = verdict()->lowerButton();
     keys.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), ifSeen(raise, [raise] {
                   raise->click();

@@ -38,6 +38,16 @@ Precondition Preconditions::released(bool latched)
                    : met(tr("STOP is not latched"));
 }
 
+Precondition Preconditions::nothingToRelease()
+{
+    return missing(tr("STOP is not latched"));
+}
+
+Precondition Preconditions::noProbeProposed()
+{
+    return missing(tr("no probe is proposed"));
+}
+
 Precondition Preconditions::notExploring(bool explores)
 {
     return explores ? missing(tr("An exploration is running: end it with Esc first"))

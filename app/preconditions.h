@@ -24,6 +24,8 @@ public:
     static Precondition arming(const QString& whyNot);       ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
     static Precondition released(bool latched);  ///< STOP, for what it forbids at once
+    static Precondition nothingToRelease();
+    static Precondition noProbeProposed();
     static Precondition notExploring(bool explores);
     static Precondition stands(bool asThen);  ///< what was shown with a proposal
     static Precondition stopConfirmed(bool confirmed);

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "core/text.h"
+
 namespace terratact {
 namespace {
 
@@ -31,8 +33,8 @@ double numberOf(AlarmState state)
 std::string inWords(const Verdict& verdict, double limit)
 {
     std::string text =
-        fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {:.1f}", name(verdict.outlook), limit,
-                    100.0 * verdict.step.p, 100.0 * verdict.step.monteCarloSd);
+        fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {}", name(verdict.outlook), limit,
+                    100.0 * verdict.step.p, randomErrorText(100.0 * verdict.step.monteCarloSd, 1));
     for (const Doubt doubt : verdict.doubts) text += fmt::format("; {}", describe(doubt));
     return text;
 }

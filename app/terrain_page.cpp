@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/console_window.h"
 #include "app/letters.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/outline.h"
 #include "widgets/card.h"
 #include "widgets/drive_pad.h"
+#include "widgets/elided_label.h"
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
@@ -24,7 +26,8 @@ namespace terratact {
 namespace {
 
 constexpr int kBetween = 10;                       // [px] cards
-constexpr int kToSpare = 12;                       // [px] before cards have to leave
+constexpr int kToSpare = 10;                       // [px] before cards have to leave
+constexpr QSize kLeastTerrain{420, 230};           // [px]
 constexpr int kColumn = 404, kNarrowColumn = 300;  // [px] of the decisions, at 100 %
 
 // What the probe's card says where nobody asks this operator.
@@ -51,6 +54,17 @@ QString whyNoProbe(const TerrainSight& sight)
     return TerrainPage::tr(
         "No probe is proposed. After an exploration the arm is offered where the "
         "terrain stays uncertain.");
+}
+
+/// The robot says of its arm where it touched last at this pose, and nothing of where it is.
+std::optional<ArmTip> armTipOf(const TerrainSight& sight, bool asking)
+{
+    using State = ArmTip::State;
+    if (asking) return ArmTip{.state = State::Proposed, .bin = sight.proposal->bin};
+    if (sight.probingBin) return ArmTip{.state = State::Probing, .bin = *sight.probingBin};
+    if (!sight.measurement || !sight.measurement->arm) return std::nullopt;
+    const ArmReading& touched = *sight.measurement->arm;
+    return ArmTip{.state = State::Touched, .bin = touched.bin, .height = touched.height};
 }
 
 bool isShown(const std::optional<TerrainEstimate>& shown, const TerrainEstimate* estimate)
@@ -134,7 +148,7 @@ Card* TerrainPage::forceCard()
 {
     auto* card = new Card(tr("Front forces"), this);
     forces_ = new ForceBars(card);
-    forceLegend_ = new QLabel(card);
+    forceLegend_ = new ElidedLabel(card);
     setTone(*forceLegend_, Tone::Muted);
     forceUnit_ = new QPushButton(tr("N / V"), card);
     forceUnit_->setCheckable(true);
@@ -188,10 +202,9 @@ void TerrainPage::addTerrainTool(QWidget* tool)
     terrainCard_->titleRow()->addWidget(tool);
 }
 
-void TerrainPage::allowTight()
+void TerrainPage::allowTight(const ConsoleWindow& window)
 {
-    mayTighten_ = true;
-    terrain_->setMinimumSize(420, 230);
+    window_ = &window;
     arrange(layout_, fontScale_);
 }
 
@@ -201,7 +214,7 @@ void TerrainPage::arrange(Layout layout, int fontScale)
     layout_ = layout;
     fontScale_ = fontScale;
     if (isMeasured) return;
-    if (mayTighten_) {
+    if (window_) {
         const bool tight = tight_;
         measures_ = true;
         tightNeeds_ = needs(true);
@@ -223,17 +236,23 @@ QSize TerrainPage::needs(bool tight)
     forgetSizes(*lowerPanel_);  // it may be elsewhere
     const QMargins margins = rows_->contentsMargins();
     QSize size = upper_->minimumSize();
+    if (!tight) {
+        // With a banner, what it takes is given; without one, nothing is.
+        const int line = window_->bannerLine();
+        size.setHeight(std::max(size.height() + line, column_->minimumSize().height()
+                                                          + probe_->givenHeight() + kToSpare));
+    }
     const auto below = [&size](const QSize& part) {
         size = {std::max(size.width(), part.width()), size.height() + kBetween + part.height()};
     };
     if (rows_->indexOf(verdict_) >= 0) below(verdict_->minimumSizeHint());
-    if (!tight) below(lowerPanel_->minimumSizeHint() + QSize(0, kToSpare));
+    if (!tight) below(lowerPanel_->minimumSizeHint());
     return size.grownBy(margins);
 }
 
 QSize TerrainPage::minimumSizeHint() const
 {
-    return mayTighten_ ? tightNeeds_ : QWidget::minimumSizeHint();
+    return window_ ? tightNeeds_ : QWidget::minimumSizeHint();
 }
 
 void TerrainPage::resizeEvent(QResizeEvent* event)
@@ -244,8 +263,9 @@ void TerrainPage::resizeEvent(QResizeEvent* event)
 
 void TerrainPage::fit()
 {
-    if (!mayTighten_ || measures_) return;
-    const bool tight = size() != size().expandedTo(roomyNeeds_);
+    if (!window_ || measures_) return;
+    const QSize room = size() + QSize(0, window_->bannersTake());  // as without a banner
+    const bool tight = room != room.expandedTo(roomyNeeds_);
     if (tight == tight_ && (rows_->indexOf(lowerPanel_) < 0) == tight) return;
     setTight(tight);
     emit tightened(tight);
@@ -261,6 +281,9 @@ void TerrainPage::setTight(bool tight)
     probe_->setNarrow(tight);
     for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
         card->setFixedWidth(scaled(tight ? kNarrowColumn : kColumn));
+    // A banner's line is the terrain's and the question's, where it would else make the cards leave.
+    if (window_)
+        terrain_->setMinimumSize(kLeastTerrain - QSize(0, tight ? 0 : window_->bannerLine()));
     terrainCard_->setMinimumWidth(tight ? scaled(kNarrowColumn) : 0);  // it is the largest part
     // Driving is needed at any time; the rest of its card is looked up.
     if (tight)
@@ -321,7 +344,7 @@ void TerrainPage::showThreshold()
     forces_->setThreshold(threshold_);
     const bool raw = forces_->unit() == ForceBars::Unit::Volts;
     const QString value = words::number(threshold_, 1);
-    if (fontScale_ > 100)  // no room for a word
+    if (fontScale_ > 100 || forces_->arrays() > 2)  // no room for a word
         thresholdText_->setText(raw ? QString() : tr("- - %1 N").arg(value));
     else
         thresholdText_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
@@ -341,7 +364,10 @@ void TerrainPage::setSight(const TerrainSight& sight)
     atem_->setState(sight.state, sight.time, sight.stateWords);
     atem_->setResultStands(sight.estimate || sight.ghost);
     atem_->setPreconditions(sight.preconditions);
-    atem_->setReleasing(sight.releasing);
+    atem_->setNeeds(Commanded::Drive, sight.driving);
+    atem_->setNeeds(Commanded::Arm, sight.arming);
+    atem_->setNeeds(Commanded::Probe, sight.probing);
+    atem_->setNeeds(Commanded::ReleaseStop, sight.releasing);
     drive_->setPreconditions(sight.driving);
 }
 
@@ -364,7 +390,9 @@ void TerrainPage::showRobot(const TerrainSight& sight)
         forces_->setForces(*sight.forces, sight.now, *sight.forcesBefore);
     else
         forces_->setForces(*sight.forces, sight.now);
+    if (forceLegend_->text() == forces_->legend()) return;
     forceLegend_->setText(forces_->legend());
+    showThreshold();
 }
 
 void TerrainPage::showEstimate(const TerrainSight& sight)
@@ -421,10 +449,14 @@ void TerrainPage::showVerdict(const TerrainSight& sight)
                                                : sight.whyNoEstimate);
     QString probe;
     const ProbeProposal* const proposal = sight.proposal;
-    if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
-        probe = tr("probe at %1: %2 → %3 bit")
-                    .arg(words::binName(proposal->bin), words::number(proposal->bitsBefore, 2),
-                         words::number(proposal->worth->bitsAfter, 2));
+    if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit()) {
+        const QString bin = words::binName(proposal->bin);
+        const QString bits = words::number(proposal->bitsBefore, 2);
+        probe = proposal->tellsOfStep()
+                  ? tr("probe at %1: %2 → %3 bit")
+                        .arg(bin, bits, words::number(proposal->worth->bitsAfter, 2))
+                  : tr("probe at %1: no gain").arg(bin);
+    }
     verdict_->setVerdict(*sight.verdict, probe);
 }
 
@@ -437,9 +469,12 @@ void TerrainPage::showProbe(const TerrainSight& sight)
     drive_->setVisible(layout_ != Layout::Review && !(tight_ && needed));
     // In large letters the question needs the room; the robot stands still while it is asked.
     readout_->setVisible(!asking || fontScale_ <= 120 || tight_);
-    terrain_->setProposedProbe(asking ? std::optional(sight.proposal->bin) : sight.probingBin);
+    terrain_->setArmTip(armTipOf(sight, asking));
     if (asking) {
-        probe_->setProposal(*sight.proposal);
+        ProbeProposal proposal = *sight.proposal;
+        if (sight.verdict && proposal.stepLimit == verdict_->limit())
+            proposal.answer = sight.verdict->outlook;
+        probe_->setProposal(proposal);
         probe_->setPreconditions(sight.probing);
         probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
     } else if (sight.probingBin) {

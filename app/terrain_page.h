@@ -23,7 +23,9 @@ class QSpacerItem;
 namespace terratact {
 
 class Card;
+class ConsoleWindow;
 class DrivePad;
+class ElidedLabel;
 class EstimateStrip;
 class EventList;
 class RobotReadout;
@@ -65,8 +67,8 @@ struct TerrainSight {
     double probeSeconds = 0.0;         ///< a probe takes
     std::optional<double> progress{};  ///< 0 … 1 of an estimate under way
 
-    /// Of exploring, driving, approving a probe and releasing STOP.
-    QList<Precondition> preconditions{}, driving{}, probing{}, releasing{};
+    /// Of exploring, driving, arming, approving a probe and releasing STOP.
+    QList<Precondition> preconditions{}, driving{}, arming{}, probing{}, releasing{};
 };
 
 /// The terrain under the robot, exploring it, and the arm: the cards of both the console and a review, which
@@ -90,8 +92,9 @@ public:
     void setVerdictBeside(int columnWidth);
     void addTerrainTool(QWidget* tool);  ///< to the terrain's title
     /// From now on, where there is no room for the cards below the terrain, they leave it for somebody else's place
-    /// (tightened()), and what is to be decided stands in a narrow column.
-    void allowTight();
+    /// (tightened()), and what is to be decided stands in a narrow column.  A banner of the window, the page's own,
+    /// moves no card: its line is the terrain's.
+    void allowTight(const ConsoleWindow& window);
     bool isTight() const { return tight_; }
 
     QSize
@@ -138,7 +141,8 @@ private:
     Layout layout_ = Layout::Probe;
     int fontScale_ = 100;
     bool verdictBeside_ = false;
-    bool mayTighten_ = false, tight_ = false;
+    const ConsoleWindow* window_ = nullptr;  ///< null: it does not tighten
+    bool tight_ = false;
     bool measures_ = false;          ///< arranged for a moment only
     QSize roomyNeeds_, tightNeeds_;  ///< [px]
     int columnWidth_ = 404;          ///< [px] at 100 %
@@ -154,7 +158,7 @@ private:
     AtemPanel* atem_ = nullptr;
     ProbeCard* probe_ = nullptr;
     ForceBars* forces_ = nullptr;
-    QLabel* forceLegend_ = nullptr;
+    ElidedLabel* forceLegend_ = nullptr;
     QPushButton* forceUnit_ = nullptr;
     QLabel* thresholdText_ = nullptr;
     RobotReadout* readout_ = nullptr;

@@ -1,7 +1,10 @@
 #include "core/text.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 
 namespace terratact {
@@ -11,6 +14,13 @@ std::string numberText(double value)
     std::array<char, 32> buffer{};
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), end};  // 24 characters suffice for every double
+}
+
+std::string randomErrorText(double sd, int decimals)
+{
+    const double least = std::pow(10.0, -decimals);
+    return sd < 0.5 * least ? fmt::format("< {:.{}f}", least, decimals)
+                            : fmt::format("{:.{}f}", sd, decimals);
 }
 
 std::optional<double> numberFrom(std::string_view text)

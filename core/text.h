@@ -9,6 +9,9 @@ namespace terratact {
 /// The shortest decimal text that reads back as exactly this value, the same in every locale.
 std::string numberText(double value);
 
+/// The sd of something that was drawn at random, which is never 0: "0.01", or "< 0.01" where it would round to 0.
+std::string randomErrorText(double sd, int decimals);
+
 /// The number a text spells, in full, the same in every locale; empty where it spells none or one beyond
 /// a double.  "nan" and "inf" are numbers here: whoever reads must check.
 std::optional<double> numberFrom(std::string_view text);

@@ -2,7 +2,7 @@
 # offences.  -D ROOT=<tree> checks another tree.  The rules:
 #   core     a folder includes itself and the folders before it in core_order; no Qt, no Linux
 #   drivers  core/result.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
-#   widgets  the values of core that they draw, Qt, Qwt
+#   widgets  the values of core that they draw, text, Qt, Qwt
 #   app      all four (its command line: no Qt)
 #   tests    anything, through headers
 cmake_minimum_required(VERSION 3.25)
@@ -14,7 +14,7 @@ set(core_order robot wire terrain learn infer eval atem sim log)   # files of co
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
 set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
-set(widgets_core "^core/(robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
+set(widgets_core "^core/(text|robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
 
 set(offences "")
 macro(offence text)

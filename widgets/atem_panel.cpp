@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -18,7 +19,9 @@
 namespace terratact {
 namespace {
 
-constexpr int kLines = 3, kLinesBusy = 2;  // of the texts, seen in any case
+constexpr int kLines = 3, kLinesBusy = 2;        // of the texts, seen in any case
+constexpr QMargins kCardMargins{14, 8, 14, 10};  // [px]
+constexpr int kCardSpacing = 5;
 
 Tone toneOf(AtemPhase phase)
 {
@@ -37,6 +40,29 @@ Tone toneOf(AtemPhase phase)
     return Tone::Plain;
 }
 
+QString capital(QString text)
+{
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+std::size_t indexOf(Commanded command)
+{
+    return static_cast<std::size_t>(command);
+}
+
+QString nameOf(Commanded command)
+{
+    switch (command) {
+    case Commanded::Explore: return AtemPanel::tr("exploring");
+    case Commanded::Drive: return AtemPanel::tr("driving");
+    case Commanded::Arm: return AtemPanel::tr("arming");
+    case Commanded::Probe: return AtemPanel::tr("approving a probe");
+    case Commanded::ReleaseStop: return AtemPanel::tr("releasing STOP");
+    }
+    return {};
+}
+
 }  // namespace
 
 AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
@@ -45,6 +71,18 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     stateText_->setWordWrap(true);
     stateText_->setAccessibleName(tr("State of the exploration"));
     timeText_ = note();
+    subject_ = new QLabel(this);
+    subject_->setWordWrap(true);
+    setTone(*subject_, Tone::Muted);
+    needsButton_ = new QPushButton(tr("needs (P)"), this);
+    needsButton_->setFocusPolicy(Qt::TabFocus);
+    needsButton_->setProperty("role", "flat");
+    needsButton_->setAccessibleName(tr("What a command needs"));
+    needsButton_->setToolTip(tr("What each command needs, and what of it is missing (P)"));
+    auto* menu = new QMenu(needsButton_);
+    needsButton_->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, &AtemPanel::offerCommands);
+    titleRow()->addWidget(needsButton_);
     list_ = new QGridLayout;
     list_->setContentsMargins(0, 0, 0, 0);
     list_->setHorizontalSpacing(8);
@@ -68,6 +106,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     texts_ = new ScrollColumn(kLines, this);
     texts_->setAccessibleName(tr("Exploration (ATEM)"));
     texts_->column()->addWidget(stateText_);
+    texts_->column()->addWidget(subject_);
     texts_->column()->addLayout(list_);
     texts_->column()->addStretch(1);
     auto* others = new QHBoxLayout;
@@ -79,7 +118,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     buttons_->addWidget(request_, 1);
     buttons_->addLayout(others, 1);
     parts_ = new QVBoxLayout;
-    parts_->setSpacing(body()->spacing());
+    parts_->setSpacing(kCardSpacing);
     parts_->addWidget(texts_, 1);
     parts_->addLayout(buttons_);
     body()->addLayout(parts_, 1);
@@ -94,6 +133,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
 void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>& time,
                          const QString& said)
 {
+    if (state.phase != state_.phase) lookedUp_.reset();
     state_ = state;
     QString text = words::sentence(state.followed ? describeFollowed(state.phase)
                                                   : terratact::describe(state.phase));
@@ -106,8 +146,7 @@ void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>&
         text += tr("; no answer in time, so no probe");
     else if (state.phase == AtemPhase::Presenting && state.probed)
         text += tr(", arm included");
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    stateText_->setText(text);
+    stateText_->setText(capital(text));
     setTone(*stateText_, toneOf(state.phase));
     timeText_->setText(time ? timeWords(*time) : QString());
     setTone(*timeText_, Tone::Strong);
@@ -129,15 +168,68 @@ QString AtemPanel::timeWords(const PhaseTime& time)
 
 void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)
 {
-    preconditions_ = preconditions;
-    showList();
-    showButtons();
+    setNeeds(Commanded::Explore, preconditions);
 }
 
-void AtemPanel::setReleasing(const QList<Precondition>& preconditions)
+void AtemPanel::setNeeds(Commanded command, const QList<Precondition>& preconditions)
 {
-    release_->setToolTip(tr("Lets commands through again; the robot does not move by itself")
-                         + QLatin1Char('\n') + linesOf(preconditions));
+    needs_[indexOf(command)] = preconditions;
+    if (command == Commanded::ReleaseStop)
+        release_->setToolTip(tr("Lets commands through again; the robot does not move by itself")
+                             + QLatin1Char('\n') + linesOf(preconditions));
+    if (command == listed()) showList();
+    if (command == Commanded::Explore) showButtons();
+}
+
+Commanded AtemPanel::next() const
+{
+    if (state_.followed || onlyShows_) return Commanded::Explore;
+    if (state_.phase == AtemPhase::Stopped) return Commanded::ReleaseStop;
+    if (state_.phase == AtemPhase::ProposingProbe) return Commanded::Probe;
+    return Commanded::Explore;
+}
+
+Commanded AtemPanel::listed() const
+{
+    return lookedUp_.value_or(next());
+}
+
+void AtemPanel::lookUp(std::optional<Commanded> command)
+{
+    lookedUp_ = command;
+    showList();
+}
+
+void AtemPanel::lookUpNext()
+{
+    if (onlyShows_) return;
+    std::size_t at = indexOf(listed());
+    do {
+        at = (at + 1) % kCommanded.size();
+    } while (needs_[at].isEmpty() && kCommanded[at] != next());
+    lookUp(kCommanded[at] == next() ? std::nullopt : std::optional(kCommanded[at]));
+}
+
+void AtemPanel::offerCommands()
+{
+    QMenu& menu = *needsButton_->menu();
+    menu.clear();
+    for (const Commanded command : kCommanded) {
+        const QList<Precondition>& needs = needs_[indexOf(command)];
+        if (needs.isEmpty()) continue;
+        const QString line = markOf(worstOf(needs)) + QLatin1Char(' ') + nameOf(command);
+        connect(menu.addAction(line), &QAction::triggered, this,
+                [this, command] { lookUp(command); });
+    }
+}
+
+/// While an exploration runs, what is met takes the room of what asks; who looks it up sees all of it.
+QList<Precondition> AtemPanel::listOf(Commanded command) const
+{
+    QList<Precondition> list = needs_[indexOf(command)];
+    if (exploring(state_.phase) && !lookedUp_)
+        list.removeIf([](const Precondition& p) { return p.level == Precondition::Level::Met; });
+    return list;
 }
 
 void AtemPanel::setResultStands(bool stands)
@@ -147,10 +239,10 @@ void AtemPanel::setResultStands(bool stands)
 
 void AtemPanel::showList()
 {
-    QList<Precondition> preconditions = preconditions_;
-    if (exploring(state_.phase))
-        preconditions.removeIf(
-            [](const Precondition& p) { return p.level == Precondition::Level::Met; });
+    const QList<Precondition> preconditions = listOf(listed());
+    const bool named = listed() != Commanded::Explore || lookedUp_;
+    subject_->setVisible(named && !preconditions.isEmpty());
+    subject_->setText(tr("%1 needs:").arg(capital(nameOf(listed()))));
     if (preconditions == shown_) return;
     while (list_->count() < 2 * preconditions.size()) {
         const int row = list_->count() / 2;
@@ -185,6 +277,7 @@ void AtemPanel::showList()
 void AtemPanel::forbidCommands()
 {
     onlyShows_ = true;
+    arrange();
     showButtons();
 }
 
@@ -200,6 +293,15 @@ void AtemPanel::arrange()
     const bool busy = exploring(state_.phase);
     const bool brief = narrow_ && busy && !onlyShows_;
     setTitleShown(!brief);
+    // The button is higher than the title beside it: the room around that is the button's.
+    // While the robot is at work, its time stands there.
+    const bool idle = !busy || state_.phase == AtemPhase::ProposingProbe;
+    const bool button = idle && !brief && !onlyShows_;
+    needsButton_->setVisible(button);
+    QMargins margins = kCardMargins;
+    if (button) margins.setTop(1);
+    body()->setContentsMargins(margins);
+    body()->setSpacing(button ? 0 : kCardSpacing);
     parts_->setDirection(brief ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     buttons_->setDirection(narrow_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     texts_->setLeastLines(busy ? kLinesBusy : kLines);
@@ -209,9 +311,8 @@ int AtemPanel::leastHeight() const
 {
     const int lines = kLinesBusy * (fontMetrics().lineSpacing() + texts_->column()->spacing()) + 4;
     const int button = abort_->sizeHint().height();
-    const QMargins margins = body()->contentsMargins();
     if (narrow_)
-        return margins.top() + margins.bottom() + body()->spacing() + std::max(lines, button);
+        return kCardMargins.top() + kCardMargins.bottom() + kCardSpacing + std::max(lines, button);
     return frameHeight() + lines + parts_->spacing() + button;
 }
 
@@ -226,7 +327,8 @@ void AtemPanel::showButtons()
         return;
     }
     QStringList missing, doubtful;
-    for (const Precondition& condition : preconditions_) {
+    const QList<Precondition>& needs = needs_[indexOf(Commanded::Explore)];
+    for (const Precondition& condition : needs) {
         if (condition.level == Precondition::Level::Missing) missing << condition.text;
         if (condition.level == Precondition::Level::Doubtful) doubtful << condition.text;
     }
@@ -250,7 +352,7 @@ void AtemPanel::showButtons()
         tip = tr("Not possible now:");
     else if (!doubtful.isEmpty())
         tip = tr("Doubtful, override it first (O):");
-    request_->setToolTip(tip + QLatin1Char('\n') + linesOf(preconditions_));
+    request_->setToolTip(tip + QLatin1Char('\n') + linesOf(needs));
     const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Clear (Esc)") : tr("Abort (Esc)"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/atem/atem_machine.h"
@@ -19,6 +20,9 @@ class ScrollColumn;
 
 /// What the operator sees and may do of an exploration: the state in words with the time it has left,
 /// the preconditions, and the buttons that request it, end it, or release STOP.
+///
+/// The preconditions are those of the command that comes next: exploring, the probe that is asked for, or releasing
+/// STOP.  Those of any other command can be looked up; the state's next change ends that.
 class AtemPanel final : public Card {
     Q_OBJECT
 public:
@@ -31,7 +35,11 @@ public:
     /// shown: their room is the probe's.
     void setPreconditions(const QList<Precondition>& preconditions);
 
-    void setReleasing(const QList<Precondition>& preconditions);  ///< of releasing STOP, as its tip
+    /// Of any command; of exploring it is the same as setPreconditions().  Empty: it is not given from here.
+    void setNeeds(Commanded command, const QList<Precondition>& preconditions);
+    void lookUp(std::optional<Commanded> command);  ///< empty: what comes next
+    void lookUpNext();                              ///< one after the other, then what comes next
+    Commanded listed() const;                       ///< whose preconditions are shown
     /// There is something on the screen that can be taken off it, in whatever state.
     void setResultStands(bool stands);
 
@@ -46,6 +54,7 @@ public:
     QPushButton* abortButton() const { return abort_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
     QPushButton* overrideButton() const { return override_; }
+    QPushButton* needsButton() const { return needsButton_; }  ///< whose menu looks up
 
 signals:
     void requested();
@@ -57,13 +66,20 @@ private:
     void showList();
     void showButtons();
     void arrange();
+    Commanded next() const;
+    QList<Precondition> listOf(Commanded command) const;
+    void offerCommands();
     static QString timeWords(const PhaseTime& time);
 
     AtemState state_;
     bool onlyShows_ = false;
     bool narrow_ = false;
     bool resultStands_ = false;
-    QList<Precondition> preconditions_, shown_;
+    std::array<QList<Precondition>, kCommanded.size()> needs_;
+    std::optional<Commanded> lookedUp_;
+    QList<Precondition> shown_;
+    QLabel* subject_ = nullptr;  ///< whose they are, where that is not exploring
+    QPushButton* needsButton_ = nullptr;
     QLabel* stateText_ = nullptr;
     QLabel* timeText_ = nullptr;
     QGridLayout* list_ = nullptr;

@@ -33,10 +33,26 @@ struct Span {
     double left, right;  // on the axis of the elements
 };
 
-Span spanOf(int element, int array, int arrays)
+/// How the bars of an array are told from those of the others; arrays beyond these begin anew.
+struct ArrayLook {
+    char16_t symbol;  // in the legend
+    bool outlined;
+    Qt::BrushStyle pattern;  // within the outline
+};
+constexpr std::array kArrayLooks{
+    ArrayLook{u'■', false, Qt::NoBrush}, ArrayLook{u'□', true, Qt::NoBrush},
+    ArrayLook{u'▦', true, Qt::CrossPattern}, ArrayLook{u'▤', true, Qt::HorPattern}};
+
+const ArrayLook& arrayLook(std::size_t array)
 {
-    const double width = (kGroup - kGap * (arrays - 1)) / arrays;
-    const double left = element - kGroup / 2.0 + array * (width + kGap);
+    return kArrayLooks[array % kArrayLooks.size()];
+}
+
+/// Of the bar at `place` among as many as `bars` of an element.
+Span spanOf(int element, int place, int bars)
+{
+    const double width = (kGroup - kGap * (bars - 1)) / bars;
+    const double left = element - kGroup / 2.0 + place * (width + kGap);
     return {left, left + width};
 }
 
@@ -131,7 +147,8 @@ public:
         Span span;
         double value;
         std::optional<double> peak;
-        bool touching, outlined, saturated;
+        bool touching, saturated;
+        ArrayLook look;
     };
     std::vector<Bar> bars;
 
@@ -153,11 +170,14 @@ private:
     static void fill(QPainter& painter, const QRectF& rect, const Bar& bar)
     {
         const QColor colour = bar.touching ? theme().contact : theme().force;
-        QColor hatch = bar.outlined ? colour : theme().card;
-        hatch.setAlpha(bar.outlined ? 200 : 110);
-        painter.fillRect(rect, bar.outlined ? theme().card : colour);
+        const bool outlined = bar.look.outlined;
+        QColor hatch = outlined ? colour : theme().card;
+        hatch.setAlpha(outlined ? 200 : 110);
+        painter.fillRect(rect, outlined ? theme().card : colour);
+        if (bar.look.pattern != Qt::NoBrush)
+            painter.fillRect(rect, QBrush(colour, bar.look.pattern));
         if (bar.touching) painter.fillRect(rect, QBrush(hatch, Qt::BDiagPattern));
-        if (!bar.outlined) return;
+        if (!outlined) return;
         constexpr double kPen = 2.0;
         painter.setPen(QPen(colour, kPen));
         painter.setBrush(Qt::NoBrush);
@@ -320,7 +340,8 @@ void ForceBars::takePeaks(const std::vector<ForceArray>& arrays, double time)
 
 void ForceBars::clearForces()
 {
-    for (ForceArray& array : arrays_) array.elements = {};
+    for (ForceArray& array : arrays_)
+        for (ForceElement& element : array.elements) element = {.exists = element.exists};
     for (auto& peaks : peaks_) peaks = {};
     show();
 }
@@ -348,10 +369,10 @@ QString ForceBars::unitText() const
 
 QString ForceBars::legend() const
 {
-    if (arrays() < 2) return {};
+    if (arrays() < 2 && arrays_[0].name.isEmpty()) return {};
     QStringList names;
     for (std::size_t a = 0; a < arrays_.size(); ++a)
-        names << (a % 2 == 0 ? QStringLiteral("■ ") : QStringLiteral("□ ")) + arrays_[a].name;
+        names << QChar(arrayLook(a).symbol) + QLatin1Char(' ') + arrays_[a].name;
     return names.join(QStringLiteral("  "));
 }
 
@@ -359,6 +380,14 @@ const ForceElement& ForceBars::at(int element, int array) const
 {
     return arrays_.at(static_cast<std::size_t>(array))
         .elements.at(static_cast<std::size_t>(element));
+}
+
+std::vector<int> ForceBars::arraysWith(int element) const
+{
+    std::vector<int> with;
+    for (int a = 0; a < arrays(); ++a)
+        if (at(element, a).exists) with.push_back(a);
+    return with;
 }
 
 std::optional<double> ForceBars::shown(int element, int array) const
@@ -386,7 +415,8 @@ QString ForceBars::numberText(int element, int array) const
     if (unit_ == Unit::Volts) return words::number(*value, 2);
     if (at(element, array).saturated)
         return QLatin1Char('>') + words::number(std::floor(*value), 0);
-    const bool isLarge = arrays() > 1 && *value >= 9.95;  // two numbers share the room
+    const bool isLarge =
+        arraysWith(element).size() > 1 && *value >= 9.95;  // two numbers share the room
     return words::number(*value, isLarge ? 0 : 1);
 }
 
@@ -410,8 +440,13 @@ std::optional<double> ForceBars::peak(int element, int array) const
 
 QRectF ForceBars::barRect(int element, int array) const
 {
-    return rectOf(spanOf(element, array, arrays()), shown(element, array).value_or(0.0),
-                  canvasMap(QwtPlot::xBottom), canvasMap(QwtPlot::yLeft));
+    const std::vector<int> with = arraysWith(element);
+    const auto place = std::find(with.begin(), with.end(), array);
+    if (place == with.end()) return {};
+    const Span span =
+        spanOf(element, static_cast<int>(place - with.begin()), static_cast<int>(with.size()));
+    return rectOf(span, shown(element, array).value_or(0.0), canvasMap(QwtPlot::xBottom),
+                  canvasMap(QwtPlot::yLeft));
 }
 
 double ForceBars::pixelOf(double value) const
@@ -444,7 +479,7 @@ QString ForceBars::labelText(int element) const
 {
     QStringList numbers;
     bool saturated = false;
-    for (int a = 0; a < arrays(); ++a) {
+    for (const int a : arraysWith(element)) {
         numbers << numberText(element, a);
         saturated = saturated || at(element, a).saturated;
     }
@@ -462,7 +497,7 @@ QString ForceBars::labelText(int element) const
 QString ForceBars::spoken(int element) const
 {
     QStringList parts;
-    for (int a = 0; a < arrays(); ++a) {
+    for (const int a : arraysWith(element)) {
         const QString& name = arrays_[static_cast<std::size_t>(a)].name;
         QString text = numberText(element, a) + QLatin1Char(' ') + unitText();
         if (!name.isEmpty()) text.prepend(name + QLatin1Char(' '));
@@ -509,14 +544,19 @@ void ForceBars::fitScale()
 void ForceBars::showBars()
 {
     chart_->bars.clear();
-    for (int element = 0; element < kForceElements; ++element)
-        for (int a = 0; a < arrays(); ++a)
-            chart_->bars.push_back({.span = spanOf(element, a, arrays()),
-                                    .value = shown(element, a).value_or(0.0),
-                                    .peak = peak(element, a),
-                                    .touching = touching(element),
-                                    .outlined = a % 2 == 1,
-                                    .saturated = at(element, a).saturated});
+    for (int element = 0; element < kForceElements; ++element) {
+        const std::vector<int> with = arraysWith(element);
+        for (std::size_t place = 0; place < with.size(); ++place) {
+            const int a = with[place];
+            chart_->bars.push_back(
+                {.span = spanOf(element, static_cast<int>(place), static_cast<int>(with.size())),
+                 .value = shown(element, a).value_or(0.0),
+                 .peak = peak(element, a),
+                 .touching = touching(element),
+                 .saturated = at(element, a).saturated,
+                 .look = arrayLook(static_cast<std::size_t>(a))});
+        }
+    }
 }
 
 void ForceBars::showNumbers()

@@ -23,15 +23,16 @@ class UnitScale;
 
 /// One force-sensing element as it is shown; an empty optional was not measured.
 struct ForceElement {
-    std::optional<double> newtons;  ///< [N] calibrated
-    std::optional<double> volts;    ///< [V] raw
-    bool saturated = false;         ///< feels more than `newtons`
-    std::optional<double> drift;    ///< [N] of its bias
+    bool exists = true;               ///< the array has such an element; else the rest is empty
+    std::optional<double> newtons{};  ///< [N] calibrated
+    std::optional<double> volts{};    ///< [V] raw
+    bool saturated = false;           ///< feels more than `newtons`
+    std::optional<double> drift{};    ///< [N] of its bias
 };
 
 /// A row of elements, number 1 at the pivot and 6 at the tip.
 struct ForceArray {
-    QString name;  ///< "L"; empty where there is no other array
+    QString name;  ///< "L"; may be empty where there is no other array
     std::array<ForceElement, kForceElements> elements{};
 };
 
@@ -57,7 +58,8 @@ private:
 };
 
 /// The forces of every array as six groups of live bars with their numbers, calibrated [N] or raw [V].
-/// A bar of the first array is solid, of the second outlined.  An element whose mean over the arrays is
+/// A bar of the first array is solid, of the second outlined, of the third crossed, of the fourth striped; where an
+/// array lacks an element the others share its room.  An element whose mean over the arrays is
 /// above the threshold is in contact, as for the estimate: blue and hatched, and it says so, once for neighbours.  A saturated
 /// element reads ">19" and wears a triangle; a thin line stands at each bar's peak of the last 3 s; a bias
 /// that drifted by more than ForceDrift::kNotable stands below its element.  No value reads "--".
@@ -80,7 +82,7 @@ public:
 
     static constexpr std::size_t kArrays = 4;
     int arrays() const { return static_cast<int>(arrays_.size()); }  ///< at least 1
-    /// "■ L  □ R"; empty where there is one array.
+    /// "■ L  □ R"; empty where there is one array without a name.
     QString legend() const;
 
     // Elements are 0 … 5, arrays from 0.
@@ -113,6 +115,7 @@ private:
     void showDrifts();
     void fitScale();
     const ForceElement& at(int element, int array) const;
+    std::vector<int> arraysWith(int element) const;
     std::optional<double> shown(int element, int array) const;  ///< in unit()
     double top(int element) const;  ///< of bars, peaks and threshold line: numbers stand above
     QString labelText(int element) const;

@@ -71,6 +71,10 @@ QLabel#verdictBadge[outlook="open"] { background: @openArea; color: @openText; }
 QLabel#verdictBadge[outlook="none"] { background: @offArea; color: @offText; }
 QLabel#verdictQuestion { font-size: @16px; font-weight: bold; }
 QPushButton[role="compact"] { padding: 3px 3px; font-size: @13px; }
+QPushButton[role="flat"] { background: transparent; color: @muted; border-color: transparent; padding: 3px 4px; font-size: @13px; }
+QPushButton[role="flat"]::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; }
+QPushButton[role="flat"]:hover, QPushButton[role="flat"]:pressed { background: @buttonHover; color: @buttonText; }
+QPushButton[role="flat"]:focus { border: 2px solid @focus; padding: 2px 3px; }
 QPushButton[role="small"] { padding: 5px 4px; min-width: @26px; font-size: @18px; font-weight: bold; }
 
 QFrame#navigationRail { background: @header; }

@@ -20,6 +20,13 @@ QString linesOf(const QList<Precondition>& preconditions)
     return lines.join(QLatin1Char('\n'));
 }
 
+Precondition::Level worstOf(const QList<Precondition>& preconditions)
+{
+    Precondition::Level worst = Precondition::Level::Met;
+    for (const Precondition& p : preconditions) worst = std::max(worst, p.level);
+    return worst;
+}
+
 QString firstMissing(const QList<Precondition>& preconditions)
 {
     const auto missing =

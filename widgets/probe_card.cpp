@@ -5,6 +5,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedLayout>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,17 @@ namespace terratact {
 namespace {
 
 enum Page { kNothing, kQuestion, kProbing };
-constexpr int kFacts = 6, kFactsNarrow = 4;  // lines seen in any case
+constexpr int kFacts = 6, kFactsNarrow = 4;  // lines
+constexpr int kLeastFacts = 4;               // seen in any case
 
 QString percent(double share)
 {
     return words::number(-100.0 * share, 0);
+}
+
+QString wordOf(Outlook answer)
+{
+    return words::sentence(name(answer));
 }
 
 }  // namespace
@@ -71,19 +78,25 @@ QLabel* ProbeCard::fact(QGridLayout& rows, const QString& name, Tone tone)
 QWidget* ProbeCard::questionPage()
 {
     auto* question = new QWidget(this);
-    facts_ = new ScrollColumn(kFacts, question);
+    facts_ = new ScrollColumn(kLeastFacts, question);
     facts_->setAccessibleName(tr("What the probe is expected to buy"));
     auto* rows = new QGridLayout;
     rows->setHorizontalSpacing(14);
-    rows->setVerticalSpacing(1);
+    rows->setVerticalSpacing(0);
     rows->setColumnStretch(1, 1);
     where_ = fact(*rows, tr("where"), Tone::Accent);
     predicted_ = fact(*rows, tr("predicted"), Tone::Strong);
     band_ = fact(*rows, tr("80 % band"), Tone::Strong);
     variance_ = fact(*rows, tr("all bins"), Tone::Strong);
     cost_ = fact(*rows, tr("costs"), Tone::Strong);
+    costKey_ = keys_.last();
     question_ = fact(*rows, tr("step ahead"), Tone::Strong);
     questionKey_ = keys_.last();
+    decided_ = new QLabel(question);
+    decided_->setWordWrap(true);
+    decided_->setAccessibleName(tr("Whether a probe is needed"));
+    setTone(*decided_, Tone::Good);
+    facts_->column()->addWidget(decided_);
     facts_->column()->addLayout(rows);
     // Room to spare goes between the lines: what is to be decided is read at a glance.
     for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
@@ -136,17 +149,21 @@ QWidget* ProbeCard::probingPage()
 void ProbeCard::setNarrow(bool narrow)
 {
     narrow_ = narrow;
-    facts_->setLeastLines(narrow ? kFactsNarrow : kFacts);
-    for (QLabel* label : {where_, band_}) label->setVisible(!narrow);
+    where_->setVisible(!narrow);  // other lines say it, too
     for (QLabel* key : std::as_const(keys_)) key->setVisible(!narrow);
-    refuse_->setText(narrow ? tr("Do not probe (N)")
-                            : tr("Do not probe: 0 s, the estimate stays (N)"));
+    showAnswer();
     if (proposal_) showWorth();
 }
 
 int ProbeCard::leastHeight() const
 {
     return frameHeight() + asking_->layout()->totalMinimumSize().height();
+}
+
+int ProbeCard::givenHeight() const
+{
+    const int lines = (narrow_ ? kFactsNarrow : kFacts) - kLeastFacts;
+    return lines * (facts_->fontMetrics().lineSpacing() + facts_->column()->spacing());
 }
 
 void ProbeCard::showPage(int page)
@@ -179,12 +196,11 @@ void ProbeCard::paintEvent(QPaintEvent* event)
 void ProbeCard::setProposal(const ProbeProposal& proposal)
 {
     if (proposal_ == proposal) return;
-    approve_->letGo();  // a hold begun on another question does not count for this one
+    // A hold begun on another question does not count for this one.
+    if (!proposal_ || proposal_->id != proposal.id) approve_->letGo();
     proposal_ = proposal;
     where_->setText(tr("bin %1").arg(words::binName(proposal.bin)));
-    band_->setText(
-        tr("%1 … %2 m")
-            .arg(words::signedNumber(proposal.q10, 2), words::signedNumber(proposal.q90, 2)));
+    showAnswer();
     showWorth();
     approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));
     approve_->setAccessibleName(
@@ -197,25 +213,57 @@ void ProbeCard::showWorth()
 {
     const ProbeProposal& p = *proposal_;
     const QString height = words::signedNumber(p.height, 2), sd = words::number(p.sd, 2);
-    predicted_->setText(narrow_ ? tr("predicted %1 ± %2 m").arg(height, sd)
+    const QString q10 = words::signedNumber(p.q10, 2), q90 = words::signedNumber(p.q90, 2);
+    const QString seconds = words::number(p.seconds, 0);
+    predicted_->setText(narrow_ ? tr("at %1: %2 ± %3 m").arg(words::binName(p.bin), height, sd)
                                 : tr("%1 m ± %2 m (sd)").arg(height, sd));
+    band_->setText(narrow_ ? tr("80 % in %1 … %2 m").arg(q10, q90) : tr("%1 … %2 m").arg(q10, q90));
+    const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
+                                  : tr("this bin to ± %1 m").arg(words::number(p.armSd, 2));
+    // Where the card has more to say, cost and variance share a line.
+    const bool joined = narrow_ || p.answer != Outlook::CannotTell;
+    for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
+    variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
+    cost_->setText(tr("≈ %1 s, arm out in smoke").arg(seconds));
     questionKey_->setText(tr("step > %1 m").arg(words::number(p.stepLimit, 2)));
-    cost_->setText(tr("≈ %1 s, arm out in smoke").arg(words::number(p.seconds, 0)));
-    if (p.worth) {
-        const double bits = p.bitsBefore - p.worth->bitsAfter;
-        variance_->setText(tr("total variance %1 %").arg(percent(p.worth->varianceShare)));
-        const QString before = words::number(p.bitsBefore, 2);
-        const QString after = words::number(p.worth->bitsAfter, 2);
-        question_->setText(
-            narrow_ ? tr("step ahead: %1 → %2 bit").arg(before, after)
-                    : tr("%1 → %2 bit: %3 a minute")
-                          .arg(before, after, words::number(60.0 * bits / p.seconds, 2)));
-    } else {
-        variance_->setText(tr("this bin to ± %1 m").arg(words::number(p.armSd, 2)));
-        question_->setText(narrow_ ? tr("step ahead: not known for this method")
-                                   : tr("not known for this method"));
-    }
+    question_->setText(questionText());
     showOthers();
+}
+
+QString ProbeCard::questionText() const
+{
+    const ProbeProposal& p = *proposal_;
+    if (!p.worth)
+        return narrow_ ? tr("step: not known for this method") : tr("not known for this method");
+    const QString before = words::number(p.bitsBefore, 2);
+    if (!p.tellsOfStep()) {
+        if (!narrow_) return tr("%1 bit, no gain").arg(before);
+        return p.answer == Outlook::CannotTell ? tr("step: %1 bit, no gain").arg(before)
+                                               : tr("%1 stands: no gain").arg(wordOf(p.answer));
+    }
+    const QString after = words::number(p.worth->bitsAfter, 2);
+    const QString rate = words::number(60.0 * (p.bitsBefore - p.worth->bitsAfter) / p.seconds, 2);
+    return (narrow_ ? tr("step: %1 → %2 bit, %3/min") : tr("%1 → %2 bit: %3 a minute"))
+        .arg(before, after, rate);
+}
+
+void ProbeCard::showAnswer()
+{
+    const bool decided = proposal_ && proposal_->answer != Outlook::CannotTell;
+    const QString answer = decided ? wordOf(proposal_->answer) : QString();
+    decided_->setVisible(decided && !narrow_);
+    if (decided)
+        decided_->setText((proposal_->tellsOfStep() ? tr("%1 stands: a probe makes it surer.")
+                                                    : tr("%1 stands: only the shape would gain."))
+                              .arg(answer));
+    refuse_->setText(narrow_   ? tr("Do not probe (N)")
+                     : decided ? tr("Do not probe: 0 s, %1 stands (N)").arg(answer)
+                               : tr("Do not probe: 0 s, the estimate stays (N)"));
+    const QString role = decided ? QStringLiteral("primary") : QString();
+    if (refuse_->property("role").toString() == role) return;
+    refuse_->setProperty("role", role);
+    refuse_->style()->unpolish(refuse_);
+    refuse_->style()->polish(refuse_);
 }
 
 void ProbeCard::showOthers()

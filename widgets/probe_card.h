@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/infer/verdict.h"
 #include "widgets/card.h"
 #include "widgets/precondition.h"
 
@@ -40,11 +41,17 @@ struct ProbeProposal {
     double bitsBefore = 0.0;          ///< its entropy now [bit]
     std::optional<ProbeWorth> worth;  ///< of this bin; empty: the method cannot tell
     std::vector<ProbeWorth> others;   ///< the bins the operator may choose instead, the best first
+    Outlook answer = Outlook::CannotTell;  ///< that the estimate gives without the probe
+
+    /// The probe says something about the question; else, where its worth is known, only about the terrain's shape.
+    bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kLeastBits; }
+    static constexpr double kLeastBits = 0.005;  ///< less reads 0.00
     bool operator==(const ProbeProposal&) const = default;
 };
 
 /// The card that asks for the arm: where, what is expected there, what it buys and costs, what else could be
 /// touched, and how long the question stands.  Approving takes a hold of 1.5 s; refusing a click; no answer means no.
+/// Where the estimate has an answer without the arm, the card says so, and not to probe is what stands out.
 class ProbeCard final : public Card {
     Q_OBJECT
 public:
@@ -57,9 +64,10 @@ public:
     void setProbing(int bin, double elapsed, double expected);
     void setNothing(const QString& why);
 
-    /// Little room: leaves out what the button and the terrain say as well.
+    /// Little room: the same in fewer words.
     void setNarrow(bool narrow);
     int leastHeight() const;  ///< [px] of a question, asked or not
+    int givenHeight() const;  ///< [px] more, and all its lines are seen
 
     bool asks() const;  ///< a proposal is on the card
     /// The proposal that the operator has before him, by its id: the card is seen and was painted with it.
@@ -82,6 +90,8 @@ private:
     QWidget* questionPage();
     QWidget* probingPage();
     void showWorth();
+    QString questionText() const;
+    void showAnswer();
     void showOthers();
     void showPage(int page);
 
@@ -95,11 +105,13 @@ private:
     QLabel* variance_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* questionKey_ = nullptr;
+    QLabel* decided_ = nullptr;  ///< that there is an answer already
     QList<QLabel*> keys_;
     ScrollColumn* facts_ = nullptr;
     QWidget* asking_ = nullptr;
     bool narrow_ = false;
     QLabel* cost_ = nullptr;
+    QLabel* costKey_ = nullptr;
     HoldToConfirmButton* approve_ = nullptr;
     QPushButton* refuse_ = nullptr;
     std::array<QPushButton*, kOthers> others_{};

@@ -24,6 +24,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "widgets/bin_inspector.h"
 #include "widgets/drawable.h"
@@ -239,33 +240,64 @@ public:
     }
 };
 
-/// Dashed line down to the bin the arm would touch.
-class ProbeMark final : public QwtPlotItem {
+/// The arm's last link, upright, and its tip on the bin: dashed and open where nobody has approved it.
+class ArmMark final : public QwtPlotItem {
 public:
-    ProbeMark() : QwtPlotItem(QwtText("probe"))
+    ArmMark() : QwtPlotItem(QwtText("arm"))
     {
         setZ(28.0);
         setItemAttribute(QwtPlotItem::Legend, false);
     }
+    ArmTip::State state = ArmTip::State::Proposed;
     double at = 0.0, down = 0.0;  ///< [m]
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override
     {
+        const bool open = state == ArmTip::State::Proposed;
         const double px = std::round(x.transform(at)) + 0.5;
-        const double top = canvas.top() + scaled(28);
-        painter->setFont(sized(plot()->font(), 14, true));
-        painter->setPen(theme().accent);
-        const QString label = QStringLiteral("▼ ") + TerrainProfileView::tr("probe");
-        const double width = painter->fontMetrics().horizontalAdvance(label) + 4.0;
-        QRectF place(px - 8.0, top, width, scaled(20));
+        const double least =
+            canvas.top() + scaled(28 + 20 + 24);  // label and tip below the zones' words
+        const double tip = std::max(y.transform(down) - scaled(8), least);
+        const double top = state == ArmTip::State::Touched
+                             ? std::max(tip - scaled(64), least - scaled(44))
+                             : canvas.top() + scaled(28);
+        drawLabel(*painter, px, top, canvas);
+        QPen pen(theme().accent, open ? 2.0 : scaled(5), open ? Qt::CustomDashLine : Qt::SolidLine,
+                 Qt::FlatCap);
+        if (open) pen.setDashPattern({4.0, 3.0});
+        painter->setPen(pen);
+        painter->drawLine(QPointF(px, top + scaled(21)), QPointF(px, tip - scaled(14)));
+        const double half = scaled(7);
+        painter->setPen(QPen(theme().accent, 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter->setBrush(open ? theme().card : theme().accent);
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->drawPolygon(QPolygonF({{px - half, tip - scaled(16)},
+                                        {px + half, tip - scaled(16)},
+                                        {px + half, tip - scaled(8)},
+                                        {px, tip},
+                                        {px - half, tip - scaled(8)}}));
+    }
+
+private:
+    void drawLabel(QPainter& painter, double px, double top, const QRectF& canvas) const
+    {
+        painter.setFont(sized(plot()->font(), 14, true));
+        painter.setPen(theme().accent);
+        const QString label = words();
+        const double width = painter.fontMetrics().horizontalAdvance(label) + 4.0;
+        QRectF place(px - width / 2.0, top, width, scaled(20));
         place.moveLeft(std::min(place.left(), canvas.right() - width));
-        painter->drawText(place, Qt::AlignLeft | Qt::AlignVCenter, label);
-        QPen dashes(theme().accent, 2.0, Qt::CustomDashLine);
-        dashes.setDashPattern({4.0, 3.0});
-        painter->setPen(dashes);
-        const double bottom = std::max(y.transform(down) - 12.0, top + scaled(34));
-        painter->drawLine(QPointF(px, top + scaled(22)), QPointF(px, bottom));
+        painter.drawText(place, Qt::AlignCenter, label);
+    }
+    QString words() const
+    {
+        switch (state) {
+        case ArmTip::State::Proposed: return TerrainProfileView::tr("arm tip: probe?");
+        case ArmTip::State::Probing: return TerrainProfileView::tr("arm tip: probing");
+        case ArmTip::State::Touched: return TerrainProfileView::tr("arm tip");
+        }
+        return {};
     }
 };
 
@@ -345,9 +377,9 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     imu_->setZ(15.0);
     imu_->attach(this);
 
-    probeMark_ = new ProbeMark;
-    probeMark_->setVisible(false);
-    probeMark_->attach(this);
+    armMark_ = new ArmMark;
+    armMark_->setVisible(false);
+    armMark_->attach(this);
 
     draws_ = new SampleLines;
     draws_->attach(this);
@@ -571,7 +603,7 @@ void TerrainProfileView::showEstimate()
     mean_->setShape(pathThrough(known));
     meanPrior_->setShape(pathThrough(prior));
     ceilings_->setShape(ceilings);
-    showProbe();
+    showArm();
     describe();
 }
 
@@ -699,26 +731,34 @@ void TerrainProfileView::showTruth()
     sizeLegend();
 }
 
-void TerrainProfileView::setProposedProbe(std::optional<int> bin)
+void TerrainProfileView::setArmTip(const std::optional<ArmTip>& tip)
 {
-    if (bin == probe_) return;
-    probe_ = bin;
-    showProbe();
+    if (tip == armTip_) return;
+    armTip_ = tip;
+    showArm();
 }
 
-void TerrainProfileView::showProbe()
+/// What the tip stands on: the height that it touched, or the upper end of what is believed.
+double TerrainProfileView::underArm() const
 {
-    const std::optional<int>& bin = probe_;
-    const bool shown = bin && *bin >= 0 && *bin < kBins && estimate_
-                    && drawable(estimate_->height[static_cast<std::size_t>(*bin)]);
+    if (armTip_->state == ArmTip::State::Touched) return armTip_->height;
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    if (!estimate_) return kNowhere;
+    const auto i = static_cast<std::size_t>(armTip_->bin);
+    return drawable(estimate_->q90[i]) ? std::max(estimate_->q90[i], estimate_->height[i])
+                                       : estimate_->height[i];
+}
+
+void TerrainProfileView::showArm()
+{
+    const bool inBins = armTip_ && armTip_->bin >= 0 && armTip_->bin < kBins;
+    const bool shown = inBins && drawable(underArm());
     if (shown) {
-        const auto i = static_cast<std::size_t>(*bin);
-        probeMark_->at = binCentre(*bin);
-        probeMark_->down = drawable(estimate_->q90[i])
-                             ? std::max(estimate_->q90[i], estimate_->height[i])
-                             : estimate_->height[i];
+        armMark_->state = armTip_->state;
+        armMark_->at = binCentre(armTip_->bin);
+        armMark_->down = underArm();
     }
-    probeMark_->setVisible(shown);
+    armMark_->setVisible(shown);
     fitAxes();
     replot();
 }

@@ -20,14 +20,23 @@ class QwtPlotTextLabel;
 
 namespace terratact {
 
+class ArmMark;
 class BinInspector;
 class BinZones;
 class GhostLayer;
-class ProbeMark;
 class SampleLines;
 class SecondEstimate;
 class TwoHeights;
 class Veil;
+
+/// Where the tip of the arm is, or would be.
+struct ArmTip {
+    enum class State { Proposed, Probing, Touched };
+    State state = State::Proposed;
+    int bin = 0;
+    double height = 0.0;  ///< [m] that it found; of Touched
+    bool operator==(const ArmTip&) const = default;
+};
 
 /// Draws one TerrainEstimate under the robot: mean line, bars from the 0.1 to the 0.9 quantile, ceilings,
 /// the robot's side view with the IMU at the origin.  Bins are told apart by shape and colour:
@@ -46,7 +55,7 @@ public:
     void clearEstimate(const QString& why);  ///< says why there is none; not a flat line
     void setOutline(const Outline& outline);
     void setTruth(const std::optional<Heights>& truth);
-    void setProposedProbe(std::optional<int> bin);
+    void setArmTip(const std::optional<ArmTip>& tip);
     void setDrawsShown(bool shown);  ///< some draws as thin lines
     /// A second method's estimate of the same scene beside the first; empty: none.  name: in the legend.
     void setSecond(const std::optional<TerrainEstimate>& estimate, const QString& name);
@@ -90,7 +99,8 @@ private:
     void showGhostNote(const QString& note);
     void arrangeNotes();
     void showTruth();
-    void showProbe();
+    void showArm();
+    double underArm() const;
     void fitAxes();
     bool setScales();  ///< true when they had to change
     void describe();
@@ -98,7 +108,7 @@ private:
     std::optional<TerrainEstimate> estimate_;
     std::optional<Heights> truth_;
     Outline outline_;
-    std::optional<int> probe_;
+    std::optional<ArmTip> armTip_;
     std::array<double, 4>
         fitted_{};  ///< bottom, top [m], width, height [px] the scales were made for
 
@@ -113,7 +123,7 @@ private:
     QwtPlotShapeItem* truthLine_ = nullptr;
     std::vector<QwtPlotShapeItem*> robot_;
     BinZones* zones_ = nullptr;
-    ProbeMark* probeMark_ = nullptr;
+    ArmMark* armMark_ = nullptr;
     SampleLines* draws_ = nullptr;
     SecondEstimate* second_ = nullptr;
     GhostLayer* ghost_ = nullptr;

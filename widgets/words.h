@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/terrain/bins.h"
+#include "core/text.h"
 
 /// Numbers as an operator reads them.  A value that is not finite reads "--".
 namespace terratact::words {
@@ -30,11 +31,10 @@ inline QString number(double value, int decimals)
         .replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-/// The sd of something that was drawn at random, which is never 0: "0.01", or "< 0.01" where it would round to that.
+/// As the core says it: "0.01", or "< 0.01" of what would round to 0.
 inline QString randomError(double sd, int decimals)
 {
-    const double least = std::pow(10.0, -decimals);
-    return sd < 0.5 * least ? QStringLiteral("< ") + number(least, decimals) : number(sd, decimals);
+    return std::isfinite(sd) ? text(randomErrorText(sd, decimals)) : kNothing;
 }
 
 /// "83" of 0.83.

@@ -6,6 +6,7 @@
 
 #include "core/infer/bimodality.h"
 #include "core/infer/obstacle.h"
+#include "core/text.h"
 
 namespace terratact {
 
@@ -18,11 +19,12 @@ std::string stepSentence(const TerrainEstimate& estimate, double limit)
     const auto likeliest = std::max_element(pairs.begin() + kFirstAhead, pairs.end(),
                                             [](const auto& a, const auto& b) { return a.p < b.p; })
                          - pairs.begin();
-    return fmt::format(
-        "a step ahead of more than {:.0f} mm: probability {:.2f} ± {:.2f}, likeliest "
-        "between {:+.1f} and {:+.1f} m ({:.2f})",
-        1000.0 * limit, any.p, any.monteCarloSd, binCentre(static_cast<int>(likeliest)),
-        binCentre(static_cast<int>(likeliest) + 1), pairs[static_cast<std::size_t>(likeliest)].p);
+    return fmt::format("a step ahead of more than {:.0f} mm: probability {:.2f} ± {}, likeliest "
+                       "between {:+.1f} and {:+.1f} m ({:.2f})",
+                       1000.0 * limit, any.p, randomErrorText(any.monteCarloSd, 2),
+                       binCentre(static_cast<int>(likeliest)),
+                       binCentre(static_cast<int>(likeliest) + 1),
+                       pairs[static_cast<std::size_t>(likeliest)].p);
 }
 
 }  // namespace

@@ -40,10 +40,14 @@ ElementForce feltBy(const ForceReading& r, const ForceCalibration& c)
     return elementForce(r.voltage, r.side, r.element, c, std::numeric_limits<double>::max());
 }
 
-Status fitBias(const std::vector<ForceReading>& readings, Side side, ForceCalibration& c)
+using Arrays = std::vector<ForceArrayLayout>;
+
+Status fitBias(const std::vector<ForceReading>& readings, Side side, const Arrays& arrays,
+               ForceCalibration& c)
 {
     auto& bias = side == Side::Left ? c.biasLeft : c.biasRight;
     for (int e = 0; e < kForceElements; ++e) {
+        if (!haveElement(arrays, side, e)) continue;
         std::vector<double> forces;
         for (const ForceReading& r : readings)
             if (r.side == side && r.element == e && r.applied == 0.0)
@@ -54,20 +58,27 @@ Status fitBias(const std::vector<ForceReading>& readings, Side side, ForceCalibr
     return Done{};
 }
 
-double meanBias(const ForceCalibration& c)
+double meanBias(const ForceCalibration& c, const Arrays& arrays)
 {
     double sum = 0.0;
-    for (std::size_t e = 0; e < kForceElements; ++e) sum += c.biasLeft[e] + c.biasRight[e];
-    return sum / (2.0 * kForceElements);
+    int count = 0;
+    for (const ForceArrayLayout& array : arrays)
+        for (std::size_t e = 0; e < kForceElements; ++e) {
+            if (!array.has[e]) continue;
+            sum += (array.side == Side::Left ? c.biasLeft : c.biasRight)[e];
+            ++count;
+        }
+    return sum / count;
 }
 
-Status fitCurve(const std::vector<ForceReading>& readings, ForceCalibration& c)
+Status fitCurve(const std::vector<ForceReading>& readings, const Arrays& arrays,
+                ForceCalibration& c)
 {
     std::map<double, std::vector<double>> resistances;  // by applied force
     for (const ForceReading& r : readings)
         resistances[r.applied].push_back(elementResistance(r.voltage, c));
     if (resistances.size() < 2) return Done{};  // nothing was applied
-    const double bias = meanBias(c);
+    const double bias = meanBias(c, arrays);
     std::vector<ForcePoint> curve;
     for (const auto& [applied, values] : resistances) {
         const double resistance = median(values);
@@ -82,10 +93,12 @@ Status fitCurve(const std::vector<ForceReading>& readings, ForceCalibration& c)
 }  // namespace
 
 Result<FittedCalibration> calibrate(const std::vector<ForceReading>& readings,
-                                    const ForceCalibration& present)
+                                    const ForceCalibration& present, const Arrays& arrays)
 {
     for (const ForceReading& r : readings) {
         requireReading(r);
+        if (!haveElement(arrays, r.side, r.element))
+            return Error{nameOf(r.side, r.element) + " belongs to no force array of the robot", 0};
         const ElementState state = feltBy(r, present).state;
         if (state == ElementState::Open || state == ElementState::Short)
             return Error{nameOf(r.side, r.element) + " at " + numberText(r.voltage)
@@ -95,11 +108,11 @@ Result<FittedCalibration> calibrate(const std::vector<ForceReading>& readings,
     FittedCalibration fitted{.calibration = present};
     ForceCalibration& c = fitted.calibration;
     for (const Side side : {Side::Left, Side::Right})
-        if (const Status done = fitBias(readings, side, c); !done) return done.error();
-    if (const Status done = fitCurve(readings, c); !done) return done.error();
+        if (const Status done = fitBias(readings, side, arrays, c); !done) return done.error();
+    if (const Status done = fitCurve(readings, arrays, c); !done) return done.error();
     // On the new curve: what is subtracted must be what the new curve reads.
     for (const Side side : {Side::Left, Side::Right})
-        if (const Status done = fitBias(readings, side, c); !done) return done.error();
+        if (const Status done = fitBias(readings, side, arrays, c); !done) return done.error();
     std::vector<double> errors;
     errors.reserve(readings.size());
     for (const ForceReading& r : readings)

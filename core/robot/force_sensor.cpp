@@ -36,6 +36,22 @@ void requireCurve(const std::vector<ForcePoint>& curve)
 
 }  // namespace
 
+std::vector<ForceArrayLayout> leftAndRightArrays()
+{
+    std::vector<ForceArrayLayout> arrays(2);
+    arrays[1].side = Side::Right;
+    for (ForceArrayLayout& array : arrays) array.has.fill(true);
+    return arrays;
+}
+
+bool haveElement(const std::vector<ForceArrayLayout>& arrays, Side side, int element)
+{
+    const auto e = static_cast<std::size_t>(element);
+    return std::any_of(arrays.begin(), arrays.end(), [&](const ForceArrayLayout& array) {
+        return array.has.at(e) && array.side == side;
+    });
+}
+
 std::string describe(ElementState state)
 {
     switch (state) {

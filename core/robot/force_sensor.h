@@ -31,6 +31,20 @@ struct ForceCalibration {
 
 enum class Side : std::uint8_t { Left, Right };
 
+/// A row of force elements under the front flippers: those of a side's six that it is made of.
+struct ForceArrayLayout {
+    std::string name;  ///< empty: that of its side
+    Side side = Side::Left;
+    std::array<bool, kForceElements> has{};  ///< element 1 (pivot) … 6 (tip)
+    bool operator==(const ForceArrayLayout&) const = default;
+};
+
+/// Six elements left and six right: all that the link carries.
+std::vector<ForceArrayLayout> leftAndRightArrays();
+
+/// Whether one of the arrays has the element; `element` 0 … 5, else it throws std::out_of_range.
+bool haveElement(const std::vector<ForceArrayLayout>& arrays, Side side, int element);
+
 enum class ElementState : std::uint8_t { Sound, Saturated, Open, Short };
 std::string describe(ElementState state);
 

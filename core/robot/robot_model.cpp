@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/robot/toml_section.h"
+#include "core/text.h"
 
 namespace terratact {
 namespace {
@@ -135,6 +136,74 @@ void readForceElements(TomlSection& section, RobotModel& robot)
     robot.forceSaturation = section.number("saturation_n", kPositive);
 }
 
+/// Marks the elements; each must be free in `taken`.
+void readElements(TomlSection& section, ForceArrayLayout& array,
+                  std::array<bool, kForceElements>& taken)
+{
+    const std::string key = section.path("elements");
+    const toml::node& node = section.node("elements");
+    for (const toml::node& entry : tomlArray(node, key, 1, kForceElements)) {
+        const double number = tomlNumber(entry, key, {1.0, kForceElements});
+        const auto e = static_cast<std::size_t>(number) - 1;
+        if (number != std::floor(number))
+            throw TomlRefused{tomlLine(entry) + ": " + key + " holds " + numberText(number)
+                              + ", expected whole numbers"};
+        if (taken[e])
+            throw TomlRefused{tomlLine(entry) + ": " + key + " names element " + numberText(number)
+                              + " of that side again, expected one array for each"};
+        taken[e] = array.has[e] = true;
+    }
+}
+
+ForceArrayLayout forceArrayOf(TomlSection& section,
+                              std::array<std::array<bool, kForceElements>, 2>& taken)
+{
+    ForceArrayLayout array;
+    array.name = section.text("name");
+    if (array.name.size() > kLongestForceArrayName)
+        throw TomlRefused{tomlLine(section.node("name")) + ": " + section.path("name") + " is "
+                          + shown(array.name) + ", expected at most "
+                          + std::to_string(kLongestForceArrayName) + " bytes"};
+    array.side = section.choice("side", {"left", "right"}) == 0 ? Side::Left : Side::Right;
+    readElements(section, array, taken[array.side == Side::Left ? 0 : 1]);
+    return array;
+}
+
+void requireAllElements(const toml::node& node, const RobotModel& robot)
+{
+    for (int e = 0; e < kForceElements; ++e)
+        if (!haveElement(robot.forceArrays, Side::Left, e)
+            && !haveElement(robot.forceArrays, Side::Right, e))
+            throw TomlRefused{tomlLine(node) + ": no force_array has element "
+                              + std::to_string(e + 1)
+                              + ", expected each of 1 to 6 left, right or on both sides"};
+}
+
+void readForceArrays(TomlSection& file, RobotModel& robot)
+{
+    constexpr std::string_view kKey = "force_array";
+    if (!file.has(kKey)) return;
+    const toml::node& node = file.node(kKey);
+    const toml::array* const tables = node.as_array();
+    if (!tables || tables->empty())
+        throw TomlRefused{tomlLine(node)
+                          + ": force_array is no list of tables, expected [[force_array]]"};
+    if (tables->size() > kMostForceArrays)
+        throw TomlRefused{tomlLine((*tables)[kMostForceArrays])
+                          + ": one [[force_array]] more than the "
+                          + std::to_string(kMostForceArrays) + " expected at most"};
+    robot.forceArrays.clear();
+    std::array<std::array<bool, kForceElements>, 2> taken{};
+    for (const toml::node& entry : *tables) {
+        const toml::table* const table = entry.as_table();
+        if (!table) throw TomlRefused{tomlLine(entry) + ": force_array holds no table"};
+        TomlSection section(*table, "force_array.");
+        robot.forceArrays.push_back(forceArrayOf(section, taken));
+        section.refuseUnknown();
+    }
+    requireAllElements(node, robot);
+}
+
 RobotModel robotOf(TomlSection& file)
 {
     RobotModel robot;
@@ -154,6 +223,7 @@ RobotModel robotOf(TomlSection& file)
     file.section("force_elements", [&](TomlSection& s) { readForceElements(s, robot); });
     file.section("force_calibration",
                  [&](TomlSection& s) { readForceCalibration(s, robot, robot.forceCalibration); });
+    readForceArrays(file, robot);
     file.section("flipper_drive", [&](TomlSection& s) {
         robot.torquePerAmpere = s.number("torque_per_ampere_nm", kPositive);
         robot.maxFlipperTorque = s.number("max_torque_nm", kPositive);

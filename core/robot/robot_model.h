@@ -56,6 +56,9 @@ struct RobotModel {
     /// pivot end (0) to the tip end (1); element 6 is last.
     std::array<double, kForceElements> elementShare{};
     double forceSaturation = 0.0;  ///< [N] an element reads at most this
+    /// In the order they are shown; an element of a side belongs to one of them at most, and of each two
+    /// elements of the same number one at least does: an estimate needs all six.
+    std::vector<ForceArrayLayout> forceArrays = leftAndRightArrays();
     ForceCalibration forceCalibration;
     double torquePerAmpere = 0.0;                   ///< [N m / A] of one flipper motor
     double maxFlipperTorque = 0.0;                  ///< [N m] one motor, at the output
@@ -72,9 +75,18 @@ struct RobotModel {
     bool armReaches(int bin) const;
 };
 
+inline constexpr std::size_t kMostForceArrays = 4;        ///< that a console can show
+inline constexpr std::size_t kLongestForceArrayName = 6;  ///< [bytes]
+
 /// Reads a robot file (TOML; resources/robots/absolem.toml shows every key with its unit).  Every key is
-/// required and no other allowed.  Errors name the file, the line, the key and what was expected.  Files
-/// over 64 KiB or nested deeper than 16 levels are refused before they are parsed.
+/// required and no other allowed but one to four tables
+///   [[force_array]]
+///   name = "L"             # 1 to 6 bytes
+///   side = "left"          # or "right": whose six elements the link carries
+///   elements = [1, 2, 3]   # of them, 1 at the pivot and 6 at the tip
+/// Without them there are two arrays, all of the left and all of the right elements.
+/// Errors name the file, the line, the key and what was expected.  Files over 64 KiB or nested deeper than
+/// 16 levels are refused before they are parsed.
 Result<RobotModel> readRobotModel(const std::string& path);
 
 /// The same for a text at hand, which errors call `name`.

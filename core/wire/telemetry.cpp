@@ -87,7 +87,10 @@ SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotMod
     SensorLine::Three three{};
     for (std::size_t i = 0; i < kPerFrame; ++i) {
         const std::size_t e = kPerFrame * (set % 2) + i;
-        three[i] = clamped(FrameKind::LeftForces1To3, i, voltageOf(m.force[e], bias[e], robot));
+        const bool wired =
+            haveElement(robot.forceArrays, set < 2 ? Side::Left : Side::Right, static_cast<int>(e));
+        const double voltage = wired ? voltageOf(m.force[e], bias[e], robot) : 0.0;
+        three[i] = clamped(FrameKind::LeftForces1To3, i, voltage);
     }
     return three;
 }
@@ -103,6 +106,7 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
         auto& array = side == Side::Left ? forces.left : forces.right;
         for (std::size_t i = 0; i < kPerFrame; ++i) {
             const std::size_t e = kPerFrame * (set % 2) + i;
+            if (!haveElement(robot.forceArrays, side, static_cast<int>(e))) continue;
             array[e] = elementForce((*line.voltages[set])[i], side, static_cast<int>(e),
                                     robot.forceCalibration, robot.forceSaturation);
         }

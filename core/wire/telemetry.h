@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// What the elements of both arrays feel; an empty optional was not measured.
+/// What the elements left and right feel; an empty optional was not measured, or is none of the robot's.
 struct ElementForces {
     std::array<std::optional<ElementForce>, kForceElements> left, right;
     bool operator==(const ElementForces&) const = default;
@@ -24,7 +24,8 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStatus& status,
                                          const RobotModel& robot, double time);
 
-/// The other way round, for a robot that is simulated: the voltages are those that give the forces back.
+/// The other way round, for a robot that is simulated: the voltages are those that give the forces back, and 0
+/// where the robot has no element.
 /// Angles are wrapped into one turn; values beyond their signal's range are sent as its end, but a travelled
 /// way as not measured.
 SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot);

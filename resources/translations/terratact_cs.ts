@@ -350,6 +350,10 @@
         <source>the robot has not confirmed STOP</source>
         <translation>robot STOP nepotvrdil</translation>
     </message>
+    <message>
+        <source>no probe is proposed</source>
+        <translation>žádná sonda není navržena</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -1117,6 +1121,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>nobody else has armed the robot</source>
         <translation>nikdo jiný robota neaktivoval</translation>
     </message>
+    <message>
+        <source>a step ahead of more than %1 mm: probability %2 ± &lt; %3, likeliest between %4 and %5 m (%6)</source>
+        <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± &lt; %3, nejspíš mezi %4 a %5 m (%6)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1394,6 +1402,42 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Doubtful, override it first (O):</source>
         <translation>Pochybné, nejdřív přebijte (O):</translation>
+    </message>
+    <message>
+        <source>exploring</source>
+        <translation>průzkum</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>jízda</translation>
+    </message>
+    <message>
+        <source>arming</source>
+        <translation>odjištění</translation>
+    </message>
+    <message>
+        <source>approving a probe</source>
+        <translation>schválení sondy</translation>
+    </message>
+    <message>
+        <source>releasing STOP</source>
+        <translation>uvolnění STOP</translation>
+    </message>
+    <message>
+        <source>needs (P)</source>
+        <translation>potřeby (P)</translation>
+    </message>
+    <message>
+        <source>What a command needs</source>
+        <translation>Co povel potřebuje</translation>
+    </message>
+    <message>
+        <source>What each command needs, and what of it is missing (P)</source>
+        <translation>Co který povel potřebuje a co z toho chybí (P)</translation>
+    </message>
+    <message>
+        <source>%1 needs:</source>
+        <translation>%1 potřebuje:</translation>
     </message>
 </context>
 <context>
@@ -2290,6 +2334,10 @@ Poslední deaktivace: %1</translation>
         <source>not marked: nothing is recorded</source>
         <translation>neoznačeno: nic se nezaznamenává</translation>
     </message>
+    <message>
+        <source>what each command needs, one after the other</source>
+        <translation>co potřebují jednotlivé povely, jeden po druhém</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2526,20 +2574,56 @@ Poslední deaktivace: %1</translation>
         <translation>Bez sondy (N)</translation>
     </message>
     <message>
-        <source>predicted %1 ± %2 m</source>
-        <translation>odhad %1 ± %2 m</translation>
-    </message>
-    <message>
-        <source>step ahead: %1 → %2 bit</source>
-        <translation>schod vpředu: %1 → %2 bit</translation>
-    </message>
-    <message>
-        <source>step ahead: not known for this method</source>
-        <translation>schod vpředu: u této metody neznámo</translation>
-    </message>
-    <message>
         <source>%1 left</source>
         <translation>zbývá %1</translation>
+    </message>
+    <message>
+        <source>Whether a probe is needed</source>
+        <translation>Zda je sonda potřeba</translation>
+    </message>
+    <message>
+        <source>at %1: %2 ± %3 m</source>
+        <translation>v %1: %2 ± %3 m</translation>
+    </message>
+    <message>
+        <source>80 % in %1 … %2 m</source>
+        <translation>80 % v %1 … %2 m</translation>
+    </message>
+    <message>
+        <source>%1 for %2 s</source>
+        <translation>%1 za %2 s</translation>
+    </message>
+    <message>
+        <source>step: not known for this method</source>
+        <translation>schod: u této metody neznámo</translation>
+    </message>
+    <message>
+        <source>%1 bit, no gain</source>
+        <translation>%1 bit, bez zisku</translation>
+    </message>
+    <message>
+        <source>step: %1 bit, no gain</source>
+        <translation>schod: %1 bit, bez zisku</translation>
+    </message>
+    <message>
+        <source>%1 stands: no gain</source>
+        <translation>%1 platí: bez zisku</translation>
+    </message>
+    <message>
+        <source>step: %1 → %2 bit, %3/min</source>
+        <translation>schod: %1 → %2 bit, %3/min</translation>
+    </message>
+    <message>
+        <source>%1 stands: a probe makes it surer.</source>
+        <translation>%1 platí: sonda to jen potvrdí.</translation>
+    </message>
+    <message>
+        <source>Do not probe: 0 s, %1 stands (N)</source>
+        <translation>Bez sondy: 0 s, %1 platí (N)</translation>
+    </message>
+    <message>
+        <source>%1 stands: only the shape would gain.</source>
+        <translation>%1 platí: získal by jen tvar.</translation>
     </message>
 </context>
 <context>
@@ -4054,16 +4138,16 @@ F1</translation>
         <source>probe at %1: %2 → %3 bit</source>
         <translation>sonda v %1: %2 → %3 bit</translation>
     </message>
+    <message>
+        <source>probe at %1: no gain</source>
+        <translation>sonda v %1: bez zisku</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
     <message>
         <source>prior only</source>
         <translation>jen apriori</translation>
-    </message>
-    <message>
-        <source>probe</source>
-        <translation>sonda</translation>
     </message>
     <message>
         <source>Terrain profile</source>
@@ -4156,6 +4240,18 @@ F1</translation>
     <message>
         <source>not live: nothing is heard of the robot</source>
         <translation>neaktuální: o robotu není nic slyšet</translation>
+    </message>
+    <message>
+        <source>arm tip: probe?</source>
+        <translation>hrot ramene: sonda?</translation>
+    </message>
+    <message>
+        <source>arm tip: probing</source>
+        <translation>hrot ramene: sonduje</translation>
+    </message>
+    <message>
+        <source>arm tip</source>
+        <translation>hrot ramene</translation>
     </message>
 </context>
 <context>

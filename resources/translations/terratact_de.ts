@@ -350,6 +350,10 @@
         <source>the robot has not confirmed STOP</source>
         <translation>der Roboter hat STOP nicht bestätigt</translation>
     </message>
+    <message>
+        <source>no probe is proposed</source>
+        <translation>keine Sondierung ist vorgeschlagen</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -1117,6 +1121,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>nobody else has armed the robot</source>
         <translation>niemand sonst hat den Roboter freigegeben</translation>
     </message>
+    <message>
+        <source>a step ahead of more than %1 mm: probability %2 ± &lt; %3, likeliest between %4 and %5 m (%6)</source>
+        <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± &lt; %3, am ehesten zwischen %4 und %5 m (%6)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1394,6 +1402,42 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Doubtful, override it first (O):</source>
         <translation>Zweifelhaft, erst übergehen (O):</translation>
+    </message>
+    <message>
+        <source>exploring</source>
+        <translation>Erkunden</translation>
+    </message>
+    <message>
+        <source>driving</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>arming</source>
+        <translation>Scharfschalten</translation>
+    </message>
+    <message>
+        <source>approving a probe</source>
+        <translation>Genehmigen einer Sondierung</translation>
+    </message>
+    <message>
+        <source>releasing STOP</source>
+        <translation>Lösen von STOP</translation>
+    </message>
+    <message>
+        <source>needs (P)</source>
+        <translation>Bedarf (P)</translation>
+    </message>
+    <message>
+        <source>What a command needs</source>
+        <translation>Was ein Befehl braucht</translation>
+    </message>
+    <message>
+        <source>What each command needs, and what of it is missing (P)</source>
+        <translation>Was jeder Befehl braucht, und was davon fehlt (P)</translation>
+    </message>
+    <message>
+        <source>%1 needs:</source>
+        <translation>%1 braucht:</translation>
     </message>
 </context>
 <context>
@@ -2290,6 +2334,10 @@ Zuletzt gesperrt: %1</translation>
         <source>not marked: nothing is recorded</source>
         <translation>nicht markiert: nichts wird aufgezeichnet</translation>
     </message>
+    <message>
+        <source>what each command needs, one after the other</source>
+        <translation>was jeder Befehl braucht, einer nach dem anderen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2526,20 +2574,56 @@ Zuletzt gesperrt: %1</translation>
         <translation>Nicht sondieren (N)</translation>
     </message>
     <message>
-        <source>predicted %1 ± %2 m</source>
-        <translation>erwartet %1 ± %2 m</translation>
-    </message>
-    <message>
-        <source>step ahead: %1 → %2 bit</source>
-        <translation>Stufe voraus: %1 → %2 bit</translation>
-    </message>
-    <message>
-        <source>step ahead: not known for this method</source>
-        <translation>Stufe voraus: bei dieser Methode unbekannt</translation>
-    </message>
-    <message>
         <source>%1 left</source>
         <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>Whether a probe is needed</source>
+        <translation>Ob eine Sondierung nötig ist</translation>
+    </message>
+    <message>
+        <source>at %1: %2 ± %3 m</source>
+        <translation>bei %1: %2 ± %3 m</translation>
+    </message>
+    <message>
+        <source>80 % in %1 … %2 m</source>
+        <translation>80 % in %1 … %2 m</translation>
+    </message>
+    <message>
+        <source>%1 for %2 s</source>
+        <translation>%1 für %2 s</translation>
+    </message>
+    <message>
+        <source>step: not known for this method</source>
+        <translation>Stufe: bei dieser Methode unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 bit, no gain</source>
+        <translation>%1 bit, kein Gewinn</translation>
+    </message>
+    <message>
+        <source>step: %1 bit, no gain</source>
+        <translation>Stufe: %1 bit, kein Gewinn</translation>
+    </message>
+    <message>
+        <source>%1 stands: no gain</source>
+        <translation>%1 steht: kein Gewinn</translation>
+    </message>
+    <message>
+        <source>step: %1 → %2 bit, %3/min</source>
+        <translation>Stufe: %1 → %2 bit, %3/min</translation>
+    </message>
+    <message>
+        <source>%1 stands: a probe makes it surer.</source>
+        <translation>%1 steht: eine Sonde macht es sicherer.</translation>
+    </message>
+    <message>
+        <source>Do not probe: 0 s, %1 stands (N)</source>
+        <translation>Nicht sondieren: 0 s, %1 bleibt (N)</translation>
+    </message>
+    <message>
+        <source>%1 stands: only the shape would gain.</source>
+        <translation>%1 steht: nur die Form gewänne.</translation>
     </message>
 </context>
 <context>
@@ -4054,16 +4138,16 @@ F1</translation>
         <source>probe at %1: %2 → %3 bit</source>
         <translation>Sondierung bei %1: %2 → %3 bit</translation>
     </message>
+    <message>
+        <source>probe at %1: no gain</source>
+        <translation>Sondierung bei %1: kein Gewinn</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
     <message>
         <source>prior only</source>
         <translation>nur Vorwissen</translation>
-    </message>
-    <message>
-        <source>probe</source>
-        <translation>Sondierung</translation>
     </message>
     <message>
         <source>Terrain profile</source>
@@ -4156,6 +4240,18 @@ F1</translation>
     <message>
         <source>not live: nothing is heard of the robot</source>
         <translation>nicht aktuell: vom Roboter ist nichts zu hören</translation>
+    </message>
+    <message>
+        <source>arm tip: probe?</source>
+        <translation>Armspitze: sondieren?</translation>
+    </message>
+    <message>
+        <source>arm tip: probing</source>
+        <translation>Armspitze: sondiert</translation>
+    </message>
+    <message>
+        <source>arm tip</source>
+        <translation>Armspitze</translation>
     </message>
 </context>
 <context>

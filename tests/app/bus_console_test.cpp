@@ -255,6 +255,38 @@ TEST_F(BusConsole, showsTheForcesOfBothArraysTheirVoltagesAndADriftedBias)
     EXPECT_EQ(bars.unit(), ForceBars::Unit::Newtons);
 }
 
+TEST_F(BusConsole, showsAsManyArraysAsTheRobotsFileHas)
+{
+    const std::string file = contentOf(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
+    const auto table = [](const std::string& name, const std::string& side,
+                          const std::string& elements) {
+        return "\n[[force_array]]\nname = \"" + name + "\"\nside = \"" + side + "\"\nelements = ["
+             + elements + "]\n";
+    };
+    const std::pair<std::string, QString> cases[]{
+        {table("front", "left", "1, 2, 3, 4, 5, 6"), QStringLiteral("■ front")},
+        {table("L", "left", "1, 2, 3") + table("L tip", "left", "4, 5, 6")
+             + table("R", "right", "1, 2, 3") + table("R tip", "right", "4, 5, 6"),
+         QStringLiteral("■ L  □ L tip  ▦ R  ▤ R tip")}};
+    for (const auto& [tables, legend] : cases) {
+        window.reset();
+        robot.reset();
+        model = *robotModelFrom("arrays.toml", file + tables);
+        open();
+        const ForceBars& bars = *window->forces();
+        ASSERT_TRUE(eventually([&] {
+            return bars.legend() == legend && bars.numberText(0) != "--";
+        })) << bars.legend().toStdString();
+        EXPECT_NE(bars.numberText(5, bars.arrays() - 1), "--");
+        EXPECT_EQ(window->alarms().list().alarms().size(), 0U)
+            << "no wire of a missing array is broken";
+        window->resize(1200, 680);
+        QTest::qWait(100);
+        picture(QStringLiteral("arrays_%1").arg(bars.arrays()));
+        EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    }
+}
+
 TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
 {
     open();

@@ -330,7 +330,7 @@ QStringList allOf(int count)
 TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
 {
     TerrainEstimate estimate = stepEstimate();
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 400; ++i) {
         estimate.draws.push_back(estimate.height);
         if (i % 2 == 0) estimate.draws.back()[9] -= 0.3;
     }
@@ -342,8 +342,9 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     for (const ElementState state :
          {ElementState::Saturated, ElementState::Open, ElementState::Short})
         said << QString::fromStdString(describe(state));
-    for (const std::string& sentence : hiddenByBands(estimate, 0.1))
-        said << QString::fromStdString(sentence);
+    for (const double limit : {0.1, 0.9})  // open, and all but certain
+        for (const std::string& sentence : hiddenByBands(estimate, limit))
+            said << QString::fromStdString(sentence);
     for (const Outlook outlook : {Outlook::Clear, Outlook::Blocked, Outlook::CannotTell})
         said << words::text(name(outlook));
     for (const char* language : {"cs", "de"}) {

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <thread>
@@ -294,7 +295,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
     EXPECT_NEAR(window->exploration().options().stepLimit, 0.5, 1e-9);
 
     ASSERT_TRUE(eventually([&] {
-        return window->verdict()->reason().contains(" bit")
+        return window->verdict()->reason().contains("probe at")
             && window->exploration().proposal()->stepLimit == window->verdict()->limit();
     })) << "the question of the probe is that of the verdict";
     const auto first = window->exploration().proposal();
@@ -718,6 +719,38 @@ TEST_F(Console, cardsThatFindNoRoomBesideTheTerrainHaveAPage)
     window->rail()->choose(0);
     EXPECT_TRUE(eventually(
         [&] { return window->forces()->isVisible() && window->terrain()->isVisible(); }));
+}
+
+TEST_F(Console, aBannerMovesNoCard)
+{
+    ScriptedSource* source = openScripted();
+    ASSERT_TRUE(readyToExplore());
+    const int page = window->rail()->pageOf(Qt::Key_F9);
+    const auto eachLayout = [&](const std::function<void(const std::string&)>& look) {
+        for (const QSize size : {QSize(1200, 680), QSize(1280, 720), QSize(1440, 900)})
+            for (const Layout layout : {Layout::Drive, Layout::Probe, Layout::Review}) {
+                window->preferences().change([layout](Preferences& p) { p.layout = layout; });
+                window->resize(size);
+                QTest::qWait(60);
+                EXPECT_EQ(window->size(), size);
+                look(std::to_string(size.width()) + " px, layout "
+                     + std::to_string(static_cast<int>(layout)));
+            }
+    };
+    std::map<std::string, bool> apart;
+    eachLayout([&](const std::string& where) {
+        apart[where] = window->rail()->button(page)->isVisible();
+    });
+    EXPECT_FALSE(apart.at("1280 px, layout 0")) << "who drives has the forces in sight";
+    source->setSilent(true);
+    ASSERT_TRUE(eventually([&] { return says("LINK LOST for"); }));
+    eachLayout([&](const std::string& where) {
+        EXPECT_TRUE(says("LINK LOST for"));
+        EXPECT_EQ(window->rail()->button(page)->isVisible(), apart.at(where)) << where;
+        EXPECT_EQ(window->forces()->isVisible(), !apart.at(where)) << where;
+        EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>()) << where;
+        EXPECT_EQ(gui::cutText(*window), std::vector<std::string>()) << where;
+    });
 }
 
 /// Processor time of the calling thread so far [ms].

@@ -22,6 +22,14 @@ TEST(NumberText, readsBackAsTheSameBits)
     }
 }
 
+TEST(RandomErrorText, isNeverZero)
+{
+    EXPECT_EQ(randomErrorText(0.016, 2), "0.02");
+    EXPECT_EQ(randomErrorText(0.005, 2), "0.01");
+    EXPECT_EQ(randomErrorText(0.0049, 2), "< 0.01");
+    EXPECT_EQ(randomErrorText(0.0, 1), "< 0.1");
+}
+
 TEST(NumberText, isTheShortestThatDoes)
 {
     EXPECT_EQ(numberText(0.1), "0.1");

@@ -57,6 +57,12 @@ void promiseShape(const RobotModel& robot)
 
 void promiseForces(const RobotModel& robot)
 {
+    promise(!robot.forceArrays.empty() && robot.forceArrays.size() <= kMostForceArrays,
+            "a console can show the arrays");
+    for (int e = 0; e < kForceElements; ++e)
+        promise(haveElement(robot.forceArrays, Side::Left, e)
+                    || haveElement(robot.forceArrays, Side::Right, e),
+                "each of the six forces is measured");
     const ForceCalibration& calibration = robot.forceCalibration;
     for (int tenth = -1; tenth <= 11; ++tenth)
         for (const Side side : {Side::Left, Side::Right}) {

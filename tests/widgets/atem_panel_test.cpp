@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -115,6 +116,61 @@ TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
     EXPECT_FALSE(panel.requestButton()->toolTip().isEmpty());
     QTest::mouseClick(panel.abortButton(), Qt::LeftButton);
     EXPECT_EQ(said, QStringList{"abort"});
+}
+
+TEST_F(Atem, whatEveryCommandNeedsCanBeLookedUp)
+{
+    panel.setPreconditions({{Level::Met, "the model is ready"}});
+    panel.setNeeds(Commanded::Drive,
+                   {{Level::Met, "telemetry is live"}, {Level::Missing, "not armed"}});
+    panel.setNeeds(Commanded::Probe, {{Level::Missing, "no probe is proposed"}});
+    panel.setNeeds(Commanded::ReleaseStop, {{Level::Doubtful, "not confirmed"}});
+    EXPECT_TRUE(shows("the model is ready"));
+    EXPECT_FALSE(shows("needs:")) << "nobody has asked";
+
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("Driving needs:") && shows("telemetry is live") && shows("not armed"));
+    EXPECT_FALSE(shows("the model is ready"));
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("Approving a probe needs:")) << "nothing is to be armed here";
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("Releasing STOP needs:") && shows("not confirmed"));
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("the model is ready") && !shows("needs:"));
+
+    QMenu* menu = panel.needsButton()->menu();
+    emit menu->aboutToShow();
+    QStringList lines;
+    for (const QAction* action : menu->actions()) lines << action->text();
+    EXPECT_EQ(lines,
+              QStringList({"✔ exploring", "✘ driving", "✘ approving a probe", "! releasing STOP"}));
+    menu->actions()[1]->trigger();
+    EXPECT_EQ(panel.listed(), Commanded::Drive);
+    EXPECT_TRUE(panel.requestButton()->isEnabled()) << "the buttons go by their own needs";
+    panel.setNeeds(Commanded::Drive, {{Level::Met, "the robot is armed"}});
+    EXPECT_TRUE(shows("the robot is armed")) << "the list is live";
+    panel.setState({.phase = AtemPhase::Halting}, std::nullopt);
+    EXPECT_EQ(panel.listed(), Commanded::Explore) << "what comes next is not hidden for long";
+}
+
+TEST_F(Atem, listsWhatTheNextCommandNeeds)
+{
+    panel.setPreconditions({{Level::Met, "the model is ready"}});
+    panel.setNeeds(Commanded::Probe,
+                   {{Level::Met, "telemetry is live"}, {Level::Missing, "not armed"}});
+    panel.setNeeds(Commanded::ReleaseStop, {{Level::Met, "the robot says that it is stopped"}});
+    panel.setState({.phase = AtemPhase::ProposingProbe}, std::nullopt);
+    EXPECT_TRUE(shows("Approving a probe needs:") && shows("not armed"));
+    EXPECT_FALSE(shows("telemetry is live")) << "the room is the question's";
+    panel.lookUp(Commanded::Probe);
+    EXPECT_TRUE(shows("telemetry is live"));
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt);
+    EXPECT_TRUE(shows("Releasing STOP needs:") && shows("says that it is stopped"));
+    panel.setNarrow(true);
+    panel.setFixedWidth(300);
+    EXPECT_TRUE(gui::eventually([&] { return gui::cutText(panel).empty(); }, 2000));
+    panel.forbidCommands();
+    EXPECT_FALSE(panel.needsButton()->isVisible());
 }
 
 TEST_F(Atem, releasingStopTakesAHold)

@@ -158,6 +158,38 @@ TEST_F(Forces, ofTwoArraysStandSideBySide)
     EXPECT_GT(bars.barRect(4).width(), 1.5 * left.width());
 }
 
+TEST_F(Forces, ofFourArraysShareTheRoomOfTheElementsThatTheyHave)
+{
+    std::vector<ForceArray> four;
+    for (const char* name : {"L low", "L tip", "R low", "R tip"}) {
+        four.push_back(arrayOf({1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, name));
+        const bool low = QLatin1String(name).endsWith(QLatin1String("low"));
+        for (std::size_t e = 0; e < kForceElements; ++e)
+            if ((e < 3) != low) four.back().elements[e] = {.exists = false};
+    }
+    bars.setForces(four, 0.0);
+    EXPECT_EQ(bars.arrays(), 4);
+    EXPECT_EQ(bars.legend(), "■ L low  □ L tip  ▦ R low  ▤ R tip");
+    EXPECT_TRUE(bars.barRect(0, 1).isNull()) << "there is no such element";
+    EXPECT_FALSE(bars.barRect(0, 2).isNull());
+    EXPECT_LT(bars.barRect(0, 0).right(), bars.barRect(0, 2).left());
+    EXPECT_NEAR(bars.barRect(0, 0).width(), bars.barRect(5, 3).width(), 1e-9);
+    EXPECT_TRUE(bars.accessibleDescription().contains("element 1: L low 1.0 N, R low 1.0 N\n"));
+    EXPECT_TRUE(bars.touching(3)) << "what does not exist says nothing against it";
+    const auto ink = [&](int element, int array) {
+        const QRectF rect = bars.barRect(element, array).adjusted(4, 4, -4, -4);
+        const QImage image = gui::painted(*bars.canvas()).copy(rect.toRect());
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == theme().card ? 0 : 1;
+        return static_cast<double>(count) / (image.width() * image.height());
+    };
+    EXPECT_GT(ink(2, 0), ink(2, 2) + 0.2) << "solid against crossed";
+    bars.clearForces();
+    EXPECT_TRUE(bars.barRect(0, 1).isNull());
+}
+
 TEST_F(Forces, touchAsTheMeanOfWhatTheArraysFeel)
 {
     both({3.0, 3.0, std::nullopt, 0.0, 0.0, 0.0}, {0.0, 1.5, 2.5, 0.0, 0.0, std::nullopt});

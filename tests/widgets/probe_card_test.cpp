@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 
 #include "tests/support/gui.h"
 #include "widgets/held_button.h"
+#include "widgets/look.h"
 
 namespace terratact {
 namespace {
@@ -22,6 +24,7 @@ const ProbeProposal kProposal{.id = 7,
                               .others = {{10, 0.58, 0.52}, {8, 0.2, 0.9}}};
 
 struct Probe : testing::Test {
+    static void SetUpTestSuite() { applyLook(*qApp); }
     Probe()
     {
         card.resize(400, 320);
@@ -51,6 +54,65 @@ TEST_F(Probe, saysWhereWhatAndForHowMuch)
         EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
                                                              << text.toStdString();
     EXPECT_TRUE(card.approveButton()->text().contains("0.6 m"));
+}
+
+TEST_F(Probe, theNarrowFormSaysAllOfItInFewerWords)
+{
+    card.setNarrow(true);
+    card.setFixedWidth(300);
+    card.setProposal(kProposal);
+    card.resize(300, 244);
+    card.setTimeLeft(23.4);
+    const QString text = allText();
+    for (const char* words :
+         {"at 0.6 m: +0.02 ± 0.07 m", "80 % in −0.05 … +0.09 m", "total variance −71 %", "45 s",
+          "0.98 → 0.31 bit", "0.89/min", "0:24 left"})
+        EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
+                                                             << text.toStdString();
+    EXPECT_EQ(card.otherButton(0)->text(), "1: 0.7 m");
+    EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }, 2000));
+    for (const std::string& trouble : gui::cramped(card)) ADD_FAILURE() << trouble;
+}
+
+TEST_F(Probe, needsNoScrollingWhereAWindowOf1280By720LeavesItsRoom)
+{
+    ProbeProposal decided = kProposal;
+    decided.answer = Outlook::Blocked;
+    card.setFixedSize(404, 273);
+    for (const ProbeProposal& proposal : {kProposal, decided}) {
+        card.setProposal(proposal);
+        EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }, 1000));
+        for (const std::string& trouble : gui::cramped(card)) ADD_FAILURE() << trouble;
+    }
+}
+
+TEST_F(Probe, saysWhereTheAnswerStandsWithoutIt)
+{
+    ProbeProposal decided = kProposal;
+    decided.answer = Outlook::Blocked;
+    decided.bitsBefore = 0.003;
+    decided.worth->bitsAfter = 0.001;
+    for (const bool narrow : {false, true}) {
+        card.setNarrow(narrow);
+        card.setProposal(kProposal);
+        EXPECT_FALSE(allText().contains("stands"));
+        EXPECT_EQ(card.refuseButton()->property("role").toString(), "");
+        card.setProposal(decided);
+        EXPECT_TRUE(allText().contains("BLOCKED stands")) << allText().toStdString();
+        EXPECT_FALSE(allText().contains(QStringLiteral("→"))) << allText().toStdString();
+        EXPECT_TRUE(allText().contains("no gain"));
+        EXPECT_EQ(card.refuseButton()->property("role").toString(), "primary");
+        EXPECT_TRUE(card.approveButton()->isVisible()) << "one may still want the shape";
+    }
+    card.setNarrow(false);
+    EXPECT_TRUE(allText().contains("only the shape would gain"));
+    EXPECT_TRUE(card.refuseButton()->text().contains("BLOCKED stands"));
+
+    decided.worth->bitsAfter = -0.2;  // it would still say something
+    card.setProposal(decided);
+    EXPECT_TRUE(allText().contains("a probe makes it surer"));
+    EXPECT_TRUE(allText().contains(QStringLiteral("→")));
+    for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
 }
 
 TEST_F(Probe, offersTheOtherBinsAndTheirWorth)
@@ -109,6 +171,10 @@ TEST_F(Probe, theSameQuestionAgainDoesNotDisturbTheHold)
     card.setProposal(kProposal);
     card.setTimeLeft(3.0);
     EXPECT_TRUE(card.approveButton()->isHeld());
+    ProbeProposal decided = kProposal;
+    decided.answer = Outlook::Clear;
+    card.setProposal(decided);
+    EXPECT_TRUE(card.approveButton()->isHeld()) << "it is still the same question";
 }
 
 TEST_F(Probe, withoutAQuestionThereIsNothingToAnswer)

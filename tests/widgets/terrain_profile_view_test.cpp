@@ -292,13 +292,38 @@ TEST_F(TerrainView, theProbeIsMarkedAboveItsBinOnly)
         return count;
     };
     EXPECT_EQ(purple(0.6), 0);
-    view.setProposedProbe(9);
+    view.setArmTip(ArmTip{.bin = 9});
     EXPECT_GT(purple(0.6), 10);
     EXPECT_EQ(purple(0.4), 0);
-    view.setProposedProbe(std::nullopt);
+    view.setArmTip(std::nullopt);
     EXPECT_EQ(purple(0.6), 0);
-    view.setProposedProbe(99);
+    view.setArmTip(ArmTip{.bin = 99});
     EXPECT_FALSE(painted(view).isNull());
+}
+
+TEST_F(TerrainView, theArmsTipStandsWhereItTouched)
+{
+    using State = ArmTip::State;
+    const auto purpleAt = [&](double x, double z, int up) {
+        const QImage image = painted(*view.canvas());
+        return alike(image.pixelColor(view.pixelOf(x, z).toPoint() - QPoint(0, up)),
+                     theme().accent);
+    };
+    view.setArmTip(ArmTip{.state = State::Touched, .bin = 10, .height = -0.2});
+    EXPECT_TRUE(purpleAt(0.7, -0.2, 20)) << "whether there is an estimate or not";
+    EXPECT_FALSE(purpleAt(0.7, -0.2, 4)) << "not below the ground";
+    EXPECT_FALSE(purpleAt(0.7, 0.05, 20)) << "where the arm comes from is not known";
+    view.setArmTip(ArmTip{.state = State::Probing, .bin = 10});
+    EXPECT_FALSE(purpleAt(0.7, -0.2, 20)) << "no height is believed";
+    const TerrainEstimate e = stepEstimate();
+    view.setEstimate(e);
+    EXPECT_TRUE(purpleAt(0.7, e.q90[10], 18)) << "above the band";
+    view.setArmTip(ArmTip{.state = State::Proposed, .bin = 10});
+    EXPECT_FALSE(purpleAt(0.7, e.q90[10], 18)) << "open as long as it is a question";
+    for (const double bad : gui::kHostile) {
+        view.setArmTip(ArmTip{.state = State::Touched, .bin = 10, .height = bad});
+        EXPECT_FALSE(painted(view).isNull());
+    }
 }
 
 TEST_F(TerrainView, theTruthIsALevelLineOverEachBin)
@@ -345,7 +370,7 @@ TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
         view.setOutline(outline);
         view.setTruth(truth);
         view.setEstimate(e);
-        view.setProposedProbe(5);
+        view.setArmTip(ArmTip{.bin = 5});
         const QImage image = painted(view);
         ASSERT_FALSE(image.isNull()) << "painting hung on " << bad;
         EXPECT_GT(gui::colours(image), 20);

@@ -30,7 +30,12 @@ TEST(HiddenByBands, saysHowLikelyAStepIsAndWhereTwoHeightsAre)
 
 TEST(HiddenByBands, hasALimitAndNothingToSayWithoutDraws)
 {
-    EXPECT_NE(hiddenByBands(perhapsAStep(), 0.25)[0].find("probability 0.00"), std::string::npos);
+    TerrainEstimate certain = perhapsAStep();
+    certain.ess.fill(1000.0);
+    certain.draws.resize(1000, certain.draws.back());
+    EXPECT_NE(hiddenByBands(certain, 0.25)[0].find("probability 0.00 ± < 0.01, likeliest"),
+              std::string::npos)
+        << "no number of draws makes it certain";
     EXPECT_TRUE(hiddenByBands(TerrainEstimate{}).empty());
 }
 

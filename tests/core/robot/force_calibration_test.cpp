@@ -40,7 +40,7 @@ struct Recording : testing::Test {
 TEST_F(Recording, givesTheAppliedForcesBack)
 {
     for (const double applied : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) record(applied);
-    const auto fitted = calibrate(readings, present);
+    const auto fitted = calibrate(readings, present, leftAndRightArrays());
     ASSERT_TRUE(fitted) << fitted.error().text;
     EXPECT_EQ(fitted->calibration.curve.size(), 7U);
     EXPECT_LT(fitted->medianError, 0.05);
@@ -56,7 +56,7 @@ TEST_F(Recording, givesTheAppliedForcesBack)
 TEST_F(Recording, ofNothingButTheSandwichMakesTheBiasAlone)
 {
     record(0.0);
-    const auto fitted = calibrate(readings, present);
+    const auto fitted = calibrate(readings, present, leftAndRightArrays());
     ASSERT_TRUE(fitted);
     EXPECT_EQ(fitted->calibration.curve, present.curve);
     EXPECT_NEAR(fitted->worstError, 0.0, 1e-9);
@@ -68,17 +68,37 @@ TEST_F(Recording, ofNothingButTheSandwichMakesTheBiasAlone)
 TEST_F(Recording, takesTheMedianOfTheUnloadedReadings)
 {
     for (int i = 0; i < 3; ++i) record(0.0);
-    const auto clean = calibrate(readings, present);
+    const auto clean = calibrate(readings, present, leftAndRightArrays());
     readings[0].voltage = 4.9;  // somebody stood on it
-    const auto disturbed = calibrate(readings, present);
+    const auto disturbed = calibrate(readings, present, leftAndRightArrays());
     ASSERT_TRUE(clean && disturbed);
     EXPECT_NEAR(disturbed->calibration.biasLeft[0], clean->calibration.biasLeft[0], 1e-12);
+}
+
+TEST_F(Recording, needsNoReadingsOfElementsThatTheRobotLacks)
+{
+    for (const double applied : {0.0, 1.0, 4.0}) record(applied);
+    std::vector<ForceArrayLayout> arrays = leftAndRightArrays();
+    arrays.pop_back();
+    const auto strange = calibrate(readings, present, arrays);
+    ASSERT_FALSE(strange);
+    EXPECT_EQ(strange.error().text, "right element 1 belongs to no force array of the robot");
+    const auto both = calibrate(readings, present, leftAndRightArrays());
+    ASSERT_TRUE(both);
+    std::erase_if(readings, [](const ForceReading& r) { return r.side == Side::Right; });
+    EXPECT_FALSE(calibrate(readings, present, leftAndRightArrays())) << "half of them are missing";
+    const auto fitted = calibrate(readings, present, arrays);
+    ASSERT_TRUE(fitted) << fitted.error().text;
+    EXPECT_LT(fitted->worstError, 0.15);
+    EXPECT_EQ(fitted->calibration.biasRight, present.biasRight) << "stays";
+    EXPECT_LT(fitted->calibration.curve.front().force, both->calibration.curve.front().force - 0.01)
+        << "the left elements' bias is smaller";
 }
 
 TEST_F(Recording, isRefusedWithTheReason)
 {
     const auto why = [&] {
-        const auto fitted = calibrate(readings, present);
+        const auto fitted = calibrate(readings, present, leftAndRightArrays());
         return fitted ? std::string("accepted") : fitted.error().text;
     };
     EXPECT_EQ(why(), "left element 1 has no unloaded reading");

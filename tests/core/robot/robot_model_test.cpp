@@ -234,6 +234,61 @@ TEST_F(RobotFile, refusesCalibrationsThatCannotBe)
     EXPECT_TRUE(refusesChange("reference_ohm = 10000", "reference_ohm = 0", {"reference_ohm"}));
 }
 
+std::string arrayTable(const std::string& name, const std::string& side,
+                       const std::string& elements)
+{
+    return "\n[[force_array]]\nname = \"" + name + "\"\nside = \"" + side + "\"\nelements = ["
+         + elements + "]\n";
+}
+
+TEST_F(RobotFile, saysWhichForceArraysThereAre)
+{
+    const auto without = read(absolem);
+    ASSERT_TRUE(without);
+    EXPECT_EQ(without->forceArrays, leftAndRightArrays());
+
+    const auto one = read(absolem + arrayTable("front", "right", "1, 2, 3, 4, 5, 6"));
+    ASSERT_TRUE(one) << one.error().text;
+    ASSERT_EQ(one->forceArrays.size(), 1U);
+    EXPECT_EQ(one->forceArrays[0].name, "front");
+    EXPECT_TRUE(haveElement(one->forceArrays, Side::Right, 5));
+    EXPECT_FALSE(haveElement(one->forceArrays, Side::Left, 5));
+
+    const auto four = read(
+        absolem + arrayTable("L low", "left", "1, 2, 3") + arrayTable("L tip", "left", "4, 5, 6")
+        + arrayTable("R low", "right", "3, 1, 2") + arrayTable("R tip", "right", "6"));
+    ASSERT_TRUE(four) << four.error().text;
+    ASSERT_EQ(four->forceArrays.size(), 4U);
+    EXPECT_EQ(four->forceArrays[2].name, "R low");
+    EXPECT_EQ(four->forceArrays[3].has, (std::array{false, false, false, false, false, true}));
+}
+
+TEST_F(RobotFile, refusesForceArraysThatTheLinkCannotCarry)
+{
+    const std::string all = "1, 2, 3, 4, 5, 6", left = arrayTable("L", "left", all);
+    EXPECT_TRUE(refuses(absolem + arrayTable("L", "rear_left", all),
+                        {"line 102", "force_array.side is 'rear_left'", "\"left\" or \"right\""}));
+    EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2, 3, 4, 5, 6, 7"),
+                        {"line 103", "force_array.elements is not an array of 1 to 6"}));
+    EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 7"),
+                        {"line 103", "force_array.elements is 7", "from 1 to 6"}));
+    EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2.5"), {"2.5", "whole numbers"}));
+    EXPECT_TRUE(refuses(absolem + left + arrayTable("again", "left", "3"),
+                        {"line 108", "element 3 of that side again", "one array for each"}));
+    EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2, 4, 5, 6")
+                            + arrayTable("R", "right", "1, 2"),
+                        {"line 100", "no force_array has element 3", "each of 1 to 6"}));
+    std::string five;
+    for (const char* element : {"1", "2", "3", "4", "5, 6"})
+        five += arrayTable("L", "left", element);
+    EXPECT_TRUE(refuses(absolem + five, {"line 120", "more than the 4 expected"}));
+    EXPECT_TRUE(refuses(absolem + arrayTable("a long name", "left", all),
+                        {"line 101", "force_array.name is 'a long name'", "at most 6"}));
+    EXPECT_TRUE(refuses(absolem + "\n[force_array]\nname = \"L\"\n",
+                        {"line 100", "expected [[force_array]]"}));
+    EXPECT_TRUE(refuses(absolem + left + "colour = 7\n", {"line 104", "'force_array.colour'"}));
+}
+
 TEST_F(RobotFile, takesWholeNumbersForNumbers)
 {
     EXPECT_TRUE(read(replaced(absolem, "saturation_n = 20.0", "saturation_n = 20")));

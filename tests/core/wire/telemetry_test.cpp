@@ -82,6 +82,20 @@ TEST_F(Wire, carriesAWholeMeasurement)
         EXPECT_NEAR(got->force[e], sent.force[e], 0.005 + 0.003 * sent.force[e]) << e;
 }
 
+TEST_F(Wire, passesOverTheElementsThatTheRobotLacks)
+{
+    RobotModel one = absolem();
+    one.forceArrays.pop_back();  // the right one
+    const SensorLine line = *overTheWire(sensorLineOf(measured(), one));
+    EXPECT_EQ((*line.voltages[2])[0], 0.0) << "nothing is wired there";
+    const ElementForces forces = elementForces(line, one);
+    EXPECT_TRUE(forces.left[4]);
+    EXPECT_FALSE(forces.right[4]) << "no broken wire of an element that does not exist";
+    const auto got = measurementOf(line, statusOf(measured()), one, 0.0);
+    ASSERT_TRUE(got);
+    EXPECT_NEAR(got->force[4], 12.0, 0.05) << "of the left array alone";
+}
+
 TEST_F(Wire, losesLittleOfAForceToItsRawVoltage)
 {
     Measurement m = measured();
