@@ -40,7 +40,7 @@ Precondition Preconditions::released(bool latched)
 
 Precondition Preconditions::nothingToRelease()
 {
-    return missing(tr("STOP is not latched"));
+    return missing(tr("there is no STOP to release"));
 }
 
 Precondition Preconditions::noProbeProposed()

@@ -66,8 +66,7 @@ std::string tradeoffTable(std::span<const TradePoint> points)
     std::string text =
         "per scene: time, and how far means and 0.1/0.9 quantiles lie from a long run [mm]; error "
         "and CRPS against the truth [mm]; * on its method's Pareto front of time and quantiles, + "
-        "on that "
-        "of time and error of all\n\n";
+        "on that of time and error of all\n\n";
     text +=
         fmt::format("{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>9} {:>7} {:>9} {:>7} {:>6}\n",
                     "method", "varied", "draws", "chains", "burn-in", "precision", "inducing", "ms",

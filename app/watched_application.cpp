@@ -28,7 +28,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event)
 {
     // Every thread's events come through here.
     const QThread* here = QThread::currentThread();
-    if (here != thread() || !watch_.begins(here->loopLevel()))
+    if (!receiver || here != thread() || !watch_.begins(here->loopLevel()))
         return QApplication::notify(receiver, event);
     const int level = here->loopLevel();
     // Neither may be asked once the event is done: it may have deleted both.

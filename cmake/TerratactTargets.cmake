@@ -74,6 +74,7 @@ endfunction()
 function(terratact_included header variable)
   get_property(known GLOBAL PROPERTY terratact_included_by_${header} SET)
   if(NOT known)
+    set_property(GLOBAL PROPERTY terratact_included_by_${header})  # against a circle
     file(STRINGS ${PROJECT_SOURCE_DIR}/${header} lines REGEX "^#include ")
     set(all)
     foreach(line IN LISTS lines)
@@ -93,7 +94,8 @@ endfunction()
 
 # Compiles every header of every FILE_SET alone, as part of the default build: a header that leans on its includer, or on
 # a library that its target does not link, does not get in. Most of the time goes into a few large headers of others:
-# where one of ours includes such a one anyway, that comes precompiled.
+# where one of ours includes such a one anyway, that comes precompiled. Which one does is read when the build is
+# configured: a header that stops including it is checked as before until then.
 function(terratact_check_headers)
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
     return()

@@ -46,6 +46,11 @@ QString capital(QString text)
     return text;
 }
 
+QString alreadyExploring()
+{
+    return AtemPanel::tr("An exploration is running: end it with Esc first");
+}
+
 std::size_t indexOf(Commanded command)
 {
     return static_cast<std::size_t>(command);
@@ -215,7 +220,7 @@ void AtemPanel::offerCommands()
     QMenu& menu = *needsButton_->menu();
     menu.clear();
     for (const Commanded command : kCommanded) {
-        const QList<Precondition>& needs = needs_[indexOf(command)];
+        const QList<Precondition> needs = needsNow(command);
         if (needs.isEmpty()) continue;
         const QString line = markOf(worstOf(needs)) + QLatin1Char(' ') + nameOf(command);
         connect(menu.addAction(line), &QAction::triggered, this,
@@ -223,11 +228,21 @@ void AtemPanel::offerCommands()
     }
 }
 
+/// Those told, and before them what this card knows itself.
+QList<Precondition> AtemPanel::needsNow(Commanded command) const
+{
+    QList<Precondition> needs = needs_[indexOf(command)];
+    if (command == Commanded::Explore && exploring(state_.phase) && !state_.followed)
+        needs.prepend({Precondition::Level::Missing, alreadyExploring()});
+    return needs;
+}
+
 /// While an exploration runs, what is met takes the room of what asks; who looks it up sees all of it.
 QList<Precondition> AtemPanel::listOf(Commanded command) const
 {
+    if (lookedUp_) return needsNow(command);
     QList<Precondition> list = needs_[indexOf(command)];
-    if (exploring(state_.phase) && !lookedUp_)
+    if (exploring(state_.phase))
         list.removeIf([](const Precondition& p) { return p.level == Precondition::Level::Met; });
     return list;
 }
@@ -301,9 +316,9 @@ void AtemPanel::arrange()
     QMargins margins = kCardMargins;
     if (button) margins.setTop(1);
     body()->setContentsMargins(margins);
-    body()->setSpacing(button ? 0 : kCardSpacing);
+    const int spacing = button ? 0 : kCardSpacing;
+    if (body()->spacing() != spacing) body()->setSpacing(spacing);  // it lays out anew in any case
     parts_->setDirection(brief ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    buttons_->setDirection(narrow_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     texts_->setLeastLines(busy ? kLinesBusy : kLines);
 }
 
@@ -347,7 +362,7 @@ void AtemPanel::showButtons()
                                                 : QBoxLayout::LeftToRight);
     QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
     if (busy && !state_.followed)
-        tip = tr("An exploration is running: end it with Esc first");
+        tip = alreadyExploring();
     else if (!missing.isEmpty())
         tip = tr("Not possible now:");
     else if (!doubtful.isEmpty())

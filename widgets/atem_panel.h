@@ -67,6 +67,7 @@ private:
     void showButtons();
     void arrange();
     Commanded next() const;
+    QList<Precondition> needsNow(Commanded command) const;
     QList<Precondition> listOf(Commanded command) const;
     void offerCommands();
     static QString timeWords(const PhaseTime& time);

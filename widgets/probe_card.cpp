@@ -20,8 +20,8 @@ namespace terratact {
 namespace {
 
 enum Page { kNothing, kQuestion, kProbing };
-constexpr int kFacts = 6, kFactsNarrow = 4;  // lines
-constexpr int kLeastFacts = 4;               // seen in any case
+constexpr int kFacts = 6;       // lines
+constexpr int kLeastFacts = 4;  // seen in any case
 
 QString percent(double share)
 {
@@ -162,7 +162,7 @@ int ProbeCard::leastHeight() const
 
 int ProbeCard::givenHeight() const
 {
-    const int lines = (narrow_ ? kFactsNarrow : kFacts) - kLeastFacts;
+    const int lines = kFacts - kLeastFacts;
     return lines * (facts_->fontMetrics().lineSpacing() + facts_->column()->spacing());
 }
 
@@ -243,7 +243,7 @@ QString ProbeCard::questionText() const
     }
     const QString after = words::number(p.worth->bitsAfter, 2);
     const QString rate = words::number(60.0 * (p.bitsBefore - p.worth->bitsAfter) / p.seconds, 2);
-    return (narrow_ ? tr("step: %1 → %2 bit, %3/min") : tr("%1 → %2 bit: %3 a minute"))
+    return (narrow_ ? tr("step: %1 → %2 bit, %3/min") : tr("%1 → %2 bit: %3/min"))
         .arg(before, after, rate);
 }
 
@@ -251,7 +251,7 @@ void ProbeCard::showAnswer()
 {
     const bool decided = proposal_ && proposal_->answer != Outlook::CannotTell;
     const QString answer = decided ? wordOf(proposal_->answer) : QString();
-    decided_->setVisible(decided && !narrow_);
+    decided_->setVisible(decided && !narrow_ && proposal_->worth);
     if (decided)
         decided_->setText((proposal_->tellsOfStep() ? tr("%1 stands: a probe makes it surer.")
                                                     : tr("%1 stands: only the shape would gain."))

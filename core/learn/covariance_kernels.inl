@@ -271,9 +271,9 @@ inline Fetch nextPanel(const T* panel, int first, int U, int groups)
 {
     constexpr long kColumnBytes = kPanelRows<T> * static_cast<long>(sizeof(T));
     const long columns = first + kPanelRows<T>;
-    const auto* next = reinterpret_cast<const char*>(panel) + columns * kColumnBytes;
     const long passes = static_cast<long>(groups) * kPasses<T>;
-    if (columns >= U || first == 0 || passes == 1) return {next, 0};
+    if (columns >= U || first == 0 || passes == 1) return {nullptr, 0};
+    const auto* next = reinterpret_cast<const char*>(panel) + columns * kColumnBytes;
     return {next, ((columns + kPanelRows<T>) * kColumnBytes + passes * first - 1) / (passes * first)};
 }
 

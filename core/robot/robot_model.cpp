@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "core/robot/toml_section.h"
 #include "core/text.h"
@@ -198,7 +199,13 @@ void readForceArrays(TomlSection& file, RobotModel& robot)
         const toml::table* const table = entry.as_table();
         if (!table) throw TomlRefused{tomlLine(entry) + ": force_array holds no table"};
         TomlSection section(*table, "force_array.");
-        robot.forceArrays.push_back(forceArrayOf(section, taken));
+        ForceArrayLayout array = forceArrayOf(section, taken);
+        for (const ForceArrayLayout& other : robot.forceArrays)
+            if (other.name == array.name)
+                throw TomlRefused{tomlLine(section.node("name")) + ": " + section.path("name")
+                                  + " is " + shown(array.name)
+                                  + " again, expected a name of its own for each array"};
+        robot.forceArrays.push_back(std::move(array));
         section.refuseUnknown();
     }
     requireAllElements(node, robot);

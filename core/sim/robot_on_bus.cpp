@@ -162,7 +162,10 @@ std::vector<CanFrame> RobotOnBus::telemetry()
         m.roll = stuck_->roll;
     }
     SensorLine line = sensorLineOf(m, model_);
-    if (faulty(RobotFault::DeadElement)) line.voltages[1]->front() = 0.0;
+    if (faulty(RobotFault::DeadElement)) {
+        const bool left = haveElement(model_.forceArrays, Side::Left, 3);
+        line.voltages[left ? 1 : 3]->front() = 0.0;  // element 4
+    }
     const RobotStatus status{.epoch = receiver_.epoch(),
                              .activity = m.activity,
                              .refusal = refusal_.value_or(m.refusal),

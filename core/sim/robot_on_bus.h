@@ -16,7 +16,7 @@ namespace terratact {
 /// What goes wrong with a robot on request.
 ///   Silence      sends nothing any more, and hears nothing
 ///   StuckImu     pitch and roll stay what they were
-///   DeadElement  element 4 of the left front flipper reads 0 V: its wire is open
+///   DeadElement  element 4, left where there is one there, reads 0 V: its wire is open
 ///   RefuseProbe  refuses every probe as out of reach
 ///   SlowArm      takes three times as long for a probe
 ///   Reboot       is gone for a second, then begins anew: another epoch, disarmed, halted, nothing explored

@@ -354,6 +354,10 @@
         <source>no probe is proposed</source>
         <translation>žádná sonda není navržena</translation>
     </message>
+    <message>
+        <source>there is no STOP to release</source>
+        <translation>není žádné STOP k uvolnění</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -2550,10 +2554,6 @@ Poslední deaktivace: %1</translation>
         <translation>celkový rozptyl %1 %</translation>
     </message>
     <message>
-        <source>%1 → %2 bit: %3 a minute</source>
-        <translation>%1 → %2 bit: %3 za minutu</translation>
-    </message>
-    <message>
         <source>not known for this method</source>
         <translation>u této metody neznámo</translation>
     </message>
@@ -2624,6 +2624,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>%1 stands: only the shape would gain.</source>
         <translation>%1 platí: získal by jen tvar.</translation>
+    </message>
+    <message>
+        <source>%1 → %2 bit: %3/min</source>
+        <translation>%1 → %2 bit: %3/min</translation>
     </message>
 </context>
 <context>

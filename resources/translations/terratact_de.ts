@@ -354,6 +354,10 @@
         <source>no probe is proposed</source>
         <translation>keine Sondierung ist vorgeschlagen</translation>
     </message>
+    <message>
+        <source>there is no STOP to release</source>
+        <translation>es gibt kein STOP freizugeben</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -2503,7 +2507,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>≈ %1 s, arm out in smoke</source>
-        <translation>≈ %1 s, Arm draußen im Rauch</translation>
+        <translation>≈ %1 s, Arm im Rauch</translation>
     </message>
     <message>
         <source>hold to approve probe at %1 (Space)</source>
@@ -2548,10 +2552,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>total variance %1 %</source>
         <translation>Gesamtvarianz %1 %</translation>
-    </message>
-    <message>
-        <source>%1 → %2 bit: %3 a minute</source>
-        <translation>%1 → %2 bit: %3 pro Minute</translation>
     </message>
     <message>
         <source>not known for this method</source>
@@ -2624,6 +2624,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>%1 stands: only the shape would gain.</source>
         <translation>%1 steht: nur die Form gewänne.</translation>
+    </message>
+    <message>
+        <source>%1 → %2 bit: %3/min</source>
+        <translation>%1 → %2 bit: %3/min</translation>
     </message>
 </context>
 <context>

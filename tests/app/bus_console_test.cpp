@@ -386,20 +386,25 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
     operatorAge = GateLimits{}.operatorAge;
     const auto recorder = bus.join("recorder", 0);
     open();
-    // On a busy machine this window may have been held up for 100 ms before, and the drive has ended with that.
+    // On a busy machine this window may have been held up for 100 ms before, and the drive has ended with that; or the
+    // thread that sends, between its look at the clock and the bus.  Too late in every go is the console's fault.
     Freeze freeze;
-    for (int go = 0; go < 20 && freeze.timesOf(FrameKind::Drive).empty(); ++go) {
+    std::vector<double> last;  // frames that keep it driving, since the freeze began
+    for (int go = 0; go < 20 && last.size() < 4 && (last.empty() || last.back() > 0.1); ++go) {
         if (!drives()) continue;
         freeze.began = steadyNow();
         std::this_thread::sleep_for(1s);
         freeze.ended = steadyNow();
         freeze.frames = framesOf(*recorder);
+        if (freeze.timesOf(FrameKind::Drive).empty()) continue;
+        last.push_back(0.0);
+        for (const FrameKind kind : {FrameKind::Drive, FrameKind::ConsoleHeartbeat})
+            for (const double at : freeze.timesOf(kind))
+                last.back() = std::max(last.back(), at - freeze.began);
     }
+    ASSERT_FALSE(last.empty()) << "it never drove into a freeze";
+    EXPECT_LE(last.back(), 0.1) << "in " << last.size() << " goes";
     const std::vector<double> drives = freeze.timesOf(FrameKind::Drive);
-    ASSERT_FALSE(drives.empty()) << "it never drove into a freeze";
-    EXPECT_LE(drives.back() - freeze.began, 0.1) << drives.size() << " drives";
-    for (const double beat : freeze.timesOf(FrameKind::ConsoleHeartbeat))
-        EXPECT_LE(beat - freeze.began, 0.1);
     const std::vector<double> disarmings = freeze.timesOf(FrameKind::Arm);
     ASSERT_EQ(disarmings.size(), 1U) << "while the window stood still";
     EXPECT_GT(disarmings.front(), drives.back());

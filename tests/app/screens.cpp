@@ -30,7 +30,7 @@ using namespace std::chrono_literals;
 using gui::eventually;
 
 constexpr double kSpeed = 10.0;   // simulated seconds per second
-constexpr int kHold = 600;        // [ms] of a hold that is seen at its half
+constexpr int kHold = 1500;       // [ms] of a hold that is seen at its half
 constexpr int kSettles = 50;      // [ms] until all of the window has been drawn anew
 constexpr int kPatience = 60000;  // [ms]
 constexpr const char* kLanguages[]{"en", "cs", "de"};

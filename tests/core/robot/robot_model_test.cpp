@@ -275,6 +275,8 @@ TEST_F(RobotFile, refusesForceArraysThatTheLinkCannotCarry)
     EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2.5"), {"2.5", "whole numbers"}));
     EXPECT_TRUE(refuses(absolem + left + arrayTable("again", "left", "3"),
                         {"line 108", "element 3 of that side again", "one array for each"}));
+    EXPECT_TRUE(refuses(absolem + left + arrayTable("L", "right", all),
+                        {"line 106", "force_array.name is 'L' again", "a name of its own"}));
     EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2, 4, 5, 6")
                             + arrayTable("R", "right", "1, 2"),
                         {"line 100", "no force_array has element 3", "each of 1 to 6"}));
