@@ -69,7 +69,7 @@ bool isSameEverywhere(const std::string& text)
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
         "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export)\\b|can#|"
-        "[^ ]*\\.(ttm|toml|csv|log|tts)\\b|Čeština|\\bbit\\b|UTC|"
+        "[^ ]*\\.(ttm|toml|csv|log|tts)\\b|Čeština|\\bbit\\b|UTC|/min\\b|"
         // what the system says, and drivers in its place
         "/proc/terratact|the directory cannot be made|the controller is off the bus|"
         "[Nn]o such file( or directory)?|Address family not supported by protocol");

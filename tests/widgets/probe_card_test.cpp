@@ -50,7 +50,7 @@ TEST_F(Probe, saysWhereWhatAndForHowMuch)
     card.setTimeLeft(23.4);
     const QString text = allText();
     for (const char* words : {"bin 0.6 m", "+0.02 m", "−0.05 … +0.09 m", "45 s", "0:24 left",
-                              "total variance −71 %", "0.98 → 0.31 bit: 0.89 a minute"})
+                              "total variance −71 %", "0.98 → 0.31 bit: 0.89/min"})
         EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
                                                              << text.toStdString();
     EXPECT_TRUE(card.approveButton()->text().contains("0.6 m"));
