@@ -46,6 +46,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kLook = 10ms;      // at the world
 constexpr double kRedraw = 0.04;  // [s] 25 Hz
+constexpr double kNumbers = 0.2;  // [s]; what changes more often cannot be read
 
 }  // namespace
 
@@ -377,7 +378,7 @@ void MainWindow::redraw(double now)
     showAlarms(now);
     showRecording();
     linkStatus_->showArming(sights_->panel(now));
-    terrainPage_->setSight(sights_->terrain(now, latest_));
+    showTerrain(now);
     stopDisplay_->show(exploration_->stopSight());
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
@@ -389,6 +390,14 @@ void MainWindow::redraw(double now)
         newestIn_ = secondsOf(latest_->arrived);
         paintedCount_ = latest_->count;
     }
+}
+
+void MainWindow::showTerrain(double now)
+{
+    TerrainSight sight = sights_->terrain(now, latest_);
+    sight.numbersDue = now - numbersShown_ >= kNumbers;
+    if (sight.numbersDue) numbersShown_ = now;
+    terrainPage_->setSight(sight);
 }
 
 bool MainWindow::event(QEvent* event)

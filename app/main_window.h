@@ -107,6 +107,7 @@ private:
     void connectAll();
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
+    void showTerrain(double now);
     void tickPanel(double now);
     void releaseStop();
     void addTraining(const Options& options);
@@ -148,7 +149,8 @@ private:
     std::uint64_t paintedCount_ = 0;
     QTimer look_;
     std::optional<Received> latest_;
-    double redrawn_ = 0.0;  ///< [s] steady clock
+    double redrawn_ = 0.0;       ///< [s] steady clock
+    double numbersShown_ = 0.0;  ///< [s] those of the robot
 
     // Qt's parents own the widgets.
     QWidget* cardsPage_ = nullptr;

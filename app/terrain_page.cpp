@@ -376,14 +376,17 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     if (!sight.measurement) {
         readout_->clearMeasurement();
         forces_->clearForces();
-        robotAge_->clear();
+        robotAge_->setText(QString());
         return;
     }
     const bool fresh = sight.age <= kStaleAfter;
-    readout_->setMeasurement(*sight.measurement, sight.age);
-    robotAge_->setText(sight.ended ? tr("the log has ended")
-                                   : tr("%1 old").arg(words::age(sight.age)));
-    setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+    if (sight.numbersDue || fresh != numbersFresh_) {
+        numbersFresh_ = fresh;
+        readout_->setMeasurement(*sight.measurement, sight.age);
+        robotAge_->setText(sight.ended ? tr("the log has ended")
+                                       : tr("%1 old").arg(words::age(sight.age)));
+        setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+    }
     if (!fresh) return forces_->clearForces();
     if (sight.count == shownCount_ || !sight.forces) return;
     if (sight.forcesBefore)

@@ -38,9 +38,10 @@ struct TerrainSight {
     double now = 0.0;    ///< [s] on the clock of the telemetry
     bool ended = false;  ///< nothing more will come
 
-    const Measurement* measurement = nullptr;         ///< the newest
-    double age = 0.0;                                 ///< [s] of it
-    std::uint64_t count = 0;                          ///< another for another measurement
+    const Measurement* measurement = nullptr;  ///< the newest
+    double age = 0.0;                          ///< [s] of it
+    bool numbersDue = true;                    ///< its numbers are to be shown, not only drawn
+    std::uint64_t count = 0;                   ///< another for another measurement
     const std::vector<ForceArray>* forces = nullptr;  ///< of it
     /// Set: the peaks are of these, whatever was shown before.
     const std::vector<TimedForces>* forcesBefore = nullptr;
@@ -163,6 +164,7 @@ private:
     QLabel* thresholdText_ = nullptr;
     RobotReadout* readout_ = nullptr;
     QLabel* robotAge_ = nullptr;
+    bool numbersFresh_ = false;  ///< those of the robot, when they were shown last
     DrivePad* drive_ = nullptr;
     EventList* events_ = nullptr;
     QBoxLayout* ground_ = nullptr;     ///< verdict and terrain

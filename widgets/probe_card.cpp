@@ -317,7 +317,7 @@ void ProbeCard::setProbing(int bin, double elapsed, double expected)
 void ProbeCard::setNothing(const QString& why)
 {
     proposal_.reset();
-    note()->clear();
+    note()->setText(QString());  // clear() lays out anew in any case
     nothing_->setText(why);
     showPage(kNothing);
 }
