@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "app/letters.h"
+#include "app/vector_registers.h"
 #include "app/view_menu.h"
 #include "widgets/calm_wheel.h"
 #include "widgets/elided_label.h"
@@ -260,6 +261,8 @@ void ConsoleWindow::keepOnScreen()
 bool ConsoleWindow::event(QEvent* event)
 {
     const bool done = QWidget::event(event);
+    if (event->type() == QEvent::UpdateRequest)
+        clearUpperVectorHalves();  // painting leaves them in use
     if (event->type() != QEvent::LayoutRequest || !fits_) return done;
     const QSize needed = needs();
     if (needed.expandedTo(size()) == size()) return done;

@@ -9,6 +9,7 @@
 #include "app/model_words.h"
 #include "app/parallel.h"
 #include "app/time_budget.h"
+#include "app/vector_registers.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/bin_models.h"
@@ -127,6 +128,7 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
 {
     const auto overtaken = [this, job] { return job != newest_; };
     if (overtaken()) return;
+    clearUpperVectorHalves();
     QString why;
     try {
         if (!estimate_) throw std::runtime_error(trouble_.toStdString());
@@ -142,8 +144,7 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
         timer.start();
         const TerrainEstimate estimate = estimate_(request, watch);
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
-        // Here and not in the window's thread: Qt's painting leaves the upper halves of that thread's vector
-        // registers in use, which made this ten times slower there.
+        // Here and not in the window's thread, which has the picture to make.
         const ProbeAdvice advice = request.prober ? adviseProbe(estimate, *request.prober,
                                                                 request.stepLimit, pollOf(watch))
                                                   : ProbeAdvice{};

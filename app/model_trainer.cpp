@@ -10,6 +10,7 @@
 #include "app/model_cards.h"
 #include "app/parallel.h"
 #include "app/steady_now.h"
+#include "app/vector_registers.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/infer/watch.h"
@@ -87,6 +88,7 @@ ModelTrainer::ModelTrainer(TrainingLoad load, QObject* parent) : QObject(parent)
         &thread_, &QThread::started, &there_,
         [nice = load_.nice] {
             setpriority(PRIO_PROCESS, 0, std::max(nice, getpriority(PRIO_PROCESS, 0)));
+            clearUpperVectorHalves();
         },
         Qt::DirectConnection);
     thread_.start();
