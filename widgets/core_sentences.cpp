@@ -31,8 +31,9 @@ namespace {
     QT_TRANSLATE_NOOP(
         "core",
         "a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)"),
-    QT_TRANSLATE_NOOP("core", "a step ahead of more than %1 mm: probability %2 ± < %3, likeliest "
-                              "between %4 and %5 m (%6)"),
+    // clang-format off
+    QT_TRANSLATE_NOOP("core", "a step ahead of more than %1 mm: probability %2 ± < %3, likeliest between %4 and %5 m (%6)"),
+    // clang-format on
     QT_TRANSLATE_NOOP("core", "two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)"),
     QT_TRANSLATE_NOOP("core", "no live telemetry, the robot may have moved"),
     QT_TRANSLATE_NOOP("core", "the scene is unlike all training"),

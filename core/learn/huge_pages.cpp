@@ -11,10 +11,11 @@ namespace terratact {
 void preferHugePages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes)
 {
 #ifdef __linux__
-    const auto begin = reinterpret_cast<std::uintptr_t>(data);
-    const std::uintptr_t first = (begin + kHugePage - 1) / kHugePage * kHugePage;
-    const std::uintptr_t end = (begin + bytes) / kHugePage * kHugePage;
-    if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+    const auto before = reinterpret_cast<std::uintptr_t>(data) % kHugePage;
+    const std::size_t skipped = before == 0 ? 0 : kHugePage - before;
+    if (bytes < skipped + kHugePage) return;
+    madvise(static_cast<char*>(data) + skipped, (bytes - skipped) / kHugePage * kHugePage,
+            MADV_HUGEPAGE);
 #endif
 }
 
