@@ -75,7 +75,7 @@ Status merge(const MergeOptions& options);
 struct TradeoffOptions {
     std::string robot, model, data, out;
     std::vector<Method> methods;
-    int referenceDraws = 16'000;  ///< of the long runs
+    int referenceDraws = 64'000;  ///< of the long runs
     std::uint64_t seed = 1;
 };
 /// Measures what settings cost and err: tradeoff.csv, presets.csv and a figure in `out`, a table on stdout.

@@ -4,8 +4,8 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include "app/parallel.h"
@@ -85,7 +85,8 @@ private:
 
     void finish(EstimateBatch::Ready ready)
     {
-        const bool first = usesArm(work_.settings.method) && touched_.insert(ready.number).second;
+        const bool first =
+            usesArm(work_.settings.method) && touched_.try_emplace(ready.number).second;
         if (first) return touch(ready.number, std::move(ready.estimate));
         leave(ready.number, noted(std::move(ready.estimate)));
     }
@@ -96,8 +97,8 @@ private:
         const std::optional<int> bin = proposeProbe(first, work_.toolbox.robot);
         if (!bin) return leave(k, noted(std::move(first)));
         if (const auto truth = work_.scenes[k].truth[static_cast<std::size_t>(*bin)]) {
-            const ArmReading reading{*bin, *truth, work_.toolbox.robot.armSd};
-            return add(k, {&reading, 1});
+            touched_[k] = {{*bin, *truth, work_.toolbox.robot.armSd}};
+            return add(k, touched_[k]);
         }
         first.warnings.push_back(fmt::format(
             "arm not simulated: the truth of bin {:+.1f} m is unknown", binCentre(*bin)));
@@ -106,6 +107,8 @@ private:
 
     void leave(std::size_t k, SceneEstimate estimate)
     {
+        const auto touched = touched_.find(k);
+        if (touched != touched_.end()) estimate.arm = touched->second;
         work_.estimates[k] = std::move(estimate);
         --inWork_;
         if (work_.tick) work_.tick();
@@ -114,7 +117,8 @@ private:
     Work& work_;
     EstimateBatch batch_;
     std::size_t inWork_ = 0;
-    std::set<std::size_t> touched_;  // scenes whose arm has had its turn
+    std::map<std::size_t, std::vector<ArmReading>>
+        touched_;  // by scenes whose arm has had its turn
 };
 
 /// The share of one thread's scenes that may be in work: a time limit is for a scene that has the thread alone, and

@@ -38,6 +38,7 @@ TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm
 struct SceneEstimate {
     std::optional<TerrainEstimate> estimate;
     std::string note;  ///< what makes it doubtful or impossible, in words
+    std::vector<ArmReading> arm{};  ///< what the simulated arm has measured
 };
 
 /// Reconstructs one scene.  Pafac simulates the arm as the paper does: where some sd exceeds the limit, the

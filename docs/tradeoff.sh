@@ -22,7 +22,7 @@ say '# Time and accuracy' '' \
   'The distance from a long run of the same method tells what fewer draws, single precision or fewer inducing rows cost;' \
   'the error against the truth tells whether it matters.  A method may be certain and wrong: compare both.' \
   'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table, and measured as the program runs them: they end once the chains have converged.' \
-  '`pafac` is two estimates: one to choose where the arm probes, and one with what it found.'
+  '`pafac` is two estimates, one to choose where the arm probes, and one with what it found: the time is of the second.'
 show simulate --terrain varied --count 8 --exact-truth --seed 2 --out scenes.csv
 show tradeoff --data scenes.csv --seed 1 --out tradeoff
 say '' '![Time and accuracy](tradeoff.svg)'

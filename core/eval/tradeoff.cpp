@@ -58,8 +58,8 @@ Settings referenceSettings(Method method, int draws, std::uint64_t seed)
 {
     Settings settings = wholeBudget(method, seed);
     settings.draws = draws;
-    settings.chains = 64;
-    settings.burnIn = 100;
+    settings.chains = 16;  // few and long: R-hat asks how long each is
+    settings.burnIn = 500;
     settings.precision = Precision::Double;
     return settings;
 }
@@ -79,6 +79,9 @@ void ReferenceQuality::add(const TerrainEstimate& estimate)
     const double least = *std::min_element(estimate.ess.begin(), estimate.ess.end());
     ess = first ? least : std::min(ess, least);
     rhat = std::max(rhat, *std::max_element(estimate.rhat.begin(), estimate.rhat.end()));
+    double own = 0.0;
+    for (std::size_t i = 0; i < kBins; ++i) own += estimate.sd[i] / std::sqrt(estimate.ess[i]);
+    error += (own / kBins - error) / ++scenes;
 }
 
 EstimateDistance distance(const TerrainEstimate& a, const TerrainEstimate& b)

@@ -25,18 +25,21 @@ struct TradeSetting {
 /// "early stop" use their whole budget.
 std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed);
 
-/// The long run that the others are compared with: 64 chains of `draws` in all, double precision, all rows.
+/// The long run that the others are compared with: 16 chains of `draws` in all, double precision, all rows.
 Settings referenceSettings(Method method, int draws, std::uint64_t seed);
 
 /// Draws of a long run that is worth comparing with: four times those of the setting with most.
 int leastReferenceDraws(std::span<const TradeSetting> settings);
 
-/// What the long runs of a method came to: the worst of their sampled bins, over all scenes.
+/// What the long runs of a method came to: of R-hat and ESS the worst of their bins, over all scenes.
 struct ReferenceQuality {
     Method method = Method::Local;
+    int scenes = 0;
     int draws = 0;
     double rhat = 1.0;
     double ess = 0.0;  ///< the number of draws where nothing was sampled
+    double error =
+        0.0;  ///< [m] of the means by Monte Carlo: sd/√ESS, on average over bins and scenes
 
     void add(const TerrainEstimate& estimate);
 };

@@ -69,8 +69,8 @@ class Commands(unittest.TestCase):
         data, out = self.first_scenes(1), self.path / "tradeoff"
         text = run("tradeoff", "--model", self.model, "--data", data, "--methods", "pafc,local", "--reference-sweeps",
                    640, "--out", out)
-        self.assertRegex(text, r"pafc +640 draws, worst R-hat \d\.\d+, worst effective draws \d+")
-        self.assertIn("WARNING: fewer than 16000 draws", text)
+        self.assertRegex(text, r"pafc +640 draws, worst R-hat \d\.\d+, worst effective draws \d+, "
+                               r"error of the means \d+\.\d+ mm\n +WARNING: fewer than 16000 draws.*\n +WARNING: R-hat above 1.01")
         points = rows(out / "tradeoff.csv")
         self.assertEqual({(p["method"], p["varied"]) for p in points},
                          {(m, v) for m in ("pafc", "local") for v in ("fast", "balanced", "accurate", "draws")}

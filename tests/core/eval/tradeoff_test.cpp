@@ -88,6 +88,7 @@ TEST(ReferenceQuality, isTheWorstBinOfTheWorstScene)
         e->draws.resize(640);
         e->rhat.fill(1.0);
         e->ess.fill(640.0);
+        e->sd.fill(0.02 * std::sqrt(640.0));
     }
     a.rhat[3] = 1.04;
     b.ess[10] = 77.0;
@@ -99,6 +100,8 @@ TEST(ReferenceQuality, isTheWorstBinOfTheWorstScene)
     EXPECT_EQ(quality.draws, 640);
     EXPECT_EQ(quality.rhat, 1.04);
     EXPECT_EQ(quality.ess, 77.0);
+    const double inTheWorst = 0.02 * std::sqrt(640.0 / 77.0);
+    EXPECT_NEAR(quality.error, (21 * 0.02 + inTheWorst) / 22, 1e-12);
 }
 
 TEST(Quality, namesGoBackAndForth)
