@@ -27,6 +27,9 @@ struct TrainingPlan {
     int threads = 0;               ///< at most; 0: one per processor
 };
 
+/// Scenes above which whoever trains exact conditionals is told of inducing rows (docs/speed.md: what they save and err).
+inline constexpr int kManyRows = 3000;
+
 /// What is learnt for every bin, in this order, two kinds side by side.
 enum class TrainingKind : std::uint8_t {
     Paf,               ///< p(hᵢ | h_{J∖i}, s), s with currents and forces

@@ -17,25 +17,30 @@ show() {
   echo >>"$ran"
 }
 
+# What a test program says, without what every one says.
+results() {
+  sed -n '/^\(Running main\|Note: \)/d; /^[^[]/p; /OK/p; /PASSED/p; /FAILED/p'
+}
 tests() {
-  ctest --test-dir "$build" -L extremes -j "$(nproc)" | sed -n '/tests passed/p; /tests failed/p'
+  ctest --test-dir "$build" -L extremes -j "$(nproc)" | sed -n '/tests passed/p'
 }
 draws() {
-  TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.truncated_normal_test" --gtest_filter='*EveryOneOfManyDraws' |
-    sed -n '/^[^[]/p; /PASSED/p; /FAILED/p'
+  TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.truncated_normal_test" --gtest_filter='*EveryOneOfManyDraws' | results
 }
 rows() {
-  TERRATACT_ROWS=5600 "$build/tests/core.learn.gaussian_process_extremes_test" --gtest_filter='*ofAModel*/plain:*ofAModel*/doubledRows' |
-    sed -n '/^[^[]/p; /PASSED/p; /FAILED/p'
+  TERRATACT_ROWS=5600 "$build/tests/core.learn.gaussian_process_extremes_test" --gtest_filter='*ofAModel*/plain:*ofAModel*/doubledRows' | results
 }
 per_draw() {
-  "$build/tests/terratact-bench" --benchmark_filter=^draws 2>/dev/null | awk '/^draws/ { printf "%-40s %6.1f ns\n", $1, $4 }'
+  "$build/tests/terratact-bench" --benchmark_filter=^draws 2>/dev/null | awk '/^draws/ { printf "%-40s %6.1f ns\n", $1, $4; if ($4 > most) most = $4 }
+         END { printf "%-40s %6.1f ns; limit 150\n", "most", most }'
 }
 cancelling() {
   "$build/tests/terratact-bench" --benchmark_filter=cancelWaits 2>/dev/null |
     sed -n 's/^cancelWaits.*first_ms=\([^ ]*\) later_ms=\([^ ]*\) \(.*\)/\1 \2 \3/p' |
     awk 'BEGIN { printf "%-24s %10s %10s\n", "ms", "first", "later" }
-         { what = $3; for (i = 4; i <= NF; ++i) what = what " " $i; printf "%-24s %10.1f %10.1f\n", what, $1, $2 }'
+         { what = $3; for (i = 4; i <= NF; ++i) what = what " " $i; printf "%-24s %10.1f %10.1f\n", what, $1, $2
+           if ($1 > most) most = $1; if ($2 > most) most = $2 }
+         END { printf "%-24s %10.1f; limit 20\n", "most", most }'
 }
 
 show "ctest --test-dir $build -L extremes" tests
@@ -43,6 +48,8 @@ show "TERRATACT_DRAWS=1000000000 truncated_normal_test --gtest_filter='*EveryOne
 show "terratact-bench --benchmark_filter=^draws" per_draw
 show "TERRATACT_ROWS=5600 gaussian_process_extremes_test --gtest_filter='*ofAModel*/plain:*ofAModel*/doubledRows'" rows
 show "terratact-bench --benchmark_filter=cancelWaits" cancelling
+show "tests/core/infer/same_draws_test.py" /usr/bin/python3 -B tests/core/infer/same_draws_test.py
+show "tests/core/infer/same_draws_test.py --native" /usr/bin/python3 -B tests/core/infer/same_draws_test.py --native
 
 cat >docs/extremes.md <<END
 # At the extremes

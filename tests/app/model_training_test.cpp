@@ -37,6 +37,29 @@ struct Training : testing::Test {
     TrainingPlan plan;
 };
 
+TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
+{
+    const std::vector<Scene> few = someScenes(4, 1);
+    std::vector<Scene> scenes;
+    while (scenes.size() <= kManyRows) scenes.insert(scenes.end(), few.begin(), few.end());
+    plan.conditionalRows = 20'000;
+    const auto noticesOf = [&](const std::vector<Scene>& all) {
+        plan.data = written("learn.csv", all);
+        std::string said;
+        EXPECT_THROW((void)trainModel(plan, {.cancelled = [] { return true; },
+                                             .progress = {},
+                                             .notice = [&](const std::string& s) { said += s; }}),
+                     Cancelled);
+        return said;
+    };
+    EXPECT_NE(noticesOf(scenes).find("--inducing 600"), std::string::npos);
+    plan.inducing = 600;
+    EXPECT_EQ(noticesOf(scenes), "");
+    plan.inducing = 0;
+    scenes.resize(kManyRows);
+    EXPECT_EQ(noticesOf(scenes), "");
+}
+
 TEST_F(Training, saysWhenEachBinOfEachKindBeginsAndEnds)
 {
     std::map<std::pair<TrainingKind, int>, int> begun, ended;

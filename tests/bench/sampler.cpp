@@ -180,6 +180,7 @@ void oneBalancedScene(benchmark::State& state, Method method)
     static const std::vector<Scene> all = someScenes(16, 7);
     Settings settings = withQuality({}, Quality::Balanced);
     settings.method = method;
+    settings.stopEarly = false;  // all its draws
     const RobotModel robot = absolem();
     const auto run = [&](const Scene& scene) {
         std::vector<ArmReading> arm;

@@ -6,6 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=$(realpath "${1:-build/headless}")
 most=${2:-11200}
+table=$PWD/tests/bench/training_table.py
 export OPENBLAS_NUM_THREADS=1
 
 cmake --build "$build" --target terratact terratact-bench-likelihood >/dev/null
@@ -16,7 +17,7 @@ cd "$scratch"
 scenes() { "$build/app/terratact" simulate --terrain varied --exact-truth "$@" >/dev/null 2>&1; }
 show() {
   echo "> $*"
-  "$build/tests/terratact-bench-likelihood" "$@"
+  taskset -c 0,1 "$build/tests/terratact-bench-likelihood" "$@"
   echo
 }
 scenes --count 1400 --seed 5 --out scenes.csv
@@ -24,7 +25,9 @@ scenes --count $((most + most / 9)) --seed 6 --out many.csv # a few stops give n
 scenes --count 500 --seed 7 --out test.csv
 sizes=()
 for ((rows = most; rows >= most / 32 && rows > 1; rows /= 2)); do sizes=("$rows" "${sizes[@]}"); done
-show train scenes.csv 1400
-show growth "${sizes[@]}"
-show sparse many.csv "$most" test.csv 6 0 300 600 1200
-show sparse many.csv $((most * 2 / 5)) test.csv 6 0 300 600 1200
+{
+  show train scenes.csv 1400
+  show growth "${sizes[@]}"
+  show sparse many.csv "$most" test.csv 6 0 300 600 1200
+  show sparse many.csv $((most * 2 / 5)) test.csv 6 0 300 600 1200
+} | /usr/bin/python3 -B "$table"
