@@ -103,6 +103,7 @@ struct Console : testing::Test {
         options.model = std::move(model);
         options.exploration.linkLostAfter = 3.0;  // this machine may be busy
         options.exploration.driveSpeed = 0.05;
+        options.exploration.limits.approval = answerTime;
         options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         window->probeCard()->approveButton()->setHoldTime(150);
@@ -185,6 +186,7 @@ struct Console : testing::Test {
     }
 
     RobotModel robot = absolem();
+    double answerTime = AtemLimits{}.approval;  // [s]
     std::unique_ptr<MainWindow> window;
 };
 
@@ -258,6 +260,46 @@ TEST_F(Console, lettingGoEarlyApprovesNothing)
     QTest::keyClick(window.get(), Qt::Key_N);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_FALSE(window->exploration().state().probed);
+}
+
+TEST_F(Console, aHoldThatIsNotCompleteInTimeApprovesNothing)
+{
+    answerTime = 2.0;
+    open(fastRobot(robot, 2.1));
+    proposeByKeyboard();
+    window->probeCard()->approveButton()->setHoldTime(100000);
+    QTest::keyPress(window.get(), Qt::Key_Space);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(window->exploration().state().approvalExpired);
+    EXPECT_FALSE(window->exploration().state().probed);
+    EXPECT_TRUE(eventually([&] { return says("no answer in time"); }));
+    EXPECT_FALSE(window->probeCard()->approveButton()->isHeld());
+    QTest::keyRelease(window.get(), Qt::Key_Space);
+    EXPECT_FALSE(window->exploration().state().probed);
+}
+
+TEST_F(Console, coloursAndLettersChangeWhileAQuestionIsOpen)
+{
+    open(fastRobot(robot, 2.1));
+    window->setRoom(QSize(1920, 1080));
+    window->resize(1920, 1080);
+    proposeByKeyboard();
+    const auto asked = window->exploration().proposal()->id;
+    QTest::keyClick(window.get(), Qt::Key_5, Qt::ControlModifier);
+    EXPECT_EQ(lookInForce().theme, ThemeName::NightRed);
+    for (int i = 0; i < 5; ++i) QTest::keyClick(window.get(), Qt::Key_Plus, Qt::ControlModifier);
+    EXPECT_GE(lookInForce().fontScale, 140);
+    EXPECT_EQ(window->exploration().proposal()->id, asked);
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+    ASSERT_TRUE(eventually([&] {  // once it is drawn in these letters
+        QTest::keyPress(window.get(), Qt::Key_Space);
+        if (window->probeCard()->approveButton()->isHeld()) return true;
+        QTest::keyRelease(window.get(), Qt::Key_Space);
+        return false;
+    }));
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(window->exploration().state().probed);
+    QTest::keyRelease(window.get(), Qt::Key_Space);
 }
 
 /// stepEstimate with draws: at +0.6 and +0.7 m the ground is high or low, each by itself.
