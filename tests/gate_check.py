@@ -29,7 +29,8 @@ SUBJECTS = {
     "arming": ("core/atem/arming", "core/atem/arming_test", []),
     "e2e": ("core/wire/e2e", "core/wire/e2e_test", []),
     "can_codec": ("core/wire/can_codec", "core/wire/can_codec_test",
-                  ["core/wire/e2e", "core/wire/frame_layout", "core/robot/measurement", "tests/support/dbc"]),
+                  ["core/wire/e2e", "core/wire/frame_layout", "core/robot/measurement", "core/wire/dbc",
+                   "core/wire/dbc_file", "core/file_read", "core/text"]),
     "command_receiver": ("core/wire/command_receiver", "core/wire/command_receiver_test",
                          ["core/wire/e2e", *BESIDE]),
 }
@@ -88,7 +89,7 @@ def jobs():
 
 
 def link(parts, program):
-    made = run(["g++", *parts, "-lgtest_main", "-lgtest", "-pthread", "--coverage", "-o", str(program)])
+    made = run(["g++", *parts, "-lgtest_main", "-lgtest", "-lfmt", "-pthread", "--coverage", "-o", str(program)])
     if made.returncode != 0:
         raise RuntimeError(made.stderr)
 

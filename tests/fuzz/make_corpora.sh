@@ -6,7 +6,7 @@ terratact=$(realpath "$1")
 cd "$(dirname "$0")/../.."
 corpora=tests/fuzz/corpora
 rm -rf "$corpora"
-mkdir -p "$corpora"/{scene_file,csv_files,candump_log,can_frames}
+mkdir -p "$corpora"/{scene_file,csv_files,candump_log,dbc_file,can_frames}
 
 scenes=$(mktemp)
 trap 'rm -f "$scenes"' EXIT
@@ -25,6 +25,7 @@ printf 'crow,class\n1,"step, low"\n2,"a ""pallet"""\n3,stairs\r\n' >"$corpora/cs
 
 head -n 24 docs/can_demo.log >"$corpora/candump_log/compact.log"
 cp docs/can_absolem.log "$corpora/candump_log/absolem.log"
+cp docs/can_payload.dbc "$corpora/dbc_file/payload.dbc"
 cat >"$corpora/candump_log/long.log" <<'LOG'
  (1436509052.249713)  vcan0  RX - -  044   [5]  2A 36 6C 2B BA   '*6l+.'
   can0  0CF00400  [00]

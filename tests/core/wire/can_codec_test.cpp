@@ -12,16 +12,16 @@
 #include <stdexcept>
 
 #include "core/terrain/bins.h"
+#include "core/wire/dbc_file.h"
 #include "core/wire/e2e.h"
-#include "tests/support/dbc.h"
 
 namespace terratact {
 namespace {
 
 const std::vector<DbcMessage>& dbc()
 {
-    static const auto messages = readDbc(TERRATACT_SOURCE_DIR "/resources/dbc/terratact.dbc");
-    return messages;
+    static const auto file = readDbc(TERRATACT_SOURCE_DIR "/resources/dbc/terratact.dbc");
+    return file->messages;
 }
 
 const DbcMessage& message(FrameKind kind)
@@ -34,6 +34,11 @@ const DbcMessage& message(const std::string& name)
     for (const DbcMessage& m : dbc())
         if (m.name == name) return m;
     throw std::out_of_range(name);
+}
+
+bool isSigned(const DbcSignal& s)
+{
+    return s.type == DbcSignal::Type::Signed;
 }
 
 bool isHeader(const DbcSignal& s)
@@ -64,7 +69,7 @@ double physical(const CanFrame& frame, const DbcSignal& s)
         const int bit = s.start + i;
         raw = 2 * raw + ((frame.data.at(static_cast<std::size_t>(bit / 8)) >> (bit % 8)) & 1);
     }
-    if (s.isSigned && raw >= (std::int64_t{1} << (s.length - 1)))
+    if (isSigned(s) && raw >= (std::int64_t{1} << (s.length - 1)))
         raw -= std::int64_t{1} << s.length;
     return static_cast<double>(raw) * s.scale + s.offset;
 }
@@ -78,7 +83,7 @@ void seal(CanFrame& frame, const DbcMessage& m, std::uint8_t counter)
 CanFrame blank(const DbcMessage& m, std::uint8_t counter = 0)
 {
     CanFrame frame{.id = m.id, .length = static_cast<std::uint8_t>(m.length)};
-    for (const DbcSignal& s : m.signals)
+    for (const DbcSignal& s : m.payload)
         if (s.least > 0.0 || s.name == "Sd")
             setBits(frame, s, std::max(rawOf(s.least, s), std::int64_t{1}));
     seal(frame, m, counter);
@@ -110,7 +115,7 @@ void forEverySignal(Visit visit)
 {
     for (std::size_t k = 0; k < kFrameKinds; ++k) {
         const auto kind = static_cast<FrameKind>(k);
-        for (const DbcSignal& s : message(kind).signals)
+        for (const DbcSignal& s : message(kind).payload)
             if (!isHeader(s)) visit(kind, message(kind), s);
     }
 }
@@ -119,20 +124,19 @@ TEST(Dbc, namesEveryFrameOfTheCodecAndNoOther)
 {
     ASSERT_EQ(dbc().size(), kFrameKinds);
     std::set<unsigned> ids;
-    std::set<int> dataIds;
+    std::set<double> dataIds;
     for (std::size_t k = 0; k < kFrameKinds; ++k) {
         const FrameLayout& layout = layoutOf(static_cast<FrameKind>(k));
         const DbcMessage& m = dbc()[k];
         EXPECT_EQ(m.name, layout.name);
         EXPECT_EQ(m.id, layout.id) << m.name;
+        EXPECT_FALSE(m.extended) << m.name;
         EXPECT_EQ(m.length, 8) << m.name;
         EXPECT_EQ(m.sender == "Console", layout.fromConsole) << m.name;
         EXPECT_EQ(m.attributes.at("E2eDataId"), layout.dataId) << m.name;
-        const auto period = m.attributes.find("GenMsgCycleTime");
-        const int ms = period == m.attributes.end() ? 0 : period->second;
-        EXPECT_EQ(ms, std::lround(1e3 * layout.period)) << m.name;
-        EXPECT_EQ(ms > 0, m.attributes.contains("GenMsgSendType")) << m.name;
-        EXPECT_EQ(m.signals.size(), layout.payload.size() + 2) << m.name;
+        EXPECT_DOUBLE_EQ(m.period(), layout.period) << m.name;
+        EXPECT_EQ(m.period() > 0.0, m.attributes.contains("GenMsgSendType")) << m.name;
+        EXPECT_EQ(m.payload.size(), layout.payload.size() + 2) << m.name;
         EXPECT_FALSE(m.comment.empty()) << m.name << " says nothing about itself";
         ids.insert(m.id);
         dataIds.insert(m.attributes.at("E2eDataId"));
@@ -159,14 +163,15 @@ TEST(Dbc, hasEverySignalWhereTheCodecHasIt)
         const std::string place = m.name + "." + s.name;
         const SignalLayout& layout = layoutOf(kind).payload[signalIndex(kind, s.name)];
         EXPECT_EQ(s.start, layout.start) << place;
+        EXPECT_FALSE(s.isBigEndian) << place;
         EXPECT_EQ(s.length, layout.length) << place;
-        EXPECT_EQ(s.isSigned, layout.isSigned) << place;
+        EXPECT_EQ(isSigned(s), layout.isSigned) << place;
         EXPECT_DOUBLE_EQ(s.scale, layout.scale) << place;
         EXPECT_EQ(s.offset, 0.0) << place;
         EXPECT_DOUBLE_EQ(s.least, layout.least) << place;
         EXPECT_DOUBLE_EQ(s.most, layout.most) << place;
         EXPECT_EQ(s.unit, layout.unit) << place;
-        EXPECT_EQ(s.receiver, m.sender == "Console" ? "Robot" : "Console") << place;
+        EXPECT_EQ(s.receivers, m.sender == "Console" ? "Robot" : "Console") << place;
     });
 }
 
@@ -174,7 +179,7 @@ TEST(Dbc, keepsEverySignalApartAndItsRangeWithinItsBits)
 {
     for (const DbcMessage& m : dbc()) {
         std::uint64_t taken = 0;
-        for (const DbcSignal& s : m.signals) {
+        for (const DbcSignal& s : m.payload) {
             ASSERT_LE(s.start + s.length, 64) << m.name << "." << s.name;
             for (int i = 0; i < s.length; ++i) {
                 const std::uint64_t bit = std::uint64_t{1} << (s.start + i);
@@ -182,8 +187,8 @@ TEST(Dbc, keepsEverySignalApartAndItsRangeWithinItsBits)
                 taken |= bit;
             }
             const std::int64_t span = std::int64_t{1} << s.length;
-            EXPECT_GE(rawOf(s.least, s), s.isSigned ? -span / 2 : 0) << m.name << "." << s.name;
-            EXPECT_LT(rawOf(s.most, s), s.isSigned ? span / 2 : span) << m.name << "." << s.name;
+            EXPECT_GE(rawOf(s.least, s), isSigned(s) ? -span / 2 : 0) << m.name << "." << s.name;
+            EXPECT_LT(rawOf(s.most, s), isSigned(s) ? span / 2 : span) << m.name << "." << s.name;
         }
     }
 }
@@ -233,7 +238,7 @@ TEST(Codec, refusesEveryRawValueBeyondTheRange)
 {
     forEverySignal([](FrameKind, const DbcMessage& m, const DbcSignal& s) {
         const std::int64_t span = std::int64_t{1} << s.length;
-        const std::int64_t begin = s.isSigned ? -span / 2 : 0;
+        const std::int64_t begin = isSigned(s) ? -span / 2 : 0;
         CanFrame frame = blank(m);
         for (std::int64_t raw = begin; raw < begin + span; ++raw) {
             if (raw >= rawOf(s.least, s) && raw <= rawOf(s.most, s)) continue;
@@ -301,7 +306,7 @@ TEST(Codec, refusesEveryBitThatNoSignalNames)
 {
     for (const DbcMessage& m : dbc()) {
         std::uint64_t named = 0;
-        for (const DbcSignal& s : m.signals)
+        for (const DbcSignal& s : m.payload)
             for (int i = 0; i < s.length; ++i) named |= std::uint64_t{1} << (s.start + i);
         for (int bit = 0; bit < 64; ++bit) {
             if (((named >> bit) & 1U) != 0) continue;
