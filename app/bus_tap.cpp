@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/bus_statistics.h"
 
@@ -53,47 +54,32 @@ void BusTap::take(const BusFrame& received)
     const FrameBits bits = bitsOf(frame);
     fewestBits_ += static_cast<std::uint64_t>(bits.fewest);
     mostBits_ += static_cast<std::uint64_t>(bits.most);
-    ++troubles_[static_cast<std::size_t>(judged.trouble)];
+    const FrameTrouble trouble =
+        judged.kind ? judged.trouble : foreign_.take(frame, judged.trouble, received.time);
+    ++troubles_[static_cast<std::size_t>(trouble)];
 
-    const TracedFrame traced{++frames_, received.time, frame, received.echo, judged.trouble};
+    const TracedFrame traced{++frames_, received.time, frame, received.echo, trouble};
     if (trace_.size() < kTrace)
         trace_.push_back(traced);
     else
         trace_[(frames_ - 1) % kTrace] = traced;
 
-    Kept* kept = judged.kind ? &known_[static_cast<std::size_t>(*judged.kind)] : unknown(frame);
-    if (!kept)
-        ++beyond_;
-    else
-        keep(*kept, judged, received.time);
+    if (judged.kind) keep(known_[static_cast<std::size_t>(*judged.kind)], judged, received);
 }
 
-BusTap::Kept* BusTap::unknown(const CanFrame& frame)
-{
-    const UnknownKey key{frame.id, frame.extended, frame.remote, frame.error, frame.fd};
-    const auto found = unknown_.find(key);
-    if (found != unknown_.end()) return &found->second;
-    return unknown_.size() < kMostUnknown ? &unknown_[key] : nullptr;
-}
-
-void BusTap::keep(Kept& kept, const JudgedFrame& judged, double time)
+void BusTap::keep(Kept& kept, const JudgedFrame& judged, const BusFrame& received)
 {
     TappedFrame& frame = kept.frame;
     ++frame.frames;
     ++frame.troubles[static_cast<std::size_t>(judged.trouble)];
-    frame.newest = trace_[(frames_ - 1) % kTrace].frame;
-    if (!judged.isSound() && judged.kind) return;
-    kept.usedAt = time;
-    if (!judged.kind) return;
+    frame.newest = received.frame;
+    if (!judged.isSound()) return;
+    kept.usedAt = received.time;
     frame.isMeasured = isMeasured(judged);
     const auto layout = layoutOf(*judged.kind).payload;
     for (std::size_t i = 0; i < layout.size(); ++i) {
         if (!frame.isMeasured && layout[i].name != "Measured") continue;
-        const double value = judged.content.values[i];
-        TappedSignal& signal = frame.payload[i];
-        signal.last = value;
-        signal.least = std::min(signal.least.value_or(value), value);
-        signal.most = std::max(signal.most.value_or(value), value);
+        frame.payload[i].take(judged.content.values[i]);
     }
 }
 
@@ -105,9 +91,15 @@ void BusTap::tick(double now)
     for (; *nextTick_ <= now; *nextTick_ += kTick) step(*nextTick_);
 }
 
+void BusTap::describe(std::shared_ptr<const DbcBook> book)
+{
+    const std::scoped_lock lock(mutex_);
+    foreign_.describe(std::move(book));
+}
+
 void BusTap::step(double now)
 {
-    const std::size_t place = ticks_ % (kRateTicks + 1);
+    const std::size_t place = ticks_ % totals_.size();
     totals_[place] = {now, frames_, fewestBits_, mostBits_};
     for (Kept& kept : known_) {
         kept.counts[place] = kept.frame.frames;
@@ -115,28 +107,19 @@ void BusTap::step(double now)
         for (TappedSignal& signal : kept.frame.payload)
             signal.history[point_] = fresh && signal.last ? static_cast<float>(*signal.last) : kGap;
     }
-    for (auto& [key, kept] : unknown_) kept.counts[place] = kept.frame.frames;
+    foreign_.step(now, ticks_, point_);
     point_ = (point_ + 1) % TappedSignal::kPoints;
     ++ticks_;
-}
-
-double BusTap::rate(const Ring<std::uint64_t>& counts) const
-{
-    if (ticks_ < 2) return 0.0;
-    const std::size_t steps = std::min(ticks_ - 1, kRateTicks);
-    const std::uint64_t now = counts[(ticks_ - 1) % (kRateTicks + 1)];
-    const std::uint64_t before = counts[(ticks_ - 1 - steps) % (kRateTicks + 1)];
-    return static_cast<double>(now - before) / (static_cast<double>(steps) * kTick);
 }
 
 BusLoad BusTap::load() const
 {
     const std::scoped_lock lock(mutex_);
-    BusLoad load{.frames = frames_, .troubles = troubles_, .beyond = beyond_};
+    BusLoad load{.frames = frames_, .troubles = troubles_, .beyond = foreign_.beyond()};
     if (ticks_ < 2) return load;
-    const std::size_t steps = std::min(ticks_ - 1, kRateTicks);
-    const Totals& now = totals_[(ticks_ - 1) % (kRateTicks + 1)];
-    const Totals& before = totals_[(ticks_ - 1 - steps) % (kRateTicks + 1)];
+    const std::size_t steps = std::min(ticks_ - 1, kBusRateTicks);
+    const Totals& now = totals_[(ticks_ - 1) % totals_.size()];
+    const Totals& before = totals_[(ticks_ - 1 - steps) % totals_.size()];
     const double seconds = now.time - before.time;
     load.framesPerSecond = static_cast<double>(now.frames - before.frames) / seconds;
     load.fewestBits = static_cast<double>(now.fewestBits - before.fewestBits) / seconds;
@@ -151,15 +134,12 @@ std::vector<TappedFrame> BusTap::frames(double now) const
     const auto add = [&](const Kept& kept) {
         if (kept.frame.frames == 0) return;
         TappedFrame& frame = frames.emplace_back(kept.frame);
-        frame.rate = rate(kept.counts);
+        frame.rate = rateOf(kept.counts, ticks_);
         if (kept.usedAt) frame.age = std::max(0.0, now - *kept.usedAt);
-        for (TappedSignal& signal : frame.payload)
-            std::rotate(signal.history.begin(),
-                        signal.history.begin() + static_cast<std::ptrdiff_t>(point_),
-                        signal.history.end());
+        for (TappedSignal& signal : frame.payload) signal.unrollHistory(point_);
     };
     for (const Kept& kept : known_) add(kept);
-    for (const auto& [key, kept] : unknown_) add(kept);
+    foreign_.addTo(frames, now, ticks_, point_);
     return frames;
 }
 
@@ -177,7 +157,8 @@ void BusTap::forgetExtremes()
 {
     const std::scoped_lock lock(mutex_);
     for (Kept& kept : known_)
-        for (TappedSignal& signal : kept.frame.payload) signal.least = signal.most = std::nullopt;
+        for (TappedSignal& signal : kept.frame.payload) signal.forgetExtremes();
+    foreign_.forgetExtremes();
 }
 
 }  // namespace terratact

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/can_words.h"
 #include "core/result.h"
@@ -16,8 +17,9 @@ struct CanDecodeOptions {
     std::string log;
     std::string interface;  ///< empty: all
     CanProtocol protocol = CanProtocol::Terratact;
-    std::string csv;           ///< to be written; empty: none
-    bool summaryOnly = false;  ///< no line for each frame
+    std::vector<std::string> dbc{};  ///< files for frames that are not the protocol's
+    std::string csv;                 ///< to be written; empty: none
+    bool summaryOnly = false;        ///< no line for each frame
 };
 /// Prints every frame of a log in words, and what was wrong, for each interface.
 Status decodeCanLog(const CanDecodeOptions& options);
@@ -27,8 +29,9 @@ struct CanMonitorOptions {
     std::string interface;  ///< of a log that holds several
     double speed = 1.0;     ///< of a replay
     CanProtocol protocol = CanProtocol::Terratact;
-    double bitrate = 500'000.0;     ///< [bit/s] for the load
-    std::optional<double> seconds;  ///< then it ends; else at the end of a replay, or never
+    std::vector<std::string> dbc{};  ///< files for frames that are not the protocol's
+    double bitrate = 500'000.0;      ///< [bit/s] for the load
+    std::optional<double> seconds;   ///< then it ends; else at the end of a replay, or never
 };
 /// Shows what is on a bus: a table that is refreshed five times a second on a terminal, else once a second.
 Status monitorCan(const CanMonitorOptions& options);

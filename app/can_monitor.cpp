@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace terratact {
 namespace {
@@ -19,8 +20,8 @@ std::string rowText(const FrameCount& count)
 
 }  // namespace
 
-CanMonitor::CanMonitor(CanProtocol protocol, double bitrate)
-    : reader_(frameReader(protocol)), bitrate_(bitrate)
+CanMonitor::CanMonitor(CanProtocol protocol, double bitrate, std::shared_ptr<const DbcBook> book)
+    : reader_(frameReader(protocol, std::move(book))), bitrate_(bitrate)
 {
     if (!(bitrate > 0.0)) throw std::invalid_argument("CanMonitor: the bitrate must be over 0");
 }

@@ -10,6 +10,7 @@
 
 #include "app/bus_statistics.h"
 #include "app/can_words.h"
+#include "app/dbc_book.h"
 #include "drivers/can_bus.h"
 
 namespace terratact {
@@ -19,7 +20,8 @@ namespace terratact {
 class CanMonitor {
 public:
     /// bitrate: [bit/s] of the bus.  Throws std::invalid_argument unless it is over 0.
-    CanMonitor(CanProtocol protocol, double bitrate);
+    /// book: for frames that are not the protocol's.
+    CanMonitor(CanProtocol protocol, double bitrate, std::shared_ptr<const DbcBook> book = nullptr);
 
     void take(const BusFrame& frame);
 

@@ -228,9 +228,14 @@ std::string wordOf(const SignalLayout& signal, double value)
     return number(value, signal.scale);
 }
 
+bool isNotMeasured(const std::vector<NamedValue>& values)
+{
+    return values.size() == 1 && values[0].name == "Measured" && values[0].value == "no";
+}
+
 std::string wordsOf(const std::vector<NamedValue>& values)
 {
-    if (values.size() == 1 && values[0].name == "Measured") return "not measured";
+    if (isNotMeasured(values)) return "not measured";
     std::string text;
     for (const NamedValue& value : values) {
         if (!text.empty()) text += ", ";

@@ -44,6 +44,9 @@ std::unique_ptr<FrameReader> frameReader(CanProtocol protocol);
 /// The value of one signal for people: "0.2100", "yes", "driving".
 std::string wordOf(const SignalLayout& signal, double value);
 
+/// All that a frame of ours says is that nothing was measured.
+bool isNotMeasured(const std::vector<NamedValue>& values);
+
 /// "Pitch 0.2100 rad, Roll -0.0500 rad"
 std::string wordsOf(const std::vector<NamedValue>& values);
 

@@ -443,6 +443,13 @@ void addProtocol(CLI::App& app, CanProtocol& protocol, std::string& scratch)
         ->check(named(protocol, canProtocolFromName, "terratact|absolem"));
 }
 
+void addDbc(CLI::App& app, std::vector<std::string>& files)
+{
+    app.add_option("--dbc", files,
+                   "DBC file for frames that are not the protocol's; may be repeated")
+        ->allow_extra_args(false);
+}
+
 void addCanDecode(CLI::App& can, Arguments& a)
 {
     auto* c = can.add_subcommand("decode", "Every frame of a log in words, and what was wrong");
@@ -451,6 +458,7 @@ void addCanDecode(CLI::App& can, Arguments& a)
     c->add_option("--csv", a.canDecode.csv, "CSV to write, a row for each value");
     c->add_flag("--summary", a.canDecode.summaryOnly, "No line for each frame");
     addProtocol(*c, a.canDecode.protocol, a.scratch);
+    addDbc(*c, a.canDecode.dbc);
 }
 
 void addCanMonitor(CLI::App& can, Arguments& a)
@@ -465,6 +473,7 @@ void addCanMonitor(CLI::App& can, Arguments& a)
     addNumber(*c, "--speed", a.canMonitor.speed, "Of a replay: seconds of the log per second")
         ->check(CLI::Range(0.001, 1000.0));
     addProtocol(*c, a.canMonitor.protocol, a.scratch);
+    addDbc(*c, a.canMonitor.dbc);
 }
 
 void addCan(CLI::App& app, Arguments& a)

@@ -8,6 +8,7 @@
 #include "app/bus_statistics.h"
 #include "app/can_commands.h"
 #include "app/csv_field.h"
+#include "app/dbc_book.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/text.h"
@@ -72,8 +73,9 @@ private:
 
 class Decoder {
 public:
-    Decoder(const CanDecodeOptions& options, CandumpReader log, std::optional<CsvOutput> csv)
-        : options_(options), log_(std::move(log)), csv_(std::move(csv))
+    Decoder(const CanDecodeOptions& options, std::shared_ptr<const DbcBook> book, CandumpReader log,
+            std::optional<CsvOutput> csv)
+        : options_(options), book_(std::move(book)), log_(std::move(log)), csv_(std::move(csv))
     {
     }
 
@@ -111,7 +113,7 @@ private:
             return log_.error(
                 fmt::format("is of the {}th interface: so many are not believed", kMostBuses + 1));
         Bus& bus = buses_[logged.interface];
-        if (!bus.reader) bus.reader = frameReader(options_.protocol);
+        if (!bus.reader) bus.reader = frameReader(options_.protocol, book_);
         const double now = logged.time.value_or(0.0);
         if (logged.time && !bus.first) bus.first = now;
         if (logged.time) bus.last = now;
@@ -149,6 +151,7 @@ private:
     }
 
     const CanDecodeOptions& options_;
+    std::shared_ptr<const DbcBook> book_;
     CandumpReader log_;
     std::optional<CsvOutput> csv_;
     std::map<std::string, Bus> buses_;
@@ -159,6 +162,10 @@ private:
 
 Status decodeCanLog(const CanDecodeOptions& options)
 {
+    const auto book = readDbcBook(options.protocol, options.dbc);
+    if (!book) return book.error();
+    for (const std::string& remark : remarksOf(*book))
+        fmt::print(stderr, "terratact: {}\n", remark);
     Result<CandumpReader> log = CandumpReader::open(options.log);
     if (!log) return log.error();
     std::optional<CsvOutput> csv;
@@ -167,7 +174,7 @@ Status decodeCanLog(const CanDecodeOptions& options)
         if (!begun) return begun.error();
         csv = *std::move(begun);
     }
-    return Decoder(options, *std::move(log), std::move(csv)).run();
+    return Decoder(options, *book, *std::move(log), std::move(csv)).run();
 }
 
 }  // namespace terratact

@@ -9,6 +9,7 @@
 
 #include "app/can_commands.h"
 #include "app/can_monitor.h"
+#include "app/dbc_book.h"
 #include "app/open_bus.h"
 
 namespace terratact {
@@ -81,7 +82,9 @@ Status monitorCan(const CanMonitorOptions& options)
     const auto bus =
         isReplay ? openReplay(options.bus, options.interface, options.speed) : openBus(options.bus);
     if (!bus) return bus.error();
-    CanMonitor monitor(options.protocol, options.bitrate);
+    const auto book = readDbcBook(options.protocol, options.dbc);
+    if (!book) return book.error();
+    CanMonitor monitor(options.protocol, options.bitrate, *book);
     const Screen screen;
     screen.clear();
     const Clock::time_point begin = Clock::now();
@@ -100,7 +103,9 @@ Status monitorCan(const CanMonitorOptions& options)
         const std::string state = !isReplay ? describe((*bus)->state(), (*bus)->name())
                                 : ended     ? (*bus)->name() + " has ended"
                                             : (*bus)->name();
-        screen.show(monitor.headline(state, (*bus)->counters()), monitor.table(now));
+        std::vector<std::string> lines = monitor.table(now);
+        for (const std::string& remark : remarksOf(*book)) lines.push_back(remark);
+        screen.show(monitor.headline(state, (*bus)->counters()), lines);
         if (ended || Clock::now() >= end) return Done{};
     }
 }

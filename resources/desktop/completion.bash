@@ -56,6 +56,7 @@ _terratact_value() {
     "model card:--terrain" | *:--trained) ;;
     *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
     *:--replay) _terratact_files log ;;
+    *:--dbc) _terratact_files dbc ;;
     *:--screenshot) _terratact_files png ;;
     *:--sessions) _terratact_files ;;
     *:--can | *:--interface) _terratact_buses ;;
@@ -104,8 +105,8 @@ _terratact_options() {
     "panel check") echo --lamps --watch --seconds ;;
     demo) echo --robot --model --out --method "$estimates" ;;
     robot) echo --robot --can --terrain --fault --seed --speed --seconds ;;
-    "can decode") echo --interface --csv --summary --protocol ;;
-    "can monitor") echo --seconds --bitrate --interface --speed --protocol ;;
+    "can decode") echo --interface --csv --summary --protocol --dbc ;;
+    "can monitor") echo --seconds --bitrate --interface --speed --protocol --dbc ;;
     "session verify") echo --link ;;
     "session export") echo --out --format --what --from --to ;;
     "session scenes") echo --out --measured ;;

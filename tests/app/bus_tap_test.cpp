@@ -6,12 +6,15 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "app/bus_statistics.h"
 #include "app/can_source.h"
 #include "tests/support/absolem.h"
+#include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {
@@ -145,9 +148,9 @@ TEST_F(Tapping, isBoundedWhateverComes)
 {
     for (std::uint32_t id = 0; id < 100'000; ++id)
         take({.frame = {.id = id, .extended = true, .length = 8}, .time = 0.0});
-    EXPECT_EQ(tap.frames(0.0).size(), BusTap::kMostUnknown);
+    EXPECT_EQ(tap.frames(0.0).size(), ForeignFrames::kMostUnknown);
     EXPECT_EQ(tap.load().frames, 100'000U);
-    EXPECT_EQ(tap.load().beyond, 100'000U - BusTap::kMostUnknown);
+    EXPECT_EQ(tap.load().beyond, 100'000U - ForeignFrames::kMostUnknown);
     take({.frame = {.id = 4, .error = true, .length = 8}, .time = 0.0});
     EXPECT_EQ(tap.trace().back().trouble, FrameTrouble::Other);
 }
@@ -160,6 +163,143 @@ TEST_F(Tapping, survivesATimeThatJumps)
     EXPECT_NEAR(of(FrameKind::Attitude, 1e6 + 3.0).rate, 20.0, 1.1);
     tap.tick(5.0);
     EXPECT_TRUE(std::isfinite(tap.load().framesPerSecond));
+}
+
+/// A payload's frames, by a DBC file: 100 Hz, of which those with an even number are of group 0.
+struct Described : Tapping {
+    Described()
+    {
+        const TemporaryDirectory directory;
+        auto book = std::make_shared<DbcBook>();
+        EXPECT_TRUE(book->add(directory.write(
+            "gas.dbc", "BO_ 291 Gas: 8 P\n SG_ Group M : 0|8@1+ (1,0) [0|0] \"\" C\n"
+                       " SG_ Oxygen : 15|16@0- (0.01,0) [0|0] \"%\" C\n"
+                       " SG_ Even m0 : 24|8@1+ (1,0) [0|0] \"\" C\n"
+                       " SG_ Odd m1 : 24|8@1+ (1,0) [0|0] \"\" C\n"
+                       "BO_ 292 Slow: 1 P\n SG_ Count : 0|8@1+ (1,0) [0|0] \"\" C\n"
+                       "BA_ \"GenMsgCycleTime\" BO_ 292 1000;\n")));
+        tap.describe(book);
+    }
+    static BusFrame gas(std::uint8_t group, double oxygen, std::uint8_t value, double time)
+    {
+        const auto raw = static_cast<std::uint16_t>(std::lround(100.0 * oxygen));
+        return {.frame = {.id = 291,
+                          .length = 4,
+                          .data = {group, static_cast<std::uint8_t>(raw >> 8U),
+                                   static_cast<std::uint8_t>(raw & 0xFFU), value}},
+                .time = time};
+    }
+    TappedFrame described(std::uint32_t id, double now) const
+    {
+        for (const TappedFrame& frame : tap.frames(now))
+            if (frame.described && frame.newest.id == id) return frame;
+        ADD_FAILURE() << "no such frame";
+        return {};
+    }
+};
+
+TEST_F(Described, haveValuesExtremesRatesAgesAndHistories)
+{
+    for (int i = 0; i < 300; ++i) {
+        const double time = 0.01 * i;
+        take(gas(static_cast<std::uint8_t>(i % 2), i < 100 ? 20.5 : -1.25,
+                 static_cast<std::uint8_t>(i), time));
+        tap.tick(time);
+    }
+    const TappedFrame frame = described(291, 3.0);
+    EXPECT_EQ(frame.described->message.name, "Gas");
+    ASSERT_EQ(frame.payload.size(), 4U);
+    EXPECT_EQ(frame.payload[1].last, -1.25);
+    EXPECT_EQ(frame.payload[1].least, -1.25);
+    EXPECT_EQ(frame.payload[1].most, 20.5);
+    EXPECT_NEAR(frame.rate, 100.0, 5.0);
+    EXPECT_NEAR(frame.times[1].rate, 100.0, 5.0);
+    EXPECT_NEAR(frame.times[2].rate, 50.0, 3.0) << "in every other frame";
+    EXPECT_NEAR(frame.times[2].age.value(), 0.02, 1e-9);
+    EXPECT_NEAR(frame.times[3].age.value(), 0.01, 1e-9);
+    EXPECT_EQ(frame.payload[3].last, 299.0 - 256.0);
+    EXPECT_FLOAT_EQ(frame.payload[1].history.back(), -1.25F);
+    EXPECT_FLOAT_EQ(frame.payload[1].history[TappedSignal::kPoints - 25], 20.5F);
+    EXPECT_TRUE(std::isnan(frame.payload[1].history[0])) << "before the beginning";
+    EXPECT_EQ(tap.trace().back().trouble, FrameTrouble::None) << "somebody knows it";
+    EXPECT_EQ(tap.load().troubles[static_cast<std::size_t>(FrameTrouble::Unknown)], 0U);
+    tap.forgetExtremes();
+    EXPECT_FALSE(described(291, 3.0).payload[1].least);
+}
+
+TEST_F(Described, aSignalThatIsNoLongerSelectedGrowsOld)
+{
+    for (int i = 0; i < 400; ++i) {
+        take(gas(i < 100 ? static_cast<std::uint8_t>(i % 2) : 0, 20.0, 7, 0.01 * i));
+        tap.tick(0.01 * i);
+    }
+    const TappedFrame frame = described(291, 4.0);
+    EXPECT_NEAR(frame.age.value(), 0.01, 1e-9);
+    EXPECT_NEAR(frame.times[3].age.value(), 3.01, 1e-9);
+    EXPECT_LT(frame.times[3].fresh, 3.0);
+    EXPECT_EQ(frame.times[3].rate, 0.0);
+    EXPECT_TRUE(std::isnan(frame.payload[3].history.back()));
+    EXPECT_FLOAT_EQ(frame.payload[2].history.back(), 7.0F);
+}
+
+TEST_F(Described, areFreshForThreeOfTheirPeriods)
+{
+    for (int i = 0; i < 40; ++i) {
+        if (i % 10 == 0) take({.frame = {.id = 292, .length = 1, .data = {9}}, .time = 0.1 * i});
+        tap.tick(0.1 * i);
+    }
+    EXPECT_NEAR(described(292, 3.9).times[0].fresh, 3.0, 0.01);
+    EXPECT_FLOAT_EQ(described(292, 3.9).payload[0].history.back(), 9.0F) << "no gaps between";
+    for (int i = 40; i < 80; ++i) tap.tick(0.1 * i);
+    EXPECT_TRUE(std::isnan(described(292, 7.9).payload[0].history.back()));
+}
+
+TEST_F(Described, needsAllBytesOfASignal)
+{
+    take({.frame = {.id = 291, .length = 2, .data = {0, 7}}, .time = 0.0});
+    const TappedFrame frame = described(291, 0.0);
+    EXPECT_EQ(frame.payload[0].last, 0.0);
+    EXPECT_FALSE(frame.payload[1].last);
+    EXPECT_FALSE(frame.times[1].age);
+}
+
+TEST_F(Described, areBytesAgainWithoutTheirFile)
+{
+    take(gas(0, 20.0, 1, 0.0));
+    tap.describe(nullptr);
+    EXPECT_TRUE(tap.frames(0.0).empty()) << "forgotten";
+    take(gas(0, 20.0, 1, 0.1));
+    ASSERT_EQ(tap.frames(0.1).size(), 1U);
+    EXPECT_FALSE(tap.frames(0.1)[0].described);
+    EXPECT_EQ(tap.trace().back().trouble, FrameTrouble::Unknown);
+    EXPECT_EQ(tap.trace().front().trouble, FrameTrouble::None) << "as it was judged then";
+}
+
+/// A file of so many messages, each with so many signals of a byte.
+std::shared_ptr<const DbcBook> wideBook(unsigned messages, unsigned signalsOfEach)
+{
+    std::string text;
+    for (unsigned m = 0; m < messages; ++m) {
+        text += "BO_ " + std::to_string(256 + m) + " M: 8 P\n";
+        for (unsigned s = 0; s < signalsOfEach; ++s)
+            text += " SG_ S" + std::to_string(s) + " : " + std::to_string(8 * (s % 8))
+                  + "|8@1+ (0.5,1) [0|0] \"\" C\n";
+    }
+    const TemporaryDirectory directory;
+    auto book = std::make_shared<DbcBook>();
+    EXPECT_TRUE(book->add(directory.write("wide.dbc", text)));
+    return book;
+}
+
+TEST_F(Tapping, isBoundedWhateverFilesDescribe)
+{
+    tap.describe(wideBook(1000, 1));
+    for (std::uint32_t id = 256; id < 1256; ++id) take({.frame = {.id = id, .length = 8}});
+    EXPECT_EQ(tap.frames(0.0).size(), ForeignFrames::kMostDescribed);
+    EXPECT_EQ(tap.load().beyond, 1000 - ForeignFrames::kMostDescribed);
+    tap.describe(wideBook(10, 900));
+    for (std::uint32_t id = 256; id < 266; ++id) take({.frame = {.id = id, .length = 8}});
+    EXPECT_EQ(tap.frames(0.0).size(), ForeignFrames::kMostSignals / 900);
 }
 
 double cpuSeconds()
@@ -207,6 +347,14 @@ TEST(BusTapCost, isLessThanThatOfWordsForEveryFrame)
             tap.tick(all[i].time);
         }
     });
+    BusTap describing;
+    describing.describe(wideBook(32, 8));
+    const double described = secondsPerMillion(frames, [&](const std::vector<BusFrame>& all) {
+        for (std::size_t i = 0; i + 10 <= all.size(); i += 10) {
+            describing.take(std::span(all).subspan(i, 10));
+            describing.tick(all[i].time);
+        }
+    });
     const auto reader = frameReader(CanProtocol::Terratact);
     BusStatistics statistics;
     const double worded = secondsPerMillion(frames, [&](const std::vector<BusFrame>& all) {
@@ -217,10 +365,11 @@ TEST(BusTapCost, isLessThanThatOfWordsForEveryFrame)
     const double received = secondsPerMillion(frames, [&](const std::vector<BusFrame>& all) {
         for (const BusFrame& f : all) (void)link.receive(f.frame, f.echo, f.time);
     });
-    std::printf("seconds of CPU per million frames: tap %.3f, the link without it %.3f, "
-                "every frame in words %.3f\n",
-                tapped, received, worded);
+    std::printf("seconds of CPU per million frames: tap %.3f, with eight signals of a DBC file in "
+                "each foreign frame %.3f, the link without it %.3f, every frame in words %.3f\n",
+                tapped, described, received, worded);
     EXPECT_LT(tapped, worded);
+    EXPECT_LT(described, worded);
     EXPECT_LT(tapped, 20.0) << "a fifth of a core at 9000 frames/s";
 }
 

@@ -81,7 +81,20 @@ def absolem_log():
     return text
 
 
-LOGS = {"can_demo.log": demo_log, "can_absolem.log": absolem_log}
+def payload_log():
+    """A gas sensor and a battery beside the robot, as docs/can_payload.dbc describes them."""
+    begin, battery, text = 1767225600, 0x18FED101, ""
+    for i in range(2):
+        now = begin + 0.1 * i
+        air = struct.pack(">HBHB", 235 + 8 * i, 207 - i, (-35 & 0xFFF) << 4, 1)
+        text += line(now, (0x500, air))
+        text += line(now + 0.001, telemetry(i)[1])
+        text += line(now + 0.01, (battery, struct.pack("<BBHxxxx", 0, 171, 25187)))
+        text += line(now + 0.02, (battery, struct.pack("<Bxxxf", 1, 187.5)))
+    return text + line(begin + 0.2, (0x501, b"\x01\x02"))
+
+
+LOGS = {"can_demo.log": demo_log, "can_absolem.log": absolem_log, "can_payload.log": payload_log}
 
 
 def printed(command):

@@ -69,8 +69,9 @@ def frame(name, counter, **values):
 
 
 def line(time, content, interface="can0"):
-    """As candump -L writes it."""
-    return f"({time:017.6f}) {interface} {content[0]:03X}#{content[1].hex().upper()}\n"
+    """As candump -L writes it; an identifier beyond 11 bits is one of 29."""
+    identifier = f"{content[0]:03X}" if content[0] < 0x800 else f"{content[0]:08X}"
+    return f"({time:017.6f}) {interface} {identifier}#{content[1].hex().upper()}\n"
 
 
 def telemetry(counter, pitch=0.21, **status):

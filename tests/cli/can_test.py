@@ -202,6 +202,61 @@ class Absolem(Logs):
         self.assertEqual(self.totals(out), (0, 1, 0, 3, 1, 1))
 
 
+class Described(Logs):
+    """Frames that are not of the protocol, by a DBC file."""
+
+    DBC = """BO_ 291 Payload: 8 Gas
+ SG_ Oxygen : 7|16@0+ (0.01,0) [0|25] "%" Console
+ SG_ State : 16|2@1+ (1,0) [0|2] "" Console
+BO_ 34 Clash: 8 Gas
+ SG_ Oxygen : 0|8@1+ (1,0) [0|25] "%" Console
+VAL_ 291 State 1 "ready" ;
+"""
+
+    def setUp(self):
+        super().setUp()
+        self.dbc = self.path / "gas.dbc"
+        self.dbc.write_text(self.DBC)
+
+    def frames(self):
+        return line(BEGIN, telemetry(0)[1]) + line(BEGIN, (0x123, bytes([0x08, 0x17, 0x01]))) + line(BEGIN, (0x124, b"1"))
+
+    def test_are_in_words_and_the_protocol_is_not_overruled(self):
+        self.log.write_text(self.frames())
+        done = subprocess.run([CLI, "can", "decode", self.log, "--dbc", self.dbc, "--csv", self.csv], capture_output=True,
+                              text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Attitude                   #000  ok; Pitch 0.2100 rad", done.stdout)
+        self.assertIn("123       Payload                    -     by gas.dbc; Oxygen 20.71 %, State ready", done.stdout)
+        self.assertIn("124       unknown ", done.stdout)
+        self.assertEqual(self.totals(done.stdout), (0, 0, 0, 0, 1, 1))
+        self.assertIn("gas.dbc: frame 022: the robot's protocol has that identifier", done.stderr)
+        got = [row for row in rows(self.csv) if row["frame"] == "Payload"]
+        self.assertEqual([(row["signal"], row["value"], row["unit"]) for row in got],
+                         [("Oxygen", "20.71", "%"), ("State", "ready", "")])
+
+    def test_are_on_the_monitor(self):
+        self.log.write_text(self.frames())
+        out = run("can", "monitor", self.log, "--dbc", self.dbc, "--dbc", self.dbc)
+        self.assertRegex(out, r"123 +Payload .* Oxygen 20.71 %, State ready\n")
+        self.assertIn("gas.dbc describes that already and is what counts", out)
+
+    def test_of_two_files_the_first_counts(self):
+        other = self.path / "other.dbc"
+        other.write_text(self.DBC.replace("Payload", "Other"))
+        for files, name in (((self.dbc, other), "Payload"), ((other, self.dbc), "Other")):
+            self.assertIn(f"123       {name} ", self.decode(self.frames(), "--dbc", files[0], "--dbc", files[1]))
+
+    def test_of_a_file_that_cannot_be_used_the_line_is_named(self):
+        self.log.write_text(self.frames())
+        self.dbc.write_text(self.DBC.replace("7|16@0", "60|16@0"))
+        for command in ("decode", "monitor"):
+            said = complaint("can", command, self.log, "--dbc", self.dbc)
+            self.assertRegex(said, r"gas.dbc: line 2: the signal Oxygen does not fit .* correct")
+            self.assertIn("nowhere.dbc: cannot be opened", complaint("can", command, self.log, "--dbc", "nowhere.dbc"))
+        self.assertIn("no regular file", complaint("can", "decode", self.log, "--dbc", "/dev/zero"))
+
+
 class Monitor(Logs):
     def test_a_replay_is_shown_with_rates_load_and_ages(self):
         self.log.write_text(session(30))

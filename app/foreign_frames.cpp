@@ -1,0 +1,133 @@
+#include "app/foreign_frames.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace terratact {
+namespace {
+
+constexpr float kNoPoint = std::numeric_limits<float>::quiet_NaN();
+
+float pointOf(double value)
+{
+    constexpr double kMost = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(value, -kMost, kMost));
+}
+
+}  // namespace
+
+void ForeignFrames::describe(std::shared_ptr<const DbcBook> book)
+{
+    book_ = std::move(book);
+    described_.clear();
+    unknown_.clear();
+    signals_ = 0;
+}
+
+FrameTrouble ForeignFrames::take(const CanFrame& frame, FrameTrouble trouble, double time)
+{
+    Kept* kept = keptOf(frame);
+    if (!kept) {
+        ++beyond_;
+        return trouble;
+    }
+    if (kept->frame.described) trouble = FrameTrouble::None;
+    ++kept->frame.frames;
+    ++kept->frame.troubles[static_cast<std::size_t>(trouble)];
+    kept->frame.newest = frame;
+    kept->usedAt = time;
+    if (kept->frame.described) takeValues(*kept, frame, time);
+    return trouble;
+}
+
+ForeignFrames::Kept* ForeignFrames::keptOf(const CanFrame& frame)
+{
+    const Key key{frame.id, frame.extended, frame.remote, frame.error, frame.fd};
+    for (Kinds* kinds : {&described_, &unknown_})
+        if (const auto found = kinds->find(key); found != kinds->end()) return &found->second;
+    return begin(key, book_ ? book_->find(frame) : nullptr);
+}
+
+ForeignFrames::Kept* ForeignFrames::begin(const Key& key,
+                                          std::shared_ptr<const DescribedFrame> described)
+{
+    if (!described) return unknown_.size() < kMostUnknown ? &unknown_[key] : nullptr;
+    const std::size_t signals = described->message.payload.size();
+    if (described_.size() >= kMostDescribed || signals_ + signals > kMostSignals) return nullptr;
+    signals_ += signals;
+    Kept& kept = described_[key];
+    kept.payload.resize(signals);
+    for (KeptSignal& signal : kept.payload) signal.signal.history.fill(kNoPoint);
+    kept.frame.described = std::move(described);
+    return &kept;
+}
+
+void ForeignFrames::takeValues(Kept& kept, const CanFrame& frame, double time)
+{
+    values_.resize(kept.payload.size());
+    decode(kept.frame.described->message, frame, values_);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+        if (!values_[i]) continue;
+        KeptSignal& of = kept.payload[i];
+        of.signal.take(*values_[i]);
+        of.usedAt = time;
+        ++of.times;
+    }
+}
+
+/// Three of its periods: the file's, or as it was seen last.
+double ForeignFrames::freshOf(const Kept& kept, const KeptSignal& signal, std::size_t ticks)
+{
+    constexpr double kPeriods = 3.0;
+    const double stated = kept.frame.described->message.period();
+    const double rate = rateOf(signal.counts, ticks);
+    const double seen = rate > 0.0 ? 1.0 / rate : 0.0;
+    return std::max(kBusFresh, kPeriods * std::max(stated, seen));
+}
+
+void ForeignFrames::step(double now, std::size_t tick, std::size_t point)
+{
+    const std::size_t place = tick % (kBusRateTicks + 1);
+    for (Kinds* kinds : {&described_, &unknown_})
+        for (auto& [key, kept] : *kinds) {
+            kept.counts[place] = kept.frame.frames;
+            for (KeptSignal& of : kept.payload) {
+                of.counts[place] = of.times;
+                const bool fresh = of.usedAt && now - *of.usedAt <= freshOf(kept, of, tick + 1);
+                of.signal.history[point] = fresh ? pointOf(*of.signal.last) : kNoPoint;
+            }
+        }
+}
+
+void ForeignFrames::addTo(std::vector<TappedFrame>& frames, double now, std::size_t ticks,
+                          std::size_t point) const
+{
+    for (const Kinds* kinds : {&described_, &unknown_})
+        for (const auto& [key, kept] : *kinds) frames.push_back(tapped(kept, now, ticks, point));
+}
+
+TappedFrame ForeignFrames::tapped(const Kept& kept, double now, std::size_t ticks,
+                                  std::size_t point)
+{
+    const auto ageOf = [now](const std::optional<double>& at) {
+        return at ? std::optional(std::max(0.0, now - *at)) : std::nullopt;
+    };
+    TappedFrame frame = kept.frame;
+    frame.rate = rateOf(kept.counts, ticks);
+    frame.age = ageOf(kept.usedAt);
+    for (const KeptSignal& of : kept.payload) {
+        frame.payload.emplace_back(of.signal).unrollHistory(point);
+        frame.times.push_back(
+            {rateOf(of.counts, ticks), ageOf(of.usedAt), freshOf(kept, of, ticks)});
+    }
+    return frame;
+}
+
+void ForeignFrames::forgetExtremes()
+{
+    for (auto& [key, kept] : described_)
+        for (KeptSignal& of : kept.payload) of.signal.forgetExtremes();
+}
+
+}  // namespace terratact

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "app/dbc_book.h"
+#include "app/tapped_frame.h"
+
+namespace terratact {
+
+/// The frames of a bus that the robot's protocol does not know: counted, and decoded where a DBC file describes
+/// them.  Bounded whatever comes.  A part of BusTap, which guards it.
+class ForeignFrames {
+public:
+    static constexpr std::size_t kMostUnknown = 64;     ///< kinds that no file describes
+    static constexpr std::size_t kMostDescribed = 256;  ///< kinds that one does
+    static constexpr std::size_t kMostSignals = 2000;   ///< of those together
+
+    /// From now on; what came so far is forgotten.  book: null: none.
+    void describe(std::shared_ptr<const DbcBook> book);
+
+    /// trouble: as the protocol has it.  None where a DBC file describes the frame.
+    FrameTrouble take(const CanFrame& frame, FrameTrouble trouble, double time);
+    /// tick: counted from 0.  point: where histories go on.
+    void step(double now, std::size_t tick, std::size_t point);
+
+    /// Described ones first, in the order of identifiers.
+    void addTo(std::vector<TappedFrame>& frames, double now, std::size_t ticks,
+               std::size_t point) const;
+    void forgetExtremes();
+    std::uint64_t beyond() const { return beyond_; }  ///< frames that found no room
+
+private:
+    using Key = std::tuple<std::uint32_t, bool, bool, bool, bool>;
+    struct KeptSignal {
+        TappedSignal signal;
+        std::optional<double> usedAt{};  ///< [s]
+        std::uint64_t times = 0;
+        TickCounts counts{};
+    };
+    struct Kept {
+        TappedFrame frame;
+        std::optional<double> usedAt{};  ///< [s]
+        TickCounts counts{};
+        std::vector<KeptSignal> payload{};
+    };
+    using Kinds = std::map<Key, Kept>;
+    Kept* keptOf(const CanFrame& frame);
+    Kept* begin(const Key& key, std::shared_ptr<const DescribedFrame> described);
+    void takeValues(Kept& kept, const CanFrame& frame, double time);
+    static TappedFrame tapped(const Kept& kept, double now, std::size_t ticks, std::size_t point);
+    static double freshOf(const Kept& kept, const KeptSignal& signal, std::size_t ticks);
+
+    std::shared_ptr<const DbcBook> book_;
+    Kinds described_, unknown_;
+    std::size_t signals_ = 0;  ///< of the described ones
+    std::uint64_t beyond_ = 0;
+    std::vector<std::optional<double>> values_;  // of one frame
+};
+
+}  // namespace terratact
