@@ -87,6 +87,9 @@ void declareOptions(CLI::App& app, ConsoleOptions& options)
     declareFile(app, options);
     app.add_option("--panel", options.panel,
                    "File of the operator's panel on GPIO lines (default: there is none)");
+    app.add_option("--dbc", options.dbc,
+                   "DBC file for frames that are not the robot's; may be repeated")
+        ->allow_extra_args(false);
     app.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
     app.add_option("--screenshot", options.screenshot,
                    "Drive to a step, estimate it, save the window as PNG, and exit; of a session: "

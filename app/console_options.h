@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as CLI11 has it
 class App;
@@ -21,7 +22,8 @@ struct ConsoleOptions {
     std::string replay;  ///< file: a session, scenes, or a log of candump
     double speed = 1.0;  ///< seconds of a log per second
     std::optional<double> at{};
-    std::string panel;  ///< file
+    std::string panel;             ///< file
+    std::vector<std::string> dbc;  ///< files
     std::uint64_t seed = 1;
     std::string screenshot;               ///< file
     std::string theme, layout, language;  ///< by their names, see app/preferences.h

@@ -23,6 +23,10 @@ Preferences inForce(Preferences preferences, const ConsoleOptions& options)
     if (!options.language.empty()) preferences.language = QString::fromStdString(options.language);
     if (!options.model.empty()) preferences.model = QString::fromStdString(options.model);
     if (!options.robot.empty()) preferences.robot = QString::fromStdString(options.robot);
+    QStringList dbc;
+    for (const std::string& file : options.dbc) dbc << QString::fromStdString(file);
+    preferences.dbc = dbc + preferences.dbc;
+    preferences.dbc.removeDuplicates();
     return preferences;
 }
 

@@ -140,7 +140,7 @@ void MainWindow::addPages(const Options& options)
             [this](bool on) { preferences_->change([on](Preferences& p) { p.sound = on; }); });
     addScrolledPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
                     tr("What is wrong, and what was and has not been seen"));
-    signalsPage_ = new SignalsPage(*acquisition_, link_, this);
+    signalsPage_ = new SignalsPage(*acquisition_, link_, *preferences_, this);
     addScrolledPage(signalsPage_, tr("Signals"), Qt::Key_F5,
                     tr("Every signal on the bus, and its newest frames"));
     addTraining(options);

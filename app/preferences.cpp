@@ -6,9 +6,11 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 #include "widgets/words.h"
 
@@ -23,6 +25,12 @@ const QString kSchemaKey = QStringLiteral("schema");
 struct Says {
     Q_DECLARE_TR_FUNCTIONS(Preferences)
 };
+
+bool isPath(const QString& text)
+{
+    constexpr int kLongest = 4096;
+    return text.size() <= kLongest && !text.contains(QChar(0));
+}
 
 /// Reads and writes one value each under its key; every value is kept as text.
 struct Reader {
@@ -90,10 +98,18 @@ struct Reader {
     void path(const char* key, QString& to)
     {
         value(key, [&](const QString& text) {
-            constexpr int kLongest = 4096;
-            if (text.size() > kLongest || text.contains(QChar(0))) return false;
-            to = text;
-            return true;
+            if (isPath(text)) to = text;
+            return isPath(text);
+        });
+    }
+    void paths(const char* key, QStringList& to)
+    {
+        value(key, [&](const QString& text) {
+            QStringList found = text.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+            const bool good =
+                found.size() <= kMostDbcFiles && std::all_of(found.begin(), found.end(), isPath);
+            if (good) to = std::move(found);
+            return good;
         });
     }
     void bytes(const char* key, QByteArray& to)
@@ -125,6 +141,10 @@ struct Writer {
     void flag(const char* key, bool value_) { value(key, value_ ? "true" : "false"); }
     void language(const char* key, const QString& value_) { value(key, value_); }
     void path(const char* key, const QString& value_) { value(key, value_); }
+    void paths(const char* key, const QStringList& value_)
+    {
+        value(key, value_.join(QLatin1Char('\n')));
+    }
     void bytes(const char* key, const QByteArray& value_)
     {
         value(key, QString::fromLatin1(value_.toBase64()));
@@ -154,6 +174,7 @@ void visit(Visitor visitor, Values& p)
     visitor.number("keep-gigabytes", p.keepGigabytes, 0, kMostGigabytes);
     visitor.path("model", p.model);
     visitor.path("robot", p.robot);
+    visitor.paths("dbc", p.dbc);
     visitor.bytes("window", p.window);
 }
 

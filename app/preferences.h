@@ -29,6 +29,7 @@ struct Preferences {
     double rollLimit = Settings{}.rollLimit;            ///< [rad]
     double asymmetryLimit = Settings{}.asymmetryLimit;  ///< [rad]
     QString model, robot;                               ///< files; empty: the shipped ones
+    QStringList dbc;                                    ///< files, at most kMostDbcFiles
     bool record = true;                                 ///< what happens at the console
     int keepDays = 0, keepGigabytes = 0;  ///< of recordings; 0: nothing is ever deleted
     QByteArray window;                    ///< QWidget::saveGeometry(); empty: none yet
@@ -38,6 +39,7 @@ struct Preferences {
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;  ///< [%]
 inline constexpr int kMostEstimateSeconds = 25;               ///< an exploration waits for 30 s
 inline constexpr int kMostDays = 10'000, kMostGigabytes = 100'000;
+inline constexpr qsizetype kMostDbcFiles = 32;
 inline constexpr int kPreferencesSchema = 1;
 
 /// The settings with what the preferences say about method, quality and limits.

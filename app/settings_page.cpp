@@ -88,6 +88,7 @@ SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(paren
         store_.change([](Preferences& p) {
             Preferences plain;
             plain.window = p.window;
+            plain.dbc = p.dbc;
             p = plain;
         });
     });

@@ -1,17 +1,23 @@
 #include "app/signals_page.h"
 
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <utility>
 
 #include "app/acquisition.h"
 #include "app/bus_words.h"
 #include "app/can_source.h"
-#include "app/can_words.h"
+#include "app/preference_store.h"
+#include "app/protocol_dbc.h"
+#include "app/resources.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
@@ -25,86 +31,10 @@ namespace {
 // A number that changes more often cannot be read.
 constexpr double kRows = 0.1, kTrace = 0.2;  // [s]
 
-QString frameName(const CanFrame& frame)
+/// A path that may be wrapped at its folders.
+QString breakable(QString text)
 {
-    if (frame.error) return SignalsPage::tr("error frame");
-    const bool mayBeOurs = !frame.extended && !frame.remote && !frame.fd;
-    const auto kind = mayBeOurs ? kindOfId(frame.id) : std::nullopt;
-    return kind ? words::text(layoutOf(*kind).name) : SignalsPage::tr("unknown");
-}
-
-/// As wordsOf() says it; names are those of the DBC in every language.
-QString contentOf(const std::vector<NamedValue>& values)
-{
-    if (values.size() == 1 && values[0].name == "Measured") return words::sentence("not measured");
-    QStringList parts;
-    for (const NamedValue& value : values)
-        parts << QStringLiteral("%1 %2 %3")
-                     .arg(words::text(value.name), words::sentence(value.value),
-                          words::text(value.unit))
-                     .trimmed();
-    return parts.join(QStringLiteral(", "));
-}
-
-TraceWords wordsFor(const CanFrame& frame)
-{
-    // A reader of its own: what the frame says is the same whatever came before.
-    const FrameWords said = frameReader(CanProtocol::Terratact)->read(frame, 0.0);
-    return {.id = words::text(idText(frame)),
-            .name = frameName(frame),
-            .bytes = words::text(bytesText(frame)),
-            .content = said.values.empty() && frame.error ? words::text(said.verdict)
-                                                          : contentOf(said.values)};
-}
-
-SignalRow::Standing standingOf(const TappedFrame& frame)
-{
-    using Standing = SignalRow::Standing;
-    if (!frame.age || !frame.isMeasured) return Standing::Stale;
-    if (*frame.age <= BusTap::kFresh) return Standing::Fresh;
-    const bool isCyclic = frame.kind && layoutOf(*frame.kind).period > 0.0;
-    return isCyclic ? Standing::Stale : Standing::Said;
-}
-
-QString valueText(const SignalLayout& layout, const std::optional<double>& value)
-{
-    return value ? words::sentence(wordOf(layout, *value)).replace(QLatin1Char('-'), QChar(0x2212))
-                 : words::kNothing;
-}
-
-/// A number that only names something has neither least nor most.
-bool isQuantity(const SignalLayout& layout)
-{
-    return !layout.unit.empty();
-}
-
-SignalRow rowOf(const TappedFrame& frame, const SignalLayout& layout, const TappedSignal& signal)
-{
-    SignalRow row;
-    row.name = words::text(layout.name);
-    row.unit = words::text(layout.unit);
-    row.rate = frame.rate;
-    row.age = frame.age;
-    row.standing = standingOf(frame);
-    if (layout.name == "Measured" && frame.age && *frame.age <= BusTap::kFresh)
-        row.standing = SignalRow::Standing::Fresh;
-    row.value = valueText(layout, signal.last);
-    if (isQuantity(layout)) {
-        row.least = valueText(layout, signal.least);
-        row.most = valueText(layout, signal.most);
-    }
-    row.history.assign(signal.history.begin(), signal.history.end());
-    return row;
-}
-
-SignalRow wholeFrame(const TappedFrame& frame)
-{
-    SignalRow row;
-    row.rate = frame.rate;
-    row.age = frame.age;
-    row.standing = standingOf(frame);
-    row.value = words::text(bytesText(frame.newest));
-    return row;
+    return text.replace(QLatin1Char('/'), QStringLiteral("/\u200B"));
 }
 
 SignalRow quantity(const QString& name, double value, const QString& unit)
@@ -141,23 +71,6 @@ std::vector<SignalRow> rowsOf(const Measurement& m)
 
 }  // namespace
 
-std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames)
-{
-    std::vector<SignalRow> rows;
-    for (const TappedFrame& frame : frames) {
-        const std::size_t first = rows.size();
-        if (frame.kind) {
-            const auto layout = layoutOf(*frame.kind).payload;
-            for (std::size_t i = 0; i < layout.size(); ++i)
-                rows.push_back(rowOf(frame, layout[i], frame.payload[i]));
-        }
-        if (rows.size() == first) rows.push_back(wholeFrame(frame));
-        rows[first].frame =
-            QStringLiteral("%1 %2").arg(words::text(idText(frame.newest)), frameName(frame.newest));
-    }
-    return rows;
-}
-
 QString loadWords(const BusLoad& load, const BitRate& bitrate)
 {
     const double rate = bitrate.bitsPerSecond.value_or(0.0);
@@ -176,8 +89,9 @@ QString loadWords(const BusLoad& load, const BitRate& bitrate)
                     words::number(rate / 1000.0, 0));
 }
 
-SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link, QWidget* parent)
-    : Page(parent), acquisition_(acquisition), link_(link)
+SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
+                         PreferenceStore& preferences, QWidget* parent)
+    : Page(parent), acquisition_(acquisition), link_(link), preferences_(preferences)
 {
     auto* signalCard = new Card(tr("Signals"), this);
     headline_ = new QLabel(signalCard);
@@ -194,15 +108,28 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link, QWidge
         return;
     }
     signalCard->note()->hide();
-    auto* forget = new QPushButton(tr("Forget least and most"), signalCard);
-    forget->setFocusPolicy(Qt::TabFocus);
-    forget->setMinimumHeight(kTarget);
-    connect(forget, &QPushButton::clicked, this, [this] { link_->tap().forgetExtremes(); });
-    signalCard->titleRow()->addStretch(1);
-    signalCard->titleRow()->addWidget(forget);
+    addTools(*signalCard->titleRow());
+    for (QLabel** label : {&dbcFiles_, &dbcTroubles_}) {
+        *label = new QLabel(signalCard);
+        (*label)->setTextFormat(Qt::PlainText);
+        (*label)->setWordWrap(true);
+        QSizePolicy policy = (*label)->sizePolicy();  // names of files are no reason to be wide
+        policy.setHorizontalPolicy(QSizePolicy::Ignored);
+        (*label)->setSizePolicy(policy);
+        signalCard->body()->insertWidget(signalCard->body()->indexOf(table_), *label);
+    }
+    dbcFiles_->setAccessibleName(tr("DBC files"));
+    dbcTroubles_->setAccessibleName(tr("What is wrong with the DBC files"));
+    setTone(*dbcTroubles_, Tone::Doubt);
+    readDbc();
+    connect(&preferences_, &PreferenceStore::changed, this, [this](const Preferences& before) {
+        if (preferences_.current().dbc != before.dbc) readDbc();
+    });
 
     auto* traceCard = new Card(tr("Newest frames"), this);
-    trace_ = new RawTrace(wordsFor, frameName, traceCard);
+    trace_ = new RawTrace([this](const CanFrame& frame) { return traceWords(frame, book_); },
+                          [this](const CanFrame& frame) { return frameName(frame, book_.get()); },
+                          traceCard);
     traceCard->body()->addWidget(trace_, 1);
     auto* both = new QSplitter(Qt::Vertical, this);
     both->addWidget(signalCard);
@@ -211,6 +138,97 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link, QWidge
     both->setStretchFactor(1, 2);
     both->setChildrenCollapsible(false);
     column->addWidget(both, 1);
+}
+
+void SignalsPage::addTools(QHBoxLayout& row)
+{
+    const auto tool = [&row, this](const QString& text, const QString& tip) {
+        auto* button = new QPushButton(text, this);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setMinimumHeight(kTarget);
+        button->setToolTip(tip);
+        row.addWidget(button);
+        return button;
+    };
+    row.addStretch(1);
+    addDbc_ = tool(tr("Add DBC file …"),
+                   tr("A file that says what frames mean that are not the robot's"));
+    connect(addDbc_, &QPushButton::clicked, this, &SignalsPage::addDbcFile);
+    removeDbc_ = tool(tr("Remove DBC file"), tr("Its frames are shown byte by byte again"));
+    removeDbc_->setMenu(new QMenu(removeDbc_));
+    QPushButton* forget =
+        tool(tr("Forget least and most"), tr("They begin anew with the next frames"));
+    connect(forget, &QPushButton::clicked, this, [this] { link_->tap().forgetExtremes(); });
+}
+
+void SignalsPage::readDbc()
+{
+    QStringList files, troubles;
+    auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
+    if (!protocol) troubles << words::text(protocol.error().text);
+    protocol_ = protocol ? *std::move(protocol) : std::vector<DbcMessage>();
+
+    auto book = std::make_shared<DbcBook>();
+    for (const QString& path : preferences_.current().dbc) {
+        const Status added = book->add(path.toStdString());
+        const QString name = QFileInfo(path).fileName();
+        if (!added) troubles << words::text(added.error().text);
+        files << (added ? tr("%1 (frames: %2)").arg(name).arg(book->files().back().frames)
+                        : tr("%1 (not used)").arg(name));
+    }
+    for (const std::string& remark : book->remarks()) troubles << words::text(remark);
+    for (const QString& trouble : troubles)
+        std::fprintf(stderr, "terratact-console: %s\n", qUtf8Printable(trouble));
+    book_ = std::move(book);
+    link_->tap().describe(book_);
+    showDbc(files, troubles);
+}
+
+void SignalsPage::showDbc(const QStringList& files, const QStringList& troubles)
+{
+    constexpr qsizetype kMostLines = 3;
+    dbcFiles_->setText(tr("DBC files: %1").arg(files.join(QStringLiteral(", "))));
+    dbcFiles_->setVisible(!files.isEmpty());
+    QStringList shown;
+    for (const QString& trouble : troubles.mid(0, kMostLines))
+        shown << QStringLiteral("▲ ") + breakable(trouble);
+    if (troubles.size() > kMostLines)
+        shown << tr("… and %1 more, all of them in the tip here").arg(troubles.size() - kMostLines);
+    dbcTroubles_->setText(shown.join(QLatin1Char('\n')));
+    dbcTroubles_->setVisible(!troubles.isEmpty());
+    dbcTroubles_->setToolTip(plainTip(troubles.join(QLatin1Char('\n'))));
+
+    addDbc_->setEnabled(files.size() < kMostDbcFiles);
+    removeDbc_->setVisible(!files.isEmpty());
+    removeDbc_->menu()->clear();
+    for (const QString& path : preferences_.current().dbc) {
+        const QAction* remove = removeDbc_->menu()->addAction(QString(path).replace("&", "&&"));
+        const auto removed = [this, path] {
+            preferences_.change([path](Preferences& p) { p.dbc.removeAll(path); });
+        };
+        // Later, as the menu is filled anew then.
+        connect(remove, &QAction::triggered, this, removed, Qt::QueuedConnection);
+    }
+}
+
+void SignalsPage::addDbcFile()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Add DBC file"), {},
+                                                      tr("DBC files (*.dbc *.DBC);;All files (*)"));
+    if (path.isEmpty()) return;
+    preferences_.change([path](Preferences& p) {
+        if (!p.dbc.contains(path)) p.dbc << path;
+    });
+}
+
+QString SignalsPage::dbcFiles() const
+{
+    return dbcFiles_ ? dbcFiles_->text() : QString();
+}
+
+QString SignalsPage::dbcTroubles() const
+{
+    return dbcTroubles_ ? dbcTroubles_->text() : QString();
 }
 
 void SignalsPage::refresh(double now)
@@ -246,7 +264,7 @@ void SignalsPage::refreshBus(double now)
                  of(FrameTrouble::Unknown)));
     const bool isSound = view.bus == BusState::Up || view.bus == BusState::Ended;
     setTone(*headline_, isSound ? Tone::Plain : Tone::Bad);
-    table_->setRows(signalRows(link_->tap().frames(now)));
+    table_->setRows(signalRows(link_->tap().frames(now), protocol_));
 }
 
 void SignalsPage::refreshMeasurement(double now)

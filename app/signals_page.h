@@ -1,45 +1,64 @@
 #pragma once
 
+#include <QString>
+#include <QStringList>
+#include <memory>
 #include <vector>
 
 #include "app/bus_tap.h"
 #include "app/can_source.h"
 #include "app/page.h"
-#include "widgets/signal_table.h"
+#include "app/signal_rows.h"
 
+class QHBoxLayout;
 class QLabel;
+class QMenu;
+class QPushButton;
 
 namespace terratact {
 
 class Acquisition;
 class CanSource;
+class PreferenceStore;
 class RawTrace;
-
-/// Rows of the table: a robot's signals and commands as the DBC has them, then kinds that it has not.
-std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames);
 
 /// "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)"; without a bit rate "---".
 QString loadWords(const BusLoad& load, const BitRate& bitrate);
 
-/// What is on the bus: its load, every signal, and the newest frames as they were.
+/// What is on the bus: its load, every signal, and the newest frames as they were.  Preferred DBC files say what
+/// frames mean that are not the robot's; what is wrong with them, the page and stderr say.
 class SignalsPage final : public Page {
     Q_OBJECT
 public:
-    /// link: null where the source is no bus.  Both must outlive it.
-    SignalsPage(const Acquisition& acquisition, CanSource* link, QWidget* parent = nullptr);
+    /// link: null where the source is no bus.  All must outlive it.
+    SignalsPage(const Acquisition& acquisition, CanSource* link, PreferenceStore& preferences,
+                QWidget* parent = nullptr);
     void refresh(double now) override;
 
     SignalTable* table() const { return table_; }
     RawTrace* trace() const { return trace_; }
     QString headline() const;
+    QString dbcFiles() const;     ///< which are in use; empty: none
+    QString dbcTroubles() const;  ///< a line each; empty: none
+    QPushButton* addDbcButton() const { return addDbc_; }
+    QPushButton* removeDbcButton() const { return removeDbc_; }
 
 private:
+    void addTools(QHBoxLayout& row);
+    void readDbc();
+    void showDbc(const QStringList& files, const QStringList& troubles);
+    void addDbcFile();
     void refreshBus(double now);
     void refreshMeasurement(double now);
 
     const Acquisition& acquisition_;
     CanSource* link_;
+    PreferenceStore& preferences_;
+    std::vector<DbcMessage> protocol_;  ///< empty: its file could not be used
+    std::shared_ptr<const DbcBook> book_;
     QLabel* headline_ = nullptr;
+    QLabel *dbcFiles_ = nullptr, *dbcTroubles_ = nullptr;
+    QPushButton *addDbc_ = nullptr, *removeDbc_ = nullptr;  ///< null without a bus
     SignalTable* table_ = nullptr;
     RawTrace* trace_ = nullptr;              ///< null without a bus
     double shownAt_ = 0.0, tracedAt_ = 0.0;  ///< [s]

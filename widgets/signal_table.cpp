@@ -13,6 +13,13 @@
 
 namespace terratact {
 
+QString plainTip(const QString& text)
+{
+    return text.isEmpty()
+             ? QString()
+             : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(text.toHtmlEscaped());
+}
+
 /// What SignalTable shows.
 class SignalModel final : public QAbstractTableModel {
 public:
@@ -58,6 +65,10 @@ public:
         case Qt::DisplayRole: return text(r, index.column());
         case Qt::TextAlignmentRole: return alignment(index.column());
         case Qt::ForegroundRole: return colour(r, index.column());
+        case Qt::ToolTipRole:
+            return plainTip(index.column() == SignalTable::Frame ? r.frameMeaning : r.meaning);
+        case Qt::AccessibleDescriptionRole:
+            return index.column() == SignalTable::Frame ? r.frameMeaning : r.meaning;
         case Qt::AccessibleTextRole:
             return index.column() == SignalTable::History
                      ? SignalTable::tr("history of %1").arg(r.name)

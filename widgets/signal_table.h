@@ -23,12 +23,16 @@ struct SignalRow {
     std::optional<double> rate;  ///< [Hz] of the frame
     std::optional<double> age;   ///< [s]
     QString least, most;
-    std::vector<float> history;  ///< newest last; NaN: a gap
+    std::vector<float> history;     ///< newest last; NaN: a gap
+    QString meaning, frameMeaning;  ///< plain text for a tip; empty: nothing is known
     bool operator==(const SignalRow&) const = default;
 };
 
 /// The lines of a history in a box, from its least to its most; what is not finite is a gap.
 std::vector<QPolygonF> sparkline(std::span<const float> history, const QRectF& box);
+
+/// A tip that wraps and shows the text as it is: somebody's file may say what looks like HTML.
+QString plainTip(const QString& text);
 
 class SignalModel;
 

@@ -3922,6 +3922,64 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all there can be)</source>
         <translation>zátěž %1 až %2 % z nominálních %3 kbit/s (bez vkládaných bitů, se všemi možnými)</translation>
     </message>
+    <message>
+        <source>%1, as %2 describes it; sent by %3
+%4</source>
+        <translation>%1 podle souboru %2; odesílá %3
+%4</translation>
+    </message>
+    <message>
+        <source>DBC files</source>
+        <translation>Soubory DBC</translation>
+    </message>
+    <message>
+        <source>What is wrong with the DBC files</source>
+        <translation>Co není v pořádku se soubory DBC</translation>
+    </message>
+    <message>
+        <source>Add DBC file …</source>
+        <translation>Přidat soubor DBC …</translation>
+    </message>
+    <message>
+        <source>A file that says what frames mean that are not the robot&apos;s</source>
+        <translation>Soubor, který říká, co znamenají rámce, jež nejsou od robotu</translation>
+    </message>
+    <message>
+        <source>Remove DBC file</source>
+        <translation>Odebrat soubor DBC</translation>
+    </message>
+    <message>
+        <source>Its frames are shown byte by byte again</source>
+        <translation>Jeho rámce se zase zobrazí bajt po bajtu</translation>
+    </message>
+    <message>
+        <source>They begin anew with the next frames</source>
+        <translation>Začnou znovu od příštích rámců</translation>
+    </message>
+    <message>
+        <source>%1 (frames: %2)</source>
+        <translation>%1 (rámců: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (not used)</source>
+        <translation>%1 (nepoužit)</translation>
+    </message>
+    <message>
+        <source>DBC files: %1</source>
+        <translation>Soubory DBC: %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more, all of them in the tip here</source>
+        <translation>… a dalších %1; všechny jsou zde v nápovědě</translation>
+    </message>
+    <message>
+        <source>Add DBC file</source>
+        <translation>Přidat soubor DBC</translation>
+    </message>
+    <message>
+        <source>DBC files (*.dbc *.DBC);;All files (*)</source>
+        <translation>Soubory DBC (*.dbc *.DBC);;Všechny soubory (*)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::StatusHeader</name>

@@ -3922,6 +3922,64 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all there can be)</source>
         <translation>Last %1 bis %2 % von nominell %3 kbit/s (ohne Stopfbits, mit allen möglichen)</translation>
     </message>
+    <message>
+        <source>%1, as %2 describes it; sent by %3
+%4</source>
+        <translation>%1, wie %2 ihn beschreibt; gesendet von %3
+%4</translation>
+    </message>
+    <message>
+        <source>DBC files</source>
+        <translation>DBC-Dateien</translation>
+    </message>
+    <message>
+        <source>What is wrong with the DBC files</source>
+        <translation>Was mit den DBC-Dateien nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Add DBC file …</source>
+        <translation>DBC-Datei hinzufügen …</translation>
+    </message>
+    <message>
+        <source>A file that says what frames mean that are not the robot&apos;s</source>
+        <translation>Eine Datei, die sagt, was Rahmen bedeuten, die nicht vom Roboter sind</translation>
+    </message>
+    <message>
+        <source>Remove DBC file</source>
+        <translation>DBC-Datei entfernen</translation>
+    </message>
+    <message>
+        <source>Its frames are shown byte by byte again</source>
+        <translation>Ihre Rahmen erscheinen wieder Byte für Byte</translation>
+    </message>
+    <message>
+        <source>They begin anew with the next frames</source>
+        <translation>Sie beginnen neu mit den nächsten Rahmen</translation>
+    </message>
+    <message>
+        <source>%1 (frames: %2)</source>
+        <translation>%1 (Rahmen: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (not used)</source>
+        <translation>%1 (nicht verwendet)</translation>
+    </message>
+    <message>
+        <source>DBC files: %1</source>
+        <translation>DBC-Dateien: %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more, all of them in the tip here</source>
+        <translation>… und %1 weitere; alle stehen hier im Hinweis</translation>
+    </message>
+    <message>
+        <source>Add DBC file</source>
+        <translation>DBC-Datei hinzufügen</translation>
+    </message>
+    <message>
+        <source>DBC files (*.dbc *.DBC);;All files (*)</source>
+        <translation>DBC-Dateien (*.dbc *.DBC);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::StatusHeader</name>

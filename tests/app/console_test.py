@@ -86,7 +86,7 @@ class Console(unittest.TestCase):
             console.wait()
 
     def test_no_preferences_stand_in_the_way_of_a_start(self):
-        for content in (b"\0\xff" * 999, b"[General]\nschema=1\nrobot=/nowhere/r\nmodel=/nowhere/m\nfont-scale=x\n"):
+        for content in (b"\0\xff" * 999, b"[General]\nschema=1\nrobot=/nowhere/r\nmodel=/nowhere/m\nfont-scale=x\ndbc=/nowhere/d\n"):
             with tempfile.TemporaryDirectory() as folder:
                 file = pathlib.Path(folder) / "terratact" / "console.ini"
                 file.parent.mkdir()
@@ -108,8 +108,9 @@ class Console(unittest.TestCase):
     def test_the_screenshot_has_the_size_asked_for(self):
         with tempfile.TemporaryDirectory() as directory:
             picture = os.path.join(directory, "console.png")
-            done = run("--screenshot", picture, "--size", "1280x720")
+            done = run("--screenshot", picture, "--size", "1280x720", "--dbc", "/nowhere/x.dbc")
             self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("/nowhere/x.dbc: cannot be opened", done.stderr, "and stands in nobody's way")
             self.assertEqual(png_size(picture), (1280, 720))
             self.assertEqual(os.listdir(directory), ["console.png"])
 

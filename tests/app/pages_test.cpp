@@ -4,10 +4,16 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
+#include <QTimer>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +24,7 @@
 #include "app/event_watch.h"
 #include "app/loop_meter.h"
 #include "app/main_window.h"
+#include "app/preference_store.h"
 #include "app/robot_in_process.h"
 #include "app/signals_page.h"
 #include "app/steady_now.h"
@@ -26,6 +33,7 @@
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
+#include "tests/support/temporary_directory.h"
 #include "widgets/alarm_table.h"
 #include "widgets/drive_pad.h"
 #include "widgets/held_button.h"
@@ -512,7 +520,7 @@ struct Pages : testing::Test {
     {
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
     }
-    void open()
+    void open(const QStringList& dbc = {})
     {
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
@@ -525,6 +533,9 @@ struct Pages : testing::Test {
         options.robot = model;
         options.link = source.get();
         options.source = std::move(source);
+        Preferences preferences;
+        preferences.dbc = dbc;
+        options.preferences = std::make_unique<PreferenceStore>(LoadedPreferences{}, preferences);
         show(std::move(options));
     }
     void openWithoutBus()
@@ -566,6 +577,14 @@ struct Pages : testing::Test {
                 return table->text(row, SignalTable::Value);
         return "no such signal";
     }
+    QString tipOf(const QString& signal, SignalTable::Column column) const
+    {
+        const QAbstractItemModel* rows = window->signalsPage()->table()->model();
+        for (int row = 0; row < rows->rowCount(); ++row)
+            if (rows->index(row, SignalTable::Name).data().toString() == signal)
+                return rows->index(row, column).data(Qt::ToolTipRole).toString();
+        return {};
+    }
 
     int sounds = 0;
     RobotModel model = absolem();
@@ -588,6 +607,131 @@ TEST_F(Pages, signalsLiveAndGoStale)
     robot.reset();
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") == "--"; }));
     picture("signals-stale");
+}
+
+struct ForeignFramesOnThePage : Pages {
+    ForeignFramesOnThePage()
+    {
+        directory.write("gas.dbc", "BO_ 1280 GasSensor: 8 Payload\n"
+                                   " SG_ Oxygen : 7|16@0+ (0.01,0) [0|25] \"%\" C\n"
+                                   " SG_ State : 16|2@1+ (1,0) [0|2] \"\" C\n"
+                                   "BO_ 2566836481 Battery: 4 Payload\n"
+                                   " SG_ Power : 0|32@1- (1,0) [0|0] \"W\" C\n"
+                                   "CM_ BO_ 1280 \"Of the <b>air</b>.\";\n"
+                                   "CM_ SG_ 1280 Oxygen \"Below 19.5 % no human may enter.\";\n"
+                                   "VAL_ 1280 State 1 \"ready\" ;\n"
+                                   "SIG_VALTYPE_ 2566836481 Power : 1;\n");
+        directory.write("clash.dbc", "BO_ 34 Tilt: 8 P\nBO_ 1280 Other: 8 P\n");
+        directory.write("bad.dbc", "BO_ 9 Bad: 8 P\n SG_ S : 60|8@1+ (1,0) [0|0] \"\" C\n");
+        payload = bus.join("payload");
+        QObject::connect(&sending, &QTimer::timeout, [this] {
+            std::array<BusFrame, 64> heard;
+            (void)payload->receive(heard, std::chrono::milliseconds(0));  // as an end that lives
+            (void)payload->send({.id = 1280, .length = 3, .data = {0x08, 0x17, 1}});
+            (void)payload->send(
+                {.id = 0x18FED101, .extended = true, .length = 4, .data = {0, 0x80, 0x3B, 0x43}});
+        });
+        sending.start(20);
+    }
+    ~ForeignFramesOnThePage() override { sending.stop(); }
+    QString file(const std::string& name) const
+    {
+        return QString::fromStdString(directory.file(name));
+    }
+    TemporaryDirectory directory;
+    std::unique_ptr<CanBus> payload;
+    QTimer sending;
+};
+
+TEST_F(ForeignFramesOnThePage, areDecodedByTheirDbcFiles)
+{
+    open({file("gas.dbc")});
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    ASSERT_TRUE(eventually([&] { return valueOf("Power") == "187.5"; }));
+    EXPECT_EQ(valueOf("Oxygen"), "20.71");
+    EXPECT_EQ(valueOf("State"), "ready");
+    EXPECT_TRUE(eventually([&] { return valueOf("Pitch") != "--"; })) << "beside the robot's own";
+    EXPECT_EQ(window->signalsPage()->dbcFiles(), "DBC files: gas.dbc (frames: 2)");
+    EXPECT_EQ(window->signalsPage()->dbcTroubles(), "");
+    EXPECT_TRUE(tipOf("Oxygen", SignalTable::Name).contains("no human may enter"));
+    EXPECT_TRUE(tipOf("Oxygen", SignalTable::Frame).contains("&lt;b&gt;air"))
+        << "no HTML of others";
+    EXPECT_TRUE(tipOf("Oxygen", SignalTable::Frame).contains("gas.dbc"));
+    EXPECT_TRUE(tipOf("Pitch", SignalTable::Name).contains("Nose up positive"))
+        << "from the shipped file";
+    RawTrace* trace = window->signalsPage()->trace();
+    trace->filter()->setText("gas");
+    const QAbstractItemModel* frames = trace->view()->model();
+    ASSERT_TRUE(eventually([&] { return frames->rowCount() > 0; }));
+    QStringList shown;
+    for (int column = 2; column < frames->columnCount(); ++column)
+        shown << frames->index(0, column).data().toString();
+    EXPECT_EQ(shown.join("|"), "500|GasSensor|[3] 08 17 01|Oxygen 20.71 %, State ready");
+    EXPECT_TRUE(eventually([&] {
+        for (const TappedFrame& frame : window->link()->tap().frames(steadyNow()))
+            if (frame.described && frame.rate > 5.0) return true;
+        return false;
+    })) << "50 Hz on an idle machine";
+    trace->filter()->clear();
+    QTest::qWait(300);
+    window->signalsPage()->table()->scrollToBottom();
+    picture("signals-foreign");
+    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    sending.stop();
+    EXPECT_TRUE(eventually([&] {
+        for (const TappedFrame& frame : window->link()->tap().frames(steadyNow()))
+            if (frame.described && frame.times[0].age > frame.times[0].fresh) return true;
+        return false;
+    })) << "goes grey";
+}
+
+TEST_F(ForeignFramesOnThePage, whatIsWrongWithAFileIsSaidAndStopsNothing)
+{
+    open({file("gas.dbc"), file("clash.dbc"), file("bad.dbc"), file("none.dbc")});
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    ASSERT_TRUE(eventually([&] { return valueOf("Oxygen") == "20.71"; }));
+    const SignalsPage* page = window->signalsPage();
+    EXPECT_EQ(page->dbcFiles(),
+              "DBC files: gas.dbc (frames: 2), clash.dbc (frames: 0), bad.dbc (not "
+              "used), none.dbc (not used)");
+    const QStringList troubles = page->dbcTroubles().split('\n');
+    ASSERT_EQ(troubles.size(), 4);
+    EXPECT_TRUE(troubles[0].contains("bad.dbc: line 2: the signal S does not fit"));
+    EXPECT_TRUE(troubles[0].contains("correct its first bit"));
+    EXPECT_TRUE(troubles[1].contains("none.dbc: cannot be opened"));
+    EXPECT_TRUE(troubles[2].contains("frame 022: the robot's protocol has that identifier"));
+    EXPECT_EQ(troubles[3], QString::fromUtf8("… and 1 more, all of them in the tip here"));
+    EXPECT_TRUE(eventually([&] { return valueOf("Pitch") != "--"; })) << "the protocol wins";
+    window->resize(window->minimumSize());
+    QTest::qWait(300);
+    picture("signals-foreign-troubles");
+    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+}
+
+TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
+{
+    open();
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    const SignalsPage* page = window->signalsPage();
+    EXPECT_TRUE(page->addDbcButton()->isVisible());
+    EXPECT_FALSE(page->removeDbcButton()->isVisible());
+    ASSERT_TRUE(eventually([&] { return window->link()->tap().frames(steadyNow()).size() > 10; }));
+    QTimer::singleShot(0, window.get(), [&] {
+        ASSERT_TRUE(eventually([] { return QApplication::activeModalWidget() != nullptr; }));
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        ASSERT_TRUE(dialog);
+        dialog->findChild<QLineEdit*>()->setText(file("gas.dbc"));
+        QMetaObject::invokeMethod(dialog, "accept");
+    });
+    QTest::mouseClick(page->addDbcButton(), Qt::LeftButton);
+    ASSERT_TRUE(eventually([&] { return valueOf("Oxygen") == "20.71"; }));
+    EXPECT_EQ(window->preferences().current().dbc, QStringList{file("gas.dbc")}) << "remembered";
+    ASSERT_TRUE(page->removeDbcButton()->isVisible());
+    ASSERT_EQ(page->removeDbcButton()->menu()->actions().size(), 1);
+    page->removeDbcButton()->menu()->actions().first()->trigger();
+    EXPECT_TRUE(eventually([&] { return valueOf("Oxygen") == "no such signal"; }));
+    EXPECT_EQ(window->preferences().current().dbc, QStringList());
+    EXPECT_FALSE(page->removeDbcButton()->isVisible());
 }
 
 TEST_F(Pages, whatIsTypedIntoTheFilterMovesNoRobot)

@@ -46,6 +46,7 @@ Preferences unlikeTheDefaults()
     p.keepGigabytes = 7;
     p.model = QString::fromUtf8("/data/žluťoučký model, 2 = @Variant(x)\\%41;#.ttm");
     p.robot = "@robot.toml";
+    p.dbc = QStringList{QString::fromUtf8("/data/p\u0159\u00edklad, 1.dbc"), "b;c.dbc"};
     p.window = QByteArray("\0\xff\n=;geometry", 13);
     return p;
 }
@@ -83,7 +84,8 @@ TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
     for (const char* key :
          {"theme", "font-scale", "language", "layout", "sound", "obstacle-limit", "method",
           "quality", "estimate-seconds", "force-threshold", "probe-above", "roll-limit",
-          "asymmetry-limit", "record", "keep-days", "keep-gigabytes", "model", "robot"})
+          "asymmetry-limit", "record", "keep-days", "keep-gigabytes", "model", "robot",
+          "dbc"})
         EXPECT_TRUE(all.contains(QLatin1String(key) + ": ")) << key;
     EXPECT_TRUE(changesOf(kDefaults, now).contains("quality: balanced → fast; ")
                 && changesOf(kDefaults, now).endsWith(" → 0.125"));
@@ -117,6 +119,7 @@ TEST_F(PreferencesFile, aBadValueIsItsDefaultAndSaid)
         {"method", "7"},
         {"quality", "best"},
         {"force-threshold", "0"},
+        {"dbc", "a\\x0"},
         {"probe-above", "@Variant(\\0\\0\\0\\x7f\\xff\\xff\\xff\\xff)"},
         {"roll-limit", "@Invalid()"},
         {"asymmetry-limit", "\"\""},

@@ -78,6 +78,12 @@ bool isSameEverywhere(const std::string& text)
     return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);
 }
 
+/// A tip that shows what a DBC file says, in the file's language (plainTip()).
+bool isWordsOfAFile(const std::string& text)
+{
+    return text.starts_with("<p ");
+}
+
 /// A text and what it is put together of.
 std::set<std::string> partsOf(const std::string& text)
 {
@@ -244,7 +250,8 @@ void Screens::look(std::string_view name, const QStringList& says, bool isCovere
     if (console) {
         EXPECT_TRUE(console->header()->stopButton()->isVisible()) << name;
     }
-    for (const std::string& text : gui::textsOf(window())) said.merge(partsOf(text));
+    for (const std::string& text : gui::textsOf(window()))
+        if (!isWordsOfAFile(text)) said.merge(partsOf(text));
 }
 
 void Screens::save(const QImage& image, std::string_view name)
