@@ -52,9 +52,9 @@ ForeignFrames::Kept* ForeignFrames::keptOf(const CanFrame& frame)
 ForeignFrames::Kept* ForeignFrames::begin(const Key& key,
                                           std::shared_ptr<const DescribedFrame> described)
 {
-    if (!described) return unknown_.size() < kMostUnknown ? &unknown_[key] : nullptr;
-    const std::size_t signals = described->message.payload.size();
-    if (described_.size() >= kMostDescribed || signals_ + signals > kMostSignals) return nullptr;
+    const std::size_t signals = described ? described->message.payload.size() : 0;
+    if (!described || described_.size() >= kMostDescribed || signals_ + signals > kMostSignals)
+        return unknown_.size() < kMostUnknown ? &unknown_[key] : nullptr;
     signals_ += signals;
     Kept& kept = described_[key];
     kept.payload.resize(signals);

@@ -15,9 +15,9 @@ namespace terratact {
 /// them.  Bounded whatever comes.  A part of BusTap, which guards it.
 class ForeignFrames {
 public:
-    static constexpr std::size_t kMostUnknown = 64;     ///< kinds that no file describes
-    static constexpr std::size_t kMostDescribed = 256;  ///< kinds that one does
-    static constexpr std::size_t kMostSignals = 2000;   ///< of those together
+    static constexpr std::size_t kMostUnknown = 64;     ///< kinds of which only the bytes are known
+    static constexpr std::size_t kMostDescribed = 256;  ///< kinds that a file describes
+    static constexpr std::size_t kMostSignals = 2000;   ///< of those; beyond, only the bytes count
 
     /// From now on; what came so far is forgotten.  book: null: none.
     void describe(std::shared_ptr<const DbcBook> book);
