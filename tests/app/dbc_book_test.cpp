@@ -143,6 +143,7 @@ TEST(ProtocolDbc, ofAnotherVersionIsRefused)
     const std::pair<std::string, std::string> changes[]{
         {"SG_ Pitch : 24|16", "SG_ Pitch : 25|15"},
         {"SG_ Pitch : 24|16@1- (0.0001", "SG_ Pitch : 24|16@1- (0.0002"},
+        {"SG_ Pitch : 24|16", "SG_ Pitch : 24|15"},
         {"SG_ Pitch :", "SG_ Tilt :"},
         {"BO_ 34 Attitude", "BO_ 334 Attitude"},
         {"BO_ 34 Attitude", "BO_ 34 Attitudes"},
