@@ -103,6 +103,7 @@ void MainWindow::build(const Options& options)
     header()->setModel(tr("model loading …"), Tone::Doubt);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());
+    probeNotice_ = std::make_unique<ProbeNotice>(*rail(), *addBanner());
     QLabel& banner = *addBanner();
     QLabel& notRecorded = *addBanner();
     addPages(options);
@@ -379,6 +380,8 @@ void MainWindow::redraw(double now)
     showRecording();
     linkStatus_->showArming(sights_->panel(now));
     showTerrain(now);
+    probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
+                       terrainPage_->isVisible());
     stopDisplay_->show(exploration_->stopSight());
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());

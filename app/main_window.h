@@ -17,6 +17,7 @@
 #include "app/model_trainer.h"
 #include "app/panel_control.h"
 #include "app/preference_store.h"
+#include "app/probe_notice.h"
 #include "app/recording_display.h"
 #include "app/session_recorder.h"
 #include "app/short_notice.h"
@@ -139,6 +140,7 @@ private:
     std::unique_ptr<RecordingDisplay> recordingDisplay_;
     std::unique_ptr<StopDisplay> stopDisplay_;
     std::unique_ptr<ShortNotice> notice_;
+    std::unique_ptr<ProbeNotice> probeNotice_;
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
     std::unique_ptr<SessionScribe> scribe_;      ///< likewise

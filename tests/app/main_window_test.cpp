@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -483,6 +484,65 @@ TEST_F(Console, keysActOnlyOnWhatIsSeen)
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
     QTest::keyClick(window.get(), Qt::Key_Escape);
     EXPECT_TRUE(reaches(AtemPhase::Idle)) << "what runs is aborted from anywhere";
+}
+
+TEST_F(Console, aProposedProbeIsToldOnEveryPageWithTheTimeThatIsLeft)
+{
+    answerTime = 600.0;  // this machine may be busy
+    open(fastRobot(robot, 2.1));
+    const QPushButton& terrain = *window->rail()->button(0);
+    ASSERT_TRUE(readyToExplore());
+    const QString plain = terrain.text();
+    const int wide = window->rail()->width();
+    proposeByKeyboard();
+    EXPECT_FALSE(says("PROBE at")) << "the card asks";
+    const QRegularExpression left("PROBE at 0\\.6 m\\? [0-9]:[0-9]{2} left, then no");
+    const auto tells = [&] {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && left.match(label->text()).hasMatch()) return true;
+        return false;
+    };
+    for (int page = 1; page < window->rail()->pages(); ++page) {
+        if (window->rail()->button(page)->isHidden()) continue;
+        QTest::keyClick(window.get(), window->rail()->keyOf(page));
+        const std::string where = std::to_string(page);
+        EXPECT_TRUE(eventually(tells)) << where;
+        EXPECT_TRUE(terrain.text().contains(QRegularExpression("probe [0-9]:[0-9]{2}"))) << where;
+        EXPECT_TRUE(eventually([&] { return gui::cramped(*window).empty(); }, 2000)) << where;
+        EXPECT_EQ(window->rail()->width(), wide) << where;
+    }
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    ASSERT_TRUE(eventually(tells));
+    if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty())
+        window->grab().save(folder + "/probe-asked-on-another-page.png");
+    QTest::mouseClick(window->rail()->button(0), Qt::LeftButton);
+    EXPECT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
+    EXPECT_TRUE(eventually([&] { return !tells(); }));
+    QTest::keyClick(window.get(), Qt::Key_N);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(eventually([&] { return terrain.text() == plain; })) << terrain.text().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    QTest::qWait(100);
+    EXPECT_FALSE(says("not answered in time")) << "it was answered";
+}
+
+TEST_F(Console, aProbeThatNobodyAnsweredIsToldUntilTheTerrainIsSeen)
+{
+    answerTime = 2.0;
+    open(fastRobot(robot, 2.1));
+    ASSERT_TRUE(readyToExplore());
+    QTest::keyClick(window.get(), Qt::Key_A);
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting)) << "nobody has answered";
+    EXPECT_TRUE(eventually([&] { return says("not answered in time, which means no"); }));
+    QTest::keyClick(window.get(), Qt::Key_F4);
+    QTest::qWait(100);
+    EXPECT_TRUE(says("not answered in time")) << "on every page";
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(eventually([&] { return !says("The probe was not answered in time"); }));
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    QTest::qWait(100);
+    EXPECT_FALSE(says("not answered in time")) << "it has been seen";
 }
 
 TEST_F(Console, stopClaimsNoMoreThanIsKnown)
