@@ -226,6 +226,22 @@ int ConsoleWindow::bannersTake() const
     return std::max(0, pages_->y() - header_->y() - header_->height());
 }
 
+QSize ConsoleWindow::roomBelowHeader() const
+{
+    const QSize frame = frameGeometry().size() - size();  // the other's is alike
+    return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame;
+}
+
+void ConsoleWindow::putBelowHeader(QWidget& other) const
+{
+    const QSize frame = frameGeometry().size() - size();
+    const QSize room = roomBelowHeader();
+    other.resize(other.size().boundedTo(room));
+    const QSize spare = room - other.size();
+    const QPoint corner = mapToGlobal(QPoint(0, height() - room.height() - frame.height()));
+    other.move(corner + QPoint(spare.width() / 2, spare.height() / 2));
+}
+
 void ConsoleWindow::fitLetters()
 {
     const auto needsWith = [this](int percent) {

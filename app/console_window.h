@@ -34,6 +34,10 @@ public:
     void setRoom(QSize room);
     int bannerLine() const;   ///< [px] that banners need, whether there are any or not
     int bannersTake() const;  ///< [px] that they take from the pages now
+    /// Another window's place upon this one: below the header with STOP and a banner's line, and no larger than what is
+    /// left there.
+    void putBelowHeader(QWidget& other) const;
+    QSize roomBelowHeader() const;  ///< [px] for such a window, without the frame the desktop draws
     static constexpr QSize kLeast{1200, 680};  ///< [px] of any window, and of any room
 
 protected:

@@ -487,8 +487,9 @@ void MainWindow::releaseStop()
 
 void MainWindow::open()
 {
-    if (const QString why = openInAnotherWindow(this); !why.isEmpty())
+    openInAnotherWindow(*this, [this](const QString& why) {
         events()->add(why, Weight::Bad, QTime::currentTime());
+    });
 }
 
 void MainWindow::defineKeys()

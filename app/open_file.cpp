@@ -2,10 +2,11 @@
 
 #include <QCoreApplication>
 #include <QFile>
-#include <QFileDialog>
 #include <QProcess>
 #include <QtEndian>
+#include <utility>
 
+#include "app/file_dialog.h"
 #include "core/log/session_schema.h"
 
 namespace terratact {
@@ -33,15 +34,18 @@ FileKind kindOfFile(const QString& path)
     return line.contains("pitch_rad") && line.contains(',') ? FileKind::Scenes : FileKind::Log;
 }
 
-QString openInAnotherWindow(QWidget* parent)
+void openInAnotherWindow(QWidget& parent, std::function<void(const QString& why)> failed)
 {
-    const QString path = QFileDialog::getOpenFileName(
-        parent, OpenFile::tr("Open"), {},
-        OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)"));
-    if (path.isEmpty()) return {};
-    if (QProcess::startDetached(QCoreApplication::applicationFilePath(), {path})) return {};
-    return OpenFile::tr("%1 could not be opened: this program could not be started again")
-        .arg(path);
+    const QString filter =
+        OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)");
+    askForFile(parent, {.title = OpenFile::tr("Open"), .filter = filter},
+               [failed = std::move(failed)](const QString& path) {
+                   const QString program = QCoreApplication::applicationFilePath();
+                   if (!QProcess::startDetached(program, {path}))
+                       failed(OpenFile::tr("%1 could not be opened: this program could not be "
+                                           "started again")
+                                  .arg(path));
+               });
 }
 
 }  // namespace terratact

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
+#include <functional>
 
 class QWidget;
 
@@ -14,8 +16,8 @@ enum class FileKind : std::uint8_t {
 };
 FileKind kindOfFile(const QString& path);
 
-/// Asks for a file and opens it in another process of this program, so that nothing that runs here is touched.  Why
-/// it could not; empty: it did, or nobody chose one.
-QString openInAnotherWindow(QWidget* parent);
+/// Asks for a file, and opens the one that is chosen in another process of this program, so that nothing that runs here
+/// is touched.  Does not wait.  failed: it could not, and why.
+void openInAnotherWindow(QWidget& parent, std::function<void(const QString& why)> failed);
 
 }  // namespace terratact

@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -17,6 +16,7 @@
 #include <array>
 #include <utility>
 
+#include "app/file_dialog.h"
 #include "widgets/look.h"
 #include "widgets/session_timeline.h"
 
@@ -280,11 +280,15 @@ void ReviewExportDialog::showButtons()
 
 void ReviewExportDialog::browse()
 {
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Export to"), path(),
-        QStringLiteral("%1 (*.%2)").arg(format_->currentText(), format_->currentData().toString()));
-    if (!file.isEmpty()) path_->setText(file);
-    path_->setText(path());
+    const QString ending = format_->currentData().toString();
+    const FileWish wish{.title = tr("Export to"),
+                        .start = path(),
+                        .filter = QStringLiteral("%1 (*.%2)").arg(format_->currentText(), ending),
+                        .kind = FileWish::Kind::ToWrite};
+    askForFile(*this, wish, [this](const QString& file) {
+        path_->setText(file);
+        path_->setText(path());
+    });
 }
 
 void ReviewExportDialog::write()

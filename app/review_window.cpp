@@ -443,10 +443,10 @@ void ReviewWindow::exportShown()
 void ReviewWindow::open()
 {
     player_->pause();
-    const QString why = openInAnotherWindow(this);
-    if (why.isEmpty()) return;
-    trouble_ = why;
-    showState();
+    openInAnotherWindow(*this, [this](const QString& why) {
+        trouble_ = why;
+        showState();
+    });
 }
 
 void ReviewWindow::applyPreferences(const Preferences& before)

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include <array>
 #include <numbers>
 
+#include "app/file_dialog.h"
 #include "app/letters.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
@@ -310,9 +310,10 @@ QWidget* SettingsPage::buildFiles()
 void SettingsPage::chooseFile(QString Preferences::*file, const QString& title,
                               const QString& filter)
 {
-    const QString path = QFileDialog::getOpenFileName(this, title, store_.current().*file, filter);
-    if (path.isEmpty()) return;
-    store_.change([file, path](Preferences& p) { p.*file = path; });
+    askForFile(*this, {.title = title, .start = store_.current().*file, .filter = filter},
+               [this, file](const QString& path) {
+                   store_.change([file, path](Preferences& p) { p.*file = path; });
+               });
 }
 
 void SettingsPage::show()

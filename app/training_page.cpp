@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -23,6 +22,7 @@
 
 #include "app/comparison_words.h"
 #include "app/exploration.h"
+#include "app/file_dialog.h"
 #include "core/learn/model_card.h"
 #include "widgets/card.h"
 #include "widgets/held_button.h"
@@ -304,12 +304,10 @@ void TrainingPage::connectTrainer()
 
 void TrainingPage::choose(QLineEdit* field, const QString& title)
 {
-    auto* dialog = new QFileDialog(this, title, QFileInfo(field->text()).path(),
-                                   tr("Scenes (*.csv);;All files (*)"));
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, field, &QLineEdit::setText);
-    dialog->open();
+    const FileWish wish{.title = title,
+                        .start = QFileInfo(field->text()).path(),
+                        .filter = tr("Scenes (*.csv);;All files (*)")};
+    askForFile(*this, wish, [field](const QString& path) { field->setText(path); });
 }
 
 QString TrainingPage::pathOfName() const

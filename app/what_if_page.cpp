@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -17,6 +16,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/file_dialog.h"
 #include "app/what_if.h"
 #include "core/infer/quality.h"
 #include "core/learn/sha256.h"
@@ -106,10 +106,12 @@ QWidget* WhatIfPage::form()
     model_->addItem(tr("another file …"), QString());
     connect(model_, &QComboBox::activated, this, [this](int index) {
         if (!model_->itemData(index).toString().isEmpty()) return;
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Model"), {}, tr("Models (*.ttm)"));
-        if (!path.isEmpty()) model_->insertItem(0, QFileInfo(path).fileName(), path);
         model_->setCurrentIndex(0);
+        askForFile(*this, {.title = tr("Model"), .filter = tr("Models (*.ttm)")},
+                   [this](const QString& path) {
+                       model_->insertItem(0, QFileInfo(path).fileName(), path);
+                       model_->setCurrentIndex(0);
+                   });
     });
     asRecorded_ = new QPushButton(tr("As recorded"), form);
     asRecorded_->setToolTip(tr("Sets everything to what was recorded"));

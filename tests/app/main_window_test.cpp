@@ -20,6 +20,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -110,6 +111,8 @@ struct Console : testing::Test {
         window->probeCard()->approveButton()->setHoldTime(150);
         window->atemPanel()->releaseButton()->setHoldTime(150);
         window->resize(1280, 720);
+        QObject::connect(&window->exploration(), &Exploration::decided, window.get(),
+                         [this](const char* what) { stops += std::string_view(what) == "stop"; });
         gui::showActive(*window);
     }
     ScriptedSource* openScripted()
@@ -146,6 +149,20 @@ struct Console : testing::Test {
         QTest::keyClick(window.get(), Qt::Key_A);
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
         ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+    }
+
+    /// As the desktop would bring it: what blocks the window, or holds the mouse, gets its chance.
+    void clickStop()
+    {
+        const QPushButton& stop = *window->header()->stopButton();
+        QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                          stop.mapTo(window.get(), stop.rect().center()));
+    }
+    /// How often since the last time; what is repeated until the robot confirms it is no press.
+    int stopsPressed() { return std::exchange(stops, 0); }
+    static QRect onScreen(const QWidget& widget)
+    {
+        return {widget.mapToGlobal(QPoint(0, 0)), widget.size()};
     }
 
     /// In every size of screen and letters: all has its room, and the letters are at least as large as was achieved.
@@ -188,6 +205,7 @@ struct Console : testing::Test {
 
     RobotModel robot = absolem();
     double answerTime = AtemLimits{}.approval;  // [s]
+    int stops = 0;
     std::unique_ptr<MainWindow> window;
 };
 
@@ -430,9 +448,9 @@ TEST_F(Console, stopActsWhateverElseIsHeldDown)
     }
 }
 
-TEST_F(Console, stopWorksInEveryFileDialog)
+TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
 {
-    ScriptedSource* source = openScripted();
+    openScripted();
     EXPECT_TRUE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs))
         << "no key of a desktop's own dialog reaches this program";
     const auto press = [](QPushButton* button) {
@@ -442,20 +460,82 @@ TEST_F(Console, stopWorksInEveryFileDialog)
         {"a file", [&] { QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier); }},
         {"a model", press(window->settings()->modelButton())},
         {"a robot", press(window->settings()->robotButton())}};
-    for (const auto& [what, opens] : ways) {
-        bool stopped = false;
-        QTimer::singleShot(0, window.get(), [&] {
-            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-            if (!dialog) return;
-            source->takeCommands();
-            QTest::keyClick(dialog->findChild<QLineEdit*>("fileNameEdit"), Qt::Key_F12);
-            for (const Command& command : source->takeCommands())
-                stopped = stopped || std::holds_alternative<StopCommand>(command);
-            dialog->reject();
-        });
-        QTest::keyClick(window.get(), Qt::Key_F7);
-        opens();
-        EXPECT_TRUE(stopped) << what;
+    for (const int letters : {100, 200})
+        for (const auto& [what, opens] : ways) {
+            window->setRoom({1200, 680});
+            window->preferences().change([=](Preferences& p) { p.fontScale = letters; });
+            window->resize(1200, 680);
+            QTest::keyClick(window.get(), Qt::Key_F7);
+            opens();
+            opens();
+            const auto dialogs = window->findChildren<QFileDialog*>();
+            ASSERT_EQ(dialogs.size(), 1) << what << ": one of a kind";
+            QFileDialog& dialog = *dialogs.front();
+            ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+            EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << what;
+            QTest::keyClick(dialog.findChild<QLineEdit*>("fileNameEdit"), Qt::Key_F12);
+            EXPECT_EQ(stopsPressed(), 1) << what;
+            clickStop();
+            EXPECT_EQ(stopsPressed(), 1) << what;
+            EXPECT_FALSE(dialog.frameGeometry().intersects(onScreen(*window->header())))
+                << what << " lies upon STOP, letters " << letters;
+            if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
+                !folder.isEmpty())
+                dialog.grab().save(folder + "/choose-a-file.png");
+            dialog.reject();
+            ASSERT_TRUE(eventually([&] { return window->findChildren<QFileDialog*>().empty(); }));
+        }
+}
+
+TEST_F(Console, aFileThatIsNotThereIsSaidInTheDialogItself)
+{
+    openScripted();
+    const TemporaryDirectory directory;
+    const QString before = window->preferences().current().model;
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    QTest::mouseClick(window->settings()->modelButton(), Qt::LeftButton);
+    auto* dialog = window->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog && QTest::qWaitForWindowExposed(dialog));
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    ASSERT_TRUE(name);
+    const auto enter = [&](const std::string& file) {
+        name->clear();
+        QTest::keyClicks(name, QString::fromStdString(file));
+        QTest::keyClick(name, Qt::Key_Return);
+    };
+    const QString usual = dialog->labelText(QFileDialog::FileName);
+    enter(directory.file("none.ttm"));
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "which STOP could not be clicked beside";
+    EXPECT_TRUE(dialog->isVisible());
+    EXPECT_EQ(dialog->labelText(QFileDialog::FileName), "There is no file:");
+    clickStop();
+    EXPECT_EQ(stopsPressed(), 1);
+    EXPECT_EQ(window->preferences().current().model, before);
+    const std::string model = directory.file("some.ttm");
+    ASSERT_TRUE(writeModel(model, toyModel()));
+    enter(model);
+    EXPECT_EQ(dialog->labelText(QFileDialog::FileName), usual);
+    EXPECT_TRUE(eventually(
+        [&] { return window->preferences().current().model.toStdString() == model; }));
+}
+
+TEST_F(Console, stopWorksByKeyAndByMouseWhileAMenuIsOpen)
+{
+    openScripted();
+    for (QPushButton* button : {window->header()->qualityButton(), window->viewButton()}) {
+        for (const bool mouse : {false, true}) {
+            ASSERT_TRUE(eventually([&] { return button->isVisible(); }));
+            QTest::mouseClick(button, Qt::LeftButton);
+            ASSERT_TRUE(eventually([&] { return button->menu()->isVisible(); }));
+            if (mouse)
+                clickStop();
+            else
+                QTest::keyClick(button->menu(), Qt::Key_F12);
+            EXPECT_TRUE(eventually([&] { return stops > 0; }, 2000))
+                << button->accessibleName().toStdString() << (mouse ? ", mouse" : ", key");
+            EXPECT_EQ(stopsPressed(), 1);
+            button->menu()->hide();
+        }
     }
 }
 

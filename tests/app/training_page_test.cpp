@@ -16,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "app/main_window.h"
@@ -292,7 +293,7 @@ TEST_F(TrainingConsole, aModelThatCannotBeLoadedLeavesTheOldOne)
     EXPECT_TRUE(window->modelTrouble().isEmpty());
 }
 
-TEST_F(TrainingConsole, f12StopsTheRobotInTheFileDialog)
+TEST_F(TrainingConsole, stopWorksByKeyAndByMouseBesideTheFileDialog)
 {
     click(page->scenesButton());
     QFileDialog* dialog = nullptr;
@@ -308,6 +309,13 @@ TEST_F(TrainingConsole, f12StopsTheRobotInTheFileDialog)
     const auto commands = source->takeCommands();
     ASSERT_FALSE(commands.empty());
     EXPECT_TRUE(std::holds_alternative<StopCommand>(commands.front()));
+    int stops = 0;
+    QObject::connect(&window->exploration(), &Exploration::decided, window.get(),
+                     [&stops](const char* what) { stops += std::string_view(what) == "stop"; });
+    const QPushButton& stop = *window->header()->stopButton();
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                      stop.mapTo(window.get(), stop.rect().center()));
+    EXPECT_EQ(stops, 1) << "nor does the dialog block the mouse";
 
     dialog->selectFile(QString::fromStdString(files->file("learn.csv")));
     auto* choose = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
