@@ -12,6 +12,7 @@
 #include <QWindow>
 #include <algorithm>
 
+#include "app/key_sheet.h"
 #include "app/letters.h"
 #include "app/vector_registers.h"
 #include "app/view_menu.h"
@@ -174,14 +175,9 @@ void ConsoleWindow::addDeadStopKey()
 
 void ConsoleWindow::showHelp()
 {
-    if (!help_) {
-        help_ = new QLabel(this, Qt::Tool);
-        help_->setWindowTitle(tr("Keys"));
-        help_->setTextFormat(Qt::RichText);
-        help_->setMargin(18);
-    }
-    help_->setText(keys_.html() + footer_);
-    help_->resize(help_->sizeHint());  // adjustSize() ends at two thirds of the screen and cuts
+    if (!help_) help_ = new KeySheet(this);
+    help_->setKeys(keys_.html() + footer_, roomBelowHeader());
+    putBelowHeader(*help_);
     help_->show();
     help_->raise();
 }

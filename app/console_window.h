@@ -14,6 +14,7 @@ class QStackedWidget;
 namespace terratact {
 
 class ElidedLabel;
+class KeySheet;
 class NavigationRail;
 class PreferenceStore;
 class StatusHeader;
@@ -97,7 +98,7 @@ private:
     QBoxLayout* banners_ = nullptr;  ///< side by side
     QBoxLayout* strips_ = nullptr;
     QBoxLayout* right_ = nullptr;
-    QLabel* help_ = nullptr;
+    KeySheet* help_ = nullptr;
 };
 
 }  // namespace terratact

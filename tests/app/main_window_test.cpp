@@ -12,6 +12,8 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -698,6 +700,41 @@ TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
     QTest::keyClick(lists(), Qt::Key_F12);
     EXPECT_TRUE(robotIs(RobotActivity::Stopped));
     lists()->close();
+}
+
+TEST_F(Console, theSheetOfKeysLeavesTheHeaderFreeAndAllOfItCanBeReached)
+{
+    openScripted();
+    window->setRoom({1200, 680});
+    for (const int letters : {100, 200}) {
+        window->preferences().change([=](Preferences& p) { p.fontScale = letters; });
+        window->resize(1200, 680);
+        QTest::keyClick(window.get(), Qt::Key_F1);
+        auto* sheet = window->findChild<QScrollArea*>(QString(), Qt::FindDirectChildrenOnly);
+        ASSERT_TRUE(sheet && QTest::qWaitForWindowExposed(sheet)) << letters;
+        EXPECT_TRUE(sheet->isWindow());
+        EXPECT_FALSE(sheet->frameGeometry().intersects(onScreen(*window->header()))) << letters;
+        EXPECT_TRUE(onScreen(*window).contains(sheet->frameGeometry())) << letters;
+        EXPECT_EQ(sheet->horizontalScrollBar()->maximum(), 0) << letters << ": lines are whole";
+        const QWidget& text = *sheet->widget();
+        EXPECT_GE(text.height(), text.heightForWidth(text.width())) << letters;
+        EXPECT_LE(text.height(),
+                  sheet->viewport()->height() + sheet->verticalScrollBar()->maximum())
+            << letters;
+        if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty()) {
+            QPixmap both = window->grab();
+            sheet->render(&both, sheet->pos() - window->pos());
+            both.save(QStringLiteral("%1/keys_%2.png").arg(folder).arg(letters));
+        }
+        clickStop();
+        EXPECT_EQ(stopsPressed(), 1) << letters;
+        if (const int below = sheet->verticalScrollBar()->maximum(); below > 0) {
+            QTest::keyClick(sheet, Qt::Key_PageDown);
+            EXPECT_GT(sheet->verticalScrollBar()->value(), 0) << "by key, too";
+        }
+        QTest::keyClick(sheet, Qt::Key_Escape);
+        EXPECT_FALSE(sheet->isVisible());
+    }
 }
 
 TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
