@@ -459,7 +459,7 @@ std::optional<int> Exploration::probingBin() const
 QList<Precondition> Exploration::toDrive() const
 {
     if (following()) return {Preconditions::arming(following_->why())};
-    QList<Precondition> list{Preconditions::released(state_.phase == AtemPhase::Stopped),
+    QList<Precondition> list{Preconditions::released(state_.phase == AtemPhase::Stopped, linkAlive_),
                              Preconditions::notExploring(exploring(state_.phase)),
                              Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
@@ -481,7 +481,7 @@ QList<Precondition> Exploration::toReleaseStop() const
     if (following()) return {Preconditions::arming(following_->why())};
     const bool confirmed = stopSight().state == StopSight::State::Confirmed;
     return {Preconditions::telemetry(linkAlive_, ended_),
-            state_.phase == AtemPhase::Stopped ? Preconditions::stopConfirmed(confirmed)
+            state_.phase == AtemPhase::Stopped ? Preconditions::stopConfirmed(confirmed, linkAlive_)
                                                : Preconditions::nothingToRelease()};
 }
 
@@ -493,7 +493,7 @@ QString Exploration::whyNotArmed() const
 
 void Exploration::overrideDoubts()
 {
-    if (following() || !latest_) return;
+    if (following() || !linkAlive_) return;  // nobody knows what would be overridden
     const Measurement& m = latest_->sample.measurement;
     for (const QString& doubt : ground_.overrideDoubts(m, options_.settings)) {
         emit decided("override", doubt);
@@ -513,11 +513,14 @@ QList<Precondition> Exploration::preconditions() const
 {
     QList<Precondition> list{
         Preconditions::telemetry(linkAlive_, ended_),
-        Preconditions::stop(state_.phase == AtemPhase::Stopped, releasing_),
+        Preconditions::stop(state_.phase == AtemPhase::Stopped, releasing_, linkAlive_),
     };
     if (link_) list << Preconditions::arming(whyNotArmed());
     list << Preconditions::model(estimation_.model());
-    if (latest_) list << ground_.judge(latest_->sample.measurement, options_.settings);
+    if (linkAlive_)
+        list << ground_.judge(latest_->sample.measurement, options_.settings);
+    else
+        list << Preconditions::groundNotKnown();
     return list;
 }
 

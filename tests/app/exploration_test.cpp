@@ -589,6 +589,34 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
 }
 
+TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
+{
+    EXPECT_EQ(linesOf(exploration->preconditions()),
+              "✔ telemetry is live\n✔ STOP is not latched\n✔ model fake.ttm is ready\n"
+              "✔ left and right agree, roll is small");
+    exploration->tick(now + 0.849, latest);
+    const QString stale =
+        "✘ no telemetry from the robot\n"
+        "! whether the robot is stopped is not known: no telemetry\n"
+        "✔ model fake.ttm is ready\n! roll and flippers are not known: no telemetry";
+    EXPECT_EQ(linesOf(exploration->preconditions()), stale);
+    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("! whether the robot is stopped"));
+
+    telemetry.roll = 0.2;
+    tick();
+    exploration->tick(now + 0.849, latest);
+    exploration->overrideDoubts();
+    EXPECT_EQ(exploration->overridden(), "") << "of a roll that was, nobody can take anything upon him";
+    EXPECT_EQ(linesOf(exploration->preconditions()), stale);
+    tick();
+    EXPECT_TRUE(linesOf(exploration->preconditions()).contains("! roll +11.5°"));
+
+    Exploration unheard(source, RobotModel{}, *worker, Exploration::Options{});
+    unheard.tick(now, std::nullopt);
+    EXPECT_FALSE(linesOf(unheard.preconditions()).contains("✔ STOP"));
+    EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! roll and flippers are not known"));
+}
+
 TEST_F(Bench, everyCommandListsWhatItNeeds)
 {
     EXPECT_EQ(linesOf(exploration->toDrive()),
@@ -609,7 +637,9 @@ TEST_F(Bench, everyCommandListsWhatItNeeds)
     EXPECT_EQ(linesOf(exploration->toReleaseStop()),
               "✔ telemetry is live\n✔ the robot says that it is stopped");
     tickInSilence(10);
-    EXPECT_TRUE(linesOf(exploration->toReleaseStop()).startsWith("✘ no telemetry"));
+    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
+              "✘ no telemetry from the robot\n! the robot said that it is stopped; no telemetry "
+              "since");
 }
 
 TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)
