@@ -1,7 +1,10 @@
 #include "app/bus_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <optional>
 
+#include "core/wire/frame_layout.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -46,6 +49,20 @@ QString troubleWords(const CanSource* link, const std::string& said)
     if (said.empty() || !link) return words::text(said);
     const CanView view = link->view();
     return view.bus == BusState::Up ? words::text(said) : busWords(view.bus, link->busName());
+}
+
+QString stillComes(const std::vector<TappedFrame>& frames)
+{
+    std::optional<double> youngest, heartbeat;
+    for (const TappedFrame& frame : frames) {
+        if (!frame.kind || !frame.age || layoutOf(*frame.kind).fromConsole) continue;
+        youngest = std::min(youngest.value_or(*frame.age), *frame.age);
+        if (frame.kind == FrameKind::RobotHeartbeat) heartbeat = frame.age;
+    }
+    if (!youngest || *youngest > kStillComes) return {};
+    return heartbeat
+             ? BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat))
+             : BusWords::tr("frames still come, no heartbeat");
 }
 
 QString whyFollowing(const CanSource* link)

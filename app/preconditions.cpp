@@ -41,12 +41,12 @@ Precondition Preconditions::released(bool latched, bool heard)
 {
     if (latched) return missing(tr("STOP is latched: release it first"));
     return heard ? met(tr("STOP is not latched"))
-                 : doubtful(tr("whether the robot is stopped is not known: no telemetry"));
+                 : doubtful(tr("STOP: not known, no telemetry"));
 }
 
 Precondition Preconditions::groundNotKnown()
 {
-    return doubtful(tr("roll and flippers are not known: no telemetry"));
+    return doubtful(tr("left, right: not known, no telemetry"));
 }
 
 Precondition Preconditions::nothingToRelease()
@@ -75,7 +75,7 @@ Precondition Preconditions::stopConfirmed(bool confirmed, bool heard)
 {
     if (!confirmed) return doubtful(tr("the robot has not confirmed STOP"));
     return heard ? met(tr("the robot says that it is stopped"))
-                 : doubtful(tr("the robot said that it is stopped; no telemetry since"));
+                 : doubtful(tr("the robot said that it is stopped, then no telemetry"));
 }
 
 QList<Precondition> Preconditions::toArm(const CanView& view)

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/bus_words.h"
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
@@ -20,6 +21,7 @@
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/staged_robot.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -454,6 +456,49 @@ TEST_F(BusConsole, lostLinkIsSaidWithItsCure)
         return false;
     }));
     picture("bus-down");
+}
+
+TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
+{
+    SimulatedRobot::Options simulation;
+    simulation.startX = 2.0;
+    StagedRobot numb(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                     RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    window = console(bus.join("can0"), CanSource::Mode::Listen,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    numb.stage({.isNumb = true});
+    EXPECT_TRUE(eventually([&] {
+        return says("TELEMETRY STOPPED for") && says("frames still come, heartbeat")
+            && says("no measured value is live");
+    }));
+    EXPECT_FALSE(says("nothing on this screen is live"));
+    picture("telemetry-stopped");
+    numb.stage({.isMute = true});
+    EXPECT_TRUE(eventually([&] { return says("nothing on this screen is live"); }));
+    EXPECT_FALSE(says("frames still come"));
+    window.reset();
+}
+
+TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
+{
+    const auto frame = [](std::optional<FrameKind> kind, std::optional<double> age) {
+        TappedFrame made;
+        made.kind = kind;
+        made.age = age;
+        return made;
+    };
+    EXPECT_EQ(stillComes({}), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.1), frame(FrameKind::Attitude, 0.8)}),
+              "frames still come, heartbeat 100 ms old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 3.0), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come, heartbeat 3.0 s old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, {}), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come, no heartbeat");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.26)}), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::ConsoleHeartbeat, 0.0), frame({}, 0.0)}), "")
+        << "neither is the robot's";
 }
 
 TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)

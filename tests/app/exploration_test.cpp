@@ -597,10 +597,10 @@ TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
     exploration->tick(now + 0.849, latest);
     const QString stale =
         "✘ no telemetry from the robot\n"
-        "! whether the robot is stopped is not known: no telemetry\n"
-        "✔ model fake.ttm is ready\n! roll and flippers are not known: no telemetry";
+        "! STOP: not known, no telemetry\n"
+        "✔ model fake.ttm is ready\n! left, right: not known, no telemetry";
     EXPECT_EQ(linesOf(exploration->preconditions()), stale);
-    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("! whether the robot is stopped"));
+    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("! STOP: not known"));
 
     telemetry.roll = 0.2;
     tick();
@@ -614,7 +614,7 @@ TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
     Exploration unheard(source, RobotModel{}, *worker, Exploration::Options{});
     unheard.tick(now, std::nullopt);
     EXPECT_FALSE(linesOf(unheard.preconditions()).contains("✔ STOP"));
-    EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! roll and flippers are not known"));
+    EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! left, right: not known"));
 }
 
 TEST_F(Bench, everyCommandListsWhatItNeeds)
@@ -638,8 +638,8 @@ TEST_F(Bench, everyCommandListsWhatItNeeds)
               "✔ telemetry is live\n✔ the robot says that it is stopped");
     tickInSilence(10);
     EXPECT_EQ(linesOf(exploration->toReleaseStop()),
-              "✘ no telemetry from the robot\n! the robot said that it is stopped; no telemetry "
-              "since");
+              "✘ no telemetry from the robot\n"
+              "! the robot said that it is stopped, then no telemetry");
 }
 
 TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)
