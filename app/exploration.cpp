@@ -286,9 +286,12 @@ void Exploration::tick(double now, const std::optional<Received>& latest)
 {
     now_ = now;
     latest_ = latest;
-    linkAlive_ = latest_ && now_ - secondsOf(latest_->arrived) <= options_.linkLostAfter;
+    const auto heardWithin = [this](double seconds) {
+        return latest_ && now_ - secondsOf(latest_->arrived) <= seconds;
+    };
+    linkAlive_ = heardWithin(options_.linkLostAfter);
     ended_ = following() && link_->view().ended;
-    estimation_.look(latest_, linkAlive_);
+    estimation_.look(latest_, heardWithin(options_.staleAfter));
     if (following())
         follow();
     else

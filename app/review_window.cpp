@@ -320,9 +320,10 @@ void ReviewWindow::showTerrain()
     if (row) {
         sight.estimate = &row->estimate;
         sight.estimateSeconds = row->seconds;
+        const bool heard = moment_.linkAlive && moment_.measurement
+                        && secondsOf(moment_.time - moment_.measured) <= kStaleAfter;
         if (moment_.scene)
-            sight.verdict =
-                verdictOf(row->estimate, moment_.scene->measurement, moment_.linkAlive, limit);
+            sight.verdict = verdictOf(row->estimate, moment_.scene->measurement, heard, limit);
     }
     if (const auto& answer = whatIf_->answer(); answer && row) {
         sight.second = &*answer;

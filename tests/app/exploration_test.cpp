@@ -1,4 +1,8 @@
+#include <QLabel>
+
+#include "app/link_status.h"
 #include "tests/support/exploration_bench.h"
+#include "widgets/status_header.h"
 
 namespace terratact {
 namespace {
@@ -450,6 +454,65 @@ TEST_F(Bench, aLostLinkFailsTheExploration)
     EXPECT_FALSE(exploration->whyNotDriving().isEmpty());
     tick();
     EXPECT_TRUE(exploration->linkAlive());
+}
+
+TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
+{
+    propose();
+    const auto withheld = [this] {
+        const std::vector<Doubt> doubts = exploration->estimation().verdict()->doubts;
+        return std::ranges::find(doubts, Doubt::Stale) != doubts.end();
+    };
+    const double heard = now;
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter - 0.001, latest);
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter + 0.001, latest);
+    EXPECT_TRUE(withheld()) << "with the values";
+    EXPECT_TRUE(exploration->linkAlive()) << "the link is lost later";
+    now = heard + kStaleAfter + 0.001;
+    tick();
+    EXPECT_FALSE(withheld());
+}
+
+/// What a window shows of an exploration whose time is in the test's hands.
+struct LinkBench : Bench {
+    LinkBench() : display(header, banner, list, acquisition, nullptr) {}
+    void showAt(double time)
+    {
+        exploration->tick(time, latest);
+        display.show({.now = time, .newest = &*latest, .alive = exploration->linkAlive()});
+    }
+    StatusHeader header;
+    QLabel banner;
+    EventList list;
+    ScriptedSource other;
+    Acquisition acquisition{other};
+    LinkStatus display;
+};
+
+TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
+{
+    EXPECT_EQ(exploration->options().linkLostAfter, 0.25);
+    const double heard = now;
+    for (const double age : {0.0, 0.15, 0.24, 0.2499}) {
+        showAt(heard + age);
+        EXPECT_TRUE(exploration->linkAlive()) << age;
+        EXPECT_TRUE(banner.isHidden()) << age;
+        EXPECT_FALSE(header.linkText().startsWith("LINK LOST")) << age;
+    }
+    showAt(heard + 0.2501);
+    EXPECT_FALSE(exploration->linkAlive());
+    EXPECT_TRUE(banner.isVisible()) << "with the first picture after that";
+    EXPECT_EQ(banner.text(), "LINK LOST for 250 ms — nothing on this screen is live");
+    EXPECT_TRUE(header.linkText().startsWith("LINK LOST"));
+    showAt(heard + 0.26);
+    EXPECT_EQ(banner.text(), "LINK LOST for 260 ms — nothing on this screen is live");
+    now = heard + 0.26;
+    line();
+    showAt(now);
+    EXPECT_TRUE(exploration->linkAlive());
+    EXPECT_TRUE(banner.isHidden()) << "one line of telemetry is enough";
 }
 
 TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)

@@ -105,7 +105,8 @@ struct Console : testing::Test {
         options.robot = robot;
         options.source = std::move(source);
         options.model = std::move(model);
-        options.exploration.linkLostAfter = 3.0;  // this machine may be busy
+        // This machine may be busy.
+        options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
         options.exploration.driveSpeed = 0.05;
         options.exploration.limits.approval = answerTime;
         options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
