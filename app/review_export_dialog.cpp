@@ -178,7 +178,6 @@ QWidget* ReviewExportDialog::file()
     path_->setAccessibleName(tr("File"));
     path_->setToolTip(tr("Where it is written"));
     browse_ = new QPushButton(tr("Choose …"), row);
-    browse_->setToolTip(tr("Choose the file"));
     line->addWidget(path_, 1);
     line->addWidget(browse_);
     connect(browse_, &QPushButton::clicked, this, &ReviewExportDialog::browse);
@@ -194,7 +193,6 @@ QWidget* ReviewExportDialog::buttons()
     export_->setProperty("role", "primary");
     export_->setDefault(true);
     cancel_ = new QPushButton(tr("Cancel"), row);
-    cancel_->setToolTip(tr("Ends the export and leaves no file (Esc)"));
     auto* close = new QPushButton(tr("Close"), row);
     close->setAutoDefault(false);
     line->addStretch(1);
@@ -266,15 +264,27 @@ void ReviewExportDialog::showSight()
     showButtons();
 }
 
+QString ReviewExportDialog::whyNotExport() const
+{
+    if (job_) return tr("A file is being written");
+    if (chosen(*what_).from == From::Report && sight_.scene == 0)
+        return tr("No estimate stands at this time");
+    return path_->text().trimmed().isEmpty() ? tr("Name the file first") : QString();
+}
+
 void ReviewExportDialog::showButtons()
 {
-    const bool missing = chosen(*what_).from == From::Report && sight_.scene == 0;
+    const QString whyNot = whyNotExport();
     export_->setText(QFileInfo::exists(path()) ? tr("Replace the file") : tr("Export"));
-    export_->setEnabled(!job_ && !missing && !path_->text().trimmed().isEmpty());
+    export_->setEnabled(whyNot.isEmpty());
+    export_->setToolTip(whyNot.isEmpty() ? tr("Writes the file") : whyNot);
     for (QWidget* const choice :
          std::initializer_list<QWidget*>{what_, format_, visible_, everything_, path_, browse_})
         choice->setEnabled(!job_);
+    browse_->setToolTip(job_ ? whyNot : tr("Choose the file"));
     cancel_->setEnabled(job_ != nullptr);
+    cancel_->setToolTip(job_ ? tr("Ends the export and leaves no file (Esc)")
+                             : tr("Nothing is being written"));
     progress_->setVisible(job_ != nullptr);
 }
 

@@ -50,7 +50,12 @@ QString chooseTip()
 
 QString shippedTip()
 {
-    return SettingsPage::tr("Back to what came with the program; grey while that is in use");
+    return SettingsPage::tr("Back to what came with the program");
+}
+
+QString shippedInUseTip()
+{
+    return SettingsPage::tr("What came with the program is in use already");
 }
 
 QString languageTip()
@@ -365,7 +370,8 @@ void SettingsPage::setReopenBlocked(const QString& why)
         control->setToolTip(why.isEmpty() ? tip : why);
     };
     block(chooseRobot_, chooseTip());
-    block(shippedRobot_, shippedTip(), !store_.current().robot.isEmpty());
+    const bool own = !store_.current().robot.isEmpty();
+    block(shippedRobot_, own ? shippedTip() : shippedInUseTip(), own);
     block(defaults_, defaultsTip());
     block(language_, languageTip());
 }
@@ -377,7 +383,9 @@ QString SettingsPage::modelCard() const
 
 void SettingsPage::refresh(double /*now*/)
 {
-    shippedModel_->setEnabled(!store_.current().model.isEmpty());
+    const bool own = !store_.current().model.isEmpty();
+    shippedModel_->setEnabled(own);
+    shippedModel_->setToolTip(own ? shippedTip() : shippedInUseTip());
     lettersNote_->setText(terratact::lettersNote(store_.current().fontScale));
     lettersNote_->setVisible(!lettersNote_->text().isEmpty());
 }

@@ -541,6 +541,41 @@ TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
     EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "no estimate stands";
 }
 
+TEST_F(ExportOf, aButtonThatCannotBePressedSaysWhyNot)
+{
+    {
+        auto writer = robotSession(path.toStdString(), 60.0, 850.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE(writer->seal());
+    }
+    open();
+    gui::TipsOfButtons tips;
+    window->rail()->choose(window->rail()->pageOf(Qt::Key_F6));
+    for (const double time : {0.0, At::kMarker}) {
+        window->goTo(time);
+        tips.look(*window);
+    }
+    window->goTo(0.0);
+    choose("Report", ".html", "report.html");
+    ReviewExportDialog& dialog = *window->exportDialog();
+    tips.look(dialog);
+    EXPECT_EQ(dialog.exportButton()->toolTip(), "No estimate stands at this time");
+    choose("Frames, signals", ".mcap", "");
+    dialog.pathEdit()->clear();
+    tips.look(dialog);
+    EXPECT_EQ(dialog.exportButton()->toolTip(), "Name the file first");
+    choose("Frames, signals", ".mcap", "big.mcap");
+    tips.look(dialog);
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    ASSERT_TRUE(dialog.writes());
+    tips.look(dialog);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+    EXPECT_EQ(tips.silent(), std::vector<std::string>());
+    for (const char* name : {"Export", "Cancel", "Choose …", "As recorded", "Estimate again (E)"})
+        EXPECT_TRUE(tips.compared().contains(name)) << name;
+}
+
 TEST_F(ExportOf, aFileThatIsThereIsReplacedOnlyByAButtonThatSaysSo)
 {
     record();

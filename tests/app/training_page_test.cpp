@@ -160,13 +160,17 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_FALSE(page->startButton()->isEnabled());
     EXPECT_FALSE(page->compareButton()->isEnabled());
     EXPECT_FALSE(page->adoptButton()->isEnabled());
+    gui::TipsOfButtons tips;
+    tips.look(*page);
     train(files->file("learn.csv"));
     EXPECT_TRUE(
         eventually([&] { return page->bins()->item(0, 1)->text().startsWith("done"); }, kPatience));
     EXPECT_EQ(page->bins()->item(10, 6)->text(), "waiting");
     EXPECT_TRUE(page->bar()->format().contains("left")) << page->bar()->format().toStdString();
     EXPECT_FALSE(page->startButton()->isEnabled());
+    tips.look(*page);
     ASSERT_TRUE(ends());
+    tips.look(*page);
     for (int bin = 0; bin < kBins; ++bin)
         for (int kind = 1; kind <= 6; ++kind) {
             const QString text = page->bins()->item(bin, kind)->text();
@@ -176,7 +180,9 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_EQ(page->nameField()->text(), "trained-2");
 
     type(page->testField(), files->file("test.csv"));
+    tips.look(*page);
     click(page->compareButton());
+    tips.look(*page);
     ASSERT_TRUE(ends());
     EXPECT_TRUE(page->verdict()->isVisible());
     EXPECT_TRUE(page->verdict()->text().contains("near the robot on "));
@@ -192,11 +198,17 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     window->exploration().request();
     ASSERT_TRUE(eventually([&] { return !page->adoptButton()->isEnabled(); }));
     EXPECT_TRUE(page->reason()->text().contains("exploration is running"));
+    tips.look(*page);
     click(page->adoptButton());
     EXPECT_EQ(modelInUse(), "old.ttm");
     page->setFocus();
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(eventually([&] { return page->adoptButton()->isEnabled(); }));
+    tips.look(*page);
+    EXPECT_EQ(tips.silent(), std::vector<std::string>());
+    for (const char* name : {"Start", "Cancel", "Compare", "Adopt", "Discard the new model",
+                             "Choose the scenes to learn from", "Choose the scenes to test on"})
+        EXPECT_TRUE(tips.compared().contains(name)) << name;
 
     click(page->adoptButton());
     ASSERT_TRUE(eventually([&] { return modelInUse() == "trained-1.ttm"; }, kPatience)) << said();
