@@ -155,7 +155,6 @@ QWidget* ReviewExportDialog::span()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     visible_ = new QRadioButton(box);
-    visible_->setToolTip(tr("From A to B, else what the timeline shows: zoom with Z and X"));
     visible_->setChecked(true);
     everything_ = new QRadioButton(box);
     moment_ = new QLabel(box);
@@ -282,6 +281,9 @@ void ReviewExportDialog::showButtons()
          std::initializer_list<QWidget*>{what_, format_, visible_, everything_, path_, browse_})
         choice->setEnabled(!job_);
     browse_->setToolTip(job_ ? whyNot : tr("Choose the file"));
+    visible_->setToolTip(
+        job_ ? whyNot : tr("From A to B, else what the timeline shows: zoom with Z and X"));
+    everything_->setToolTip(job_ ? whyNot : tr("All that the session holds"));
     cancel_->setEnabled(job_ != nullptr);
     cancel_->setToolTip(job_ ? tr("Ends the export and leaves no file (Esc)")
                              : tr("Nothing is being written"));

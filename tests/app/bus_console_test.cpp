@@ -186,28 +186,38 @@ struct BusConsole : testing::Test {
             [&] { return arming() != ArmingPhase::Armed || robotDoes(RobotActivity::Driving); });
         return arming() == ArmingPhase::Armed && robotDoes(RobotActivity::Driving);
     }
-    /// The same, again after each disarming: on a busy machine heartbeats may come too late.
-    bool drivesAtLast()
+    /// Explores and probes by keys; false where something disarmed the console on the way.
+    bool exploresAndProbes()
     {
-        for (int go = 0; go < 20; ++go) {
-            if (drives()) return true;
-            if (arming() == ArmingPhase::Armed) return false;  // that was not it
-        }
-        return false;
-    }
-    void exploreAndProbe()
-    {
-        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        const auto failsOnlyDisarmed = [this] {
+            const AtemState& state = window->exploration().state();
+            EXPECT_TRUE(state.phase == AtemPhase::Failed
+                        && (state.failure == AtemFailure::Disarmed
+                            || state.failure == AtemFailure::LinkLost))
+                << describe(state.phase) << ": " << describe(state.failure);
+            return false;
+        };
+        const auto gets = [this](AtemPhase phase) {
+            (void)eventually([&] {
+                const AtemPhase now = window->exploration().state().phase;
+                return now == phase || now == AtemPhase::Failed;
+            }, 60000);
+            return window->exploration().state().phase == phase;
+        };
+        if (!eventually([&] {
+                return window->atemPanel()->requestButton()->isEnabled()
+                    || arming() != ArmingPhase::Armed;
+            })
+            || arming() != ArmingPhase::Armed)
+            return false;
         QTest::keyClick(window.get(), Qt::Key_A);
-        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
-            << describe(window->exploration().state().failure);
-        ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+        if (!gets(AtemPhase::ProposingProbe)) return failsOnlyDisarmed();
+        EXPECT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
         picture("asks-for-a-probe");
         QTest::keyPress(window.get(), Qt::Key_Space);
-        ASSERT_TRUE(robotIs(RobotActivity::Probing));
+        const bool presents = gets(AtemPhase::Presenting);
         QTest::keyRelease(window.get(), Qt::Key_Space);
-        ASSERT_TRUE(reaches(AtemPhase::Presenting))
-            << describe(window->exploration().state().failure);
+        return presents || failsOnlyDisarmed();
     }
     bool robotDoes(RobotActivity activity) const
     {
@@ -335,14 +345,21 @@ TEST_F(BusConsole, heldKeyThatAnXServerRepeatsArmsNothing)
 TEST_F(BusConsole, driveExploreProbeAndDriveOn)
 {
     open();
-    ASSERT_TRUE(drivesAtLast());
-    QTest::keyRelease(window.get(), Qt::Key_W);
-    ASSERT_TRUE(robotIs(RobotActivity::Halted));
-    exploreAndProbe();
-    EXPECT_TRUE(window->exploration().state().probed);
-    picture("presenting");
-    QTest::qWait(200);
-    EXPECT_TRUE(drivesAtLast()) << "the exploration has ended for the robot, too";
+    // On a busy machine heartbeats may come too late and disarm the console in some go; in every go is somebody's
+    // fault, as where the end of an exploration disarms.
+    bool drivesOn = false;
+    for (int go = 0; go < 10 && !drivesOn && !HasFailure(); ++go) {
+        if (!drives()) continue;
+        const int epoch = window->link()->view().link.arming.epoch;  // another for every arming
+        QTest::keyRelease(window.get(), Qt::Key_W);
+        ASSERT_TRUE(robotIs(RobotActivity::Halted));
+        if (!exploresAndProbes()) continue;
+        EXPECT_TRUE(window->exploration().state().probed);
+        picture("presenting");
+        QTest::qWait(200);
+        drivesOn = drives() && window->link()->view().link.arming.epoch == epoch;
+    }
+    EXPECT_TRUE(drivesOn) << "it had to be armed anew each time";
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
@@ -535,7 +552,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     for (MainWindow* one : {listener.get(), window.get()})
         ASSERT_TRUE(eventually([&] { return hasModel(*one); }));
     arm();
-    exploreAndProbe();
+    ASSERT_TRUE(exploresAndProbes());
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
     const auto ledger = window->exploration().estimation().ledger().entries();
     const TemporaryDirectory directory;
