@@ -340,9 +340,7 @@ void MainWindow::connectAll()
         if (weight == Weight::Bad && !seen) notice_->say(text, steadyNow());
     };
     connect(exploration, &Exploration::happened, events(), note);
-    connect(exploration, &Exploration::stoppedNothing, this, [this](const QString& why) {
-        notice_->say(tr("STOP HAS NO EFFECT HERE: %1").arg(why), steadyNow());
-    });
+    connectStop();
     if (panel_) {
         connect(panel_.get(), &PanelControl::happened, events(), note);
         connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
@@ -360,9 +358,34 @@ void MainWindow::connectAll()
     });
 }
 
+/// STOP from windows that were opened here; and from here, where only the console that opened this window can stop.
+void MainWindow::connectStop()
+{
+    const auto say = [this](const QString& text) { notice_->say(text, steadyNow()); };
+    connect(&remoteStop_, &RemoteStop::said, this, say);
+    connect(exploration_.get(), &Exploration::stoppedNothing, this,
+            [this, say](const QString& why) {
+                if (remoteStop_.exists()) return remoteStop_.press();
+                say(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
+            });
+    if (exploration_->following()) return;
+    auto line = StopLine::listen(stopLineName());
+    if (line)
+        stopLine_.emplace(std::move(*line));
+    else
+        events()->add(tr("F12 in windows that are opened from here stops nothing: %1")
+                          .arg(words::text(line.error().text)),
+                      Weight::Doubt, QTime::currentTime());
+}
+
 void MainWindow::look()
 {
     const double now = steadyNow();
+    if (stopLine_ && stopLine_->take()) {
+        events()->add(tr("STOP was pressed in a window that was opened from here"), Weight::Note,
+                      QTime::currentTime());
+        exploration_->stop();
+    }
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     latest_ = acquisition_->latest();
@@ -487,9 +510,9 @@ void MainWindow::releaseStop()
 
 void MainWindow::open()
 {
-    openInAnotherWindow(*this, [this](const QString& why) {
-        events()->add(why, Weight::Bad, QTime::currentTime());
-    });
+    openInAnotherWindow(
+        *this, stopLine_ ? stopLineName() : std::string(),
+        [this](const QString& why) { events()->add(why, Weight::Bad, QTime::currentTime()); });
 }
 
 void MainWindow::defineKeys()

@@ -3,10 +3,12 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QtEndian>
 #include <utility>
 
 #include "app/file_dialog.h"
+#include "app/remote_stop.h"
 #include "core/log/session_schema.h"
 
 namespace terratact {
@@ -34,14 +36,22 @@ FileKind kindOfFile(const QString& path)
     return line.contains("pitch_rad") && line.contains(',') ? FileKind::Scenes : FileKind::Log;
 }
 
-void openInAnotherWindow(QWidget& parent, std::function<void(const QString& why)> failed)
+void openInAnotherWindow(QWidget& parent, const std::string& stopLine,
+                         std::function<void(const QString& why)> failed)
 {
     const QString filter =
         OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)");
     askForFile(parent, {.title = OpenFile::tr("Open"), .filter = filter},
-               [failed = std::move(failed)](const QString& path) {
-                   const QString program = QCoreApplication::applicationFilePath();
-                   if (!QProcess::startDetached(program, {path}))
+               [stopLine, failed = std::move(failed)](const QString& path) {
+                   QProcess program;
+                   program.setProgram(QCoreApplication::applicationFilePath());
+                   program.setArguments({path});
+                   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+                   if (!stopLine.empty())
+                       environment.insert(QLatin1String(kStopLineVariable),
+                                          QString::fromStdString(stopLine));
+                   program.setProcessEnvironment(environment);
+                   if (!program.startDetached())
                        failed(OpenFile::tr("%1 could not be opened: this program could not be "
                                            "started again")
                                   .arg(path));

@@ -444,7 +444,7 @@ void ReviewWindow::exportShown()
 void ReviewWindow::open()
 {
     player_->pause();
-    openInAnotherWindow(*this, [this](const QString& why) {
+    openInAnotherWindow(*this, {}, [this](const QString& why) {
         trouble_ = why;
         showState();
     });
