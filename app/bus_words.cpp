@@ -53,16 +53,19 @@ QString troubleWords(const CanSource* link, const std::string& said)
 
 QString stillComes(const std::vector<TappedFrame>& frames)
 {
-    std::optional<double> youngest, heartbeat;
+    std::optional<double> youngest, heartbeat, status;
     for (const TappedFrame& frame : frames) {
         if (!frame.kind || !frame.age || layoutOf(*frame.kind).fromConsole) continue;
         youngest = std::min(youngest.value_or(*frame.age), *frame.age);
         if (frame.kind == FrameKind::RobotHeartbeat) heartbeat = frame.age;
+        if (frame.kind == FrameKind::RobotStatus) status = frame.age;
     }
     if (!youngest || *youngest > kStillComes) return {};
-    return heartbeat
-             ? BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat))
-             : BusWords::tr("frames still come, no heartbeat");
+    if (heartbeat)
+        return BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat));
+    // A robot's heart answers that of a console that commands; who listens has only this.
+    if (status) return BusWords::tr("frames still come, status %1 old").arg(words::age(*status));
+    return BusWords::tr("frames still come");
 }
 
 QString whyFollowing(const CanSource* link)

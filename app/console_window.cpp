@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -14,6 +15,7 @@
 
 #include "app/key_sheet.h"
 #include "app/letters.h"
+#include "app/remote_stop.h"
 #include "app/vector_registers.h"
 #include "app/view_menu.h"
 #include "widgets/calm_wheel.h"
@@ -151,9 +153,7 @@ void ConsoleWindow::addHelpKey(const QString& footer)
 void ConsoleWindow::addDeadStopKey()
 {
     constexpr int kFor = 8000;  // [ms]
-    auto* banner = new QLabel(tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to the "
-                                 "console's own window"),
-                              this);
+    auto* banner = new QLabel(this);
     banner->setObjectName(QStringLiteral("banner"));
     banner->setWordWrap(true);
     banner->hide();
@@ -161,14 +161,23 @@ void ConsoleWindow::addDeadStopKey()
     end->setSingleShot(true);
     end->setInterval(kFor);
     connect(end, &QTimer::timeout, banner, &QWidget::hide);
+    const auto say = [this, banner, end](const QString& text) {
+        banner->setText(text);
+        banner->setGeometry(header_->geometry());  // upon it: nothing moves
+        banner->raise();
+        banner->show();
+        end->start();
+    };
+    auto* remote = new RemoteStop(this);
+    connect(remote, &RemoteStop::said, banner, say);
     keys_.add({.keys = {Qt::Key_F12},
-               .meaning = tr("no STOP: this window has no robot"),
+               .meaning = remote->exists() ? tr("STOP, of the console that opened this window")
+                                           : tr("no STOP: this window has no robot"),
                .pressed =
-                   [this, banner, end] {
-                       banner->setGeometry(header_->geometry());  // upon it: nothing moves
-                       banner->raise();
-                       banner->show();
-                       end->start();
+                   [remote, say] {
+                       if (remote->exists()) return remote->press();
+                       say(tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to the "
+                              "console's own window"));
                    },
                .everywhere = true});
 }
@@ -304,8 +313,27 @@ void ConsoleWindow::showEvent(QShowEvent* event)
     refit();  // once the frame around it is known
 }
 
+/// A menu that is open takes the mouse: a press elsewhere only closes it, and another would be needed for STOP.
+bool ConsoleWindow::pressesStopBesidePopup(const QEvent& event) const
+{
+    if (event.type() != QEvent::MouseButtonPress || !QApplication::activePopupWidget())
+        return false;
+    const auto& mouse = static_cast<const QMouseEvent&>(event);
+    const QPushButton& stop = *header_->stopButton();
+    return mouse.button() == Qt::LeftButton && stop.isVisible()
+        && stop.rect().contains(stop.mapFromGlobal(mouse.globalPosition().toPoint()));
+}
+
 bool ConsoleWindow::eventFilter(QObject* object, QEvent* event)
 {
+    if (object->isWidgetType() && pressesStopBesidePopup(*event)) {
+        emit header_->stopPressed();
+        while (QWidget* const popup = QApplication::activePopupWidget()) {
+            popup->setAttribute(Qt::WA_NoMouseReplay);  // it was pressed already
+            if (!popup->close()) break;
+        }
+        return true;
+    }
     return keys_.filter(*this, *object, *event);
 }
 

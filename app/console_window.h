@@ -64,7 +64,8 @@ protected:
     /// F1 and ? show the sheet of the keys, with this below; HTML.
     void addHelpKey(const QString& footer = {});
 
-    /// For a window without a robot: STOP's key says so, loudly.
+    /// For a window without a robot: STOP's key stops that of the console that opened the window, and says what became
+    /// of it, loudly; without one it says so.
     void addDeadStopKey();
 
     /// The look from now on; wanted: letters [%].
@@ -79,6 +80,7 @@ protected:
 
 private:
     void showHelp();
+    bool pressesStopBesidePopup(const QEvent& event) const;
     QSize room() const;
     QSize needs() const;  ///< [px] with a banner, whether there is one or not
     void fitLetters();

@@ -462,9 +462,10 @@ std::optional<int> Exploration::probingBin() const
 QList<Precondition> Exploration::toDrive() const
 {
     if (following()) return {Preconditions::arming(following_->why())};
-    QList<Precondition> list{Preconditions::released(state_.phase == AtemPhase::Stopped, linkAlive_),
-                             Preconditions::notExploring(exploring(state_.phase)),
-                             Preconditions::telemetry(linkAlive_, ended_)};
+    QList<Precondition> list{
+        Preconditions::released(state_.phase == AtemPhase::Stopped, linkAlive_),
+        Preconditions::notExploring(exploring(state_.phase)),
+        Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
     return list;
 }

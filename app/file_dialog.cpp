@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/console_window.h"
+#include "widgets/look.h"
 
 namespace terratact {
 namespace {
@@ -64,6 +65,7 @@ void askForFile(QWidget& parent, const FileWish& wish,
     }
     auto* dialog = new FileDialog(parent, wish);
     QObject::connect(dialog, &QFileDialog::fileSelected, &parent, std::move(chosen));
+    dialog->resize(dialog->sizeHint().expandedTo(QSize(scaled(760), scaled(440))));
     if (const ConsoleWindow* console = consoleOf(parent)) console->putBelowHeader(*dialog);
     dialog->show();
 }

@@ -40,8 +40,7 @@ Precondition Preconditions::stop(bool latched, bool releasing, bool heard)
 Precondition Preconditions::released(bool latched, bool heard)
 {
     if (latched) return missing(tr("STOP is latched: release it first"));
-    return heard ? met(tr("STOP is not latched"))
-                 : doubtful(tr("STOP: not known, no telemetry"));
+    return heard ? met(tr("STOP is not latched")) : doubtful(tr("STOP: not known, no telemetry"));
 }
 
 Precondition Preconditions::groundNotKnown()

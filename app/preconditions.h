@@ -24,8 +24,8 @@ public:
     /// met that only the robot knows.
     static Precondition stop(bool latched, bool releasing,  ///< releasing: not yet confirmed
                              bool heard);
-    static Precondition groundNotKnown();                    ///< nor how the robot stands on it
-    static Precondition arming(const QString& whyNot);       ///< empty: the robot is armed
+    static Precondition groundNotKnown();               ///< nor how the robot stands on it
+    static Precondition arming(const QString& whyNot);  ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
     static Precondition released(bool latched, bool heard);  ///< STOP, for what it forbids at once
     static Precondition nothingToRelease();

@@ -20,7 +20,7 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
     const bool expired = state.phase == AtemPhase::Presenting && state.approvalExpired;
     toldExpiry_ = expired && (toldExpiry_ || seen);
     const QString left = words::countdown(time ? time->seconds : 0.0);
-    rail_.setAsking(rail_.pageOf(Qt::Key_F2), asks ? tr("probe %1").arg(left) : QString());
+    rail_.setAsking(rail_.pageOf(Qt::Key_F2), asks ? tr("arm? %1").arg(left) : QString());
     QString text;
     if (asks)
         text = tr("PROBE at %1? %2 left, then no: F2 shows the question")

@@ -281,8 +281,8 @@ void ReviewExportDialog::showButtons()
          std::initializer_list<QWidget*>{what_, format_, visible_, everything_, path_, browse_})
         choice->setEnabled(!job_);
     browse_->setToolTip(job_ ? whyNot : tr("Choose the file"));
-    visible_->setToolTip(
-        job_ ? whyNot : tr("From A to B, else what the timeline shows: zoom with Z and X"));
+    visible_->setToolTip(job_ ? whyNot
+                              : tr("From A to B, else what the timeline shows: zoom with Z and X"));
     everything_->setToolTip(job_ ? whyNot : tr("All that the session holds"));
     cancel_->setEnabled(job_ != nullptr);
     cancel_->setToolTip(job_ ? tr("Ends the export and leaves no file (Esc)")

@@ -190,12 +190,12 @@ void VerdictStrip::setLimit(double metres)
     const bool lowest = limit_ <= kLeastLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
     lower_->setEnabled(!lowest);
     raise_->setEnabled(!highest);
-    lower_->setToolTip(lowest ? tr("No lower limit can be set than %1 m")
-                                    .arg(words::number(kLeastLimit, 2))
-                              : tr("A lower step counts as an obstacle, too (PgDown)"));
-    raise_->setToolTip(highest ? tr("No higher limit can be set than %1 m")
-                                     .arg(words::number(kGreatestLimit, 2))
-                               : tr("Only a higher step counts as an obstacle (PgUp)"));
+    lower_->setToolTip(
+        lowest ? tr("No lower limit can be set than %1 m").arg(words::number(kLeastLimit, 2))
+               : tr("A lower step counts as an obstacle, too (PgDown)"));
+    raise_->setToolTip(
+        highest ? tr("No higher limit can be set than %1 m").arg(words::number(kGreatestLimit, 2))
+                : tr("Only a higher step counts as an obstacle (PgUp)"));
 }
 
 void VerdictStrip::choose(double metres)

@@ -198,10 +198,12 @@ struct BusConsole : testing::Test {
             return false;
         };
         const auto gets = [this](AtemPhase phase) {
-            (void)eventually([&] {
-                const AtemPhase now = window->exploration().state().phase;
-                return now == phase || now == AtemPhase::Failed;
-            }, 60000);
+            (void)eventually(
+                [&] {
+                    const AtemPhase now = window->exploration().state().phase;
+                    return now == phase || now == AtemPhase::Failed;
+                },
+                60000);
             return window->exploration().state().phase == phase;
         };
         if (!eventually([&] {
@@ -481,13 +483,13 @@ TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
     simulation.startX = 2.0;
     StagedRobot numb(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
                      RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
-    window = console(bus.join("can0"), CanSource::Mode::Listen,
+    window = console(bus.join("can0"), CanSource::Mode::Transmit,
                      [] { return Result<LoadedModel>(madeUp()); });
     gui::showActive(*window);
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
     numb.stage({.isNumb = true});
     EXPECT_TRUE(eventually([&] {
-        return says("TELEMETRY STOPPED for") && says("frames still come, heartbeat")
+        return says("TELEMETRY LOST for") && says("frames still come, heartbeat")
             && says("no measured value is live");
     }));
     EXPECT_FALSE(says("nothing on this screen is live"));
@@ -512,7 +514,9 @@ TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
     EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 3.0), frame(FrameKind::Odometry, 0.02)}),
               "frames still come, heartbeat 3.0 s old");
     EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, {}), frame(FrameKind::Odometry, 0.02)}),
-              "frames still come, no heartbeat");
+              "frames still come");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotStatus, 0.5), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come, status 500 ms old");
     EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.26)}), "");
     EXPECT_EQ(stillComes({frame(FrameKind::ConsoleHeartbeat, 0.0), frame({}, 0.0)}), "")
         << "neither is the robot's";

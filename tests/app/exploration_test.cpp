@@ -658,10 +658,9 @@ TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
               "✔ telemetry is live\n✔ STOP is not latched\n✔ model fake.ttm is ready\n"
               "✔ left and right agree, roll is small");
     exploration->tick(now + 0.849, latest);
-    const QString stale =
-        "✘ no telemetry from the robot\n"
-        "! STOP: not known, no telemetry\n"
-        "✔ model fake.ttm is ready\n! left, right: not known, no telemetry";
+    const QString stale = "✘ no telemetry from the robot\n"
+                          "! STOP: not known, no telemetry\n"
+                          "✔ model fake.ttm is ready\n! left, right: not known, no telemetry";
     EXPECT_EQ(linesOf(exploration->preconditions()), stale);
     EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("! STOP: not known"));
 
@@ -669,7 +668,8 @@ TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
     tick();
     exploration->tick(now + 0.849, latest);
     exploration->overrideDoubts();
-    EXPECT_EQ(exploration->overridden(), "") << "of a roll that was, nobody can take anything upon him";
+    EXPECT_EQ(exploration->overridden(), "")
+        << "of a roll that was, nobody can take anything upon him";
     EXPECT_EQ(linesOf(exploration->preconditions()), stale);
     tick();
     EXPECT_TRUE(linesOf(exploration->preconditions()).contains("! roll +11.5°"));

@@ -113,8 +113,8 @@ private:
         if (staging_.isMute) return std::nullopt;
         const auto unpacked = unpack(frame);
         Unpacked content = std::get<Unpacked>(unpacked);
-        const bool beats = content.kind == FrameKind::RobotStatus
-                        || content.kind == FrameKind::RobotHeartbeat;
+        const bool beats =
+            content.kind == FrameKind::RobotStatus || content.kind == FrameKind::RobotHeartbeat;
         if (staging_.isNumb && !beats) return std::nullopt;
         if (const auto status = statusOf(content))
             return frameOf(stagedStatus(*status), content.counter);
