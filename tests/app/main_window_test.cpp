@@ -574,7 +574,6 @@ TEST_F(Console, keysActOnlyOnWhatIsSeen)
 
 TEST_F(Console, aProposedProbeIsToldOnEveryPageWithTheTimeThatIsLeft)
 {
-    answerTime = 600.0;  // this machine may be busy
     answerTime = 300.0;  // this machine may be busy
     open(fastRobot(robot, 2.1));
     const QPushButton& terrain = *window->rail()->button(0);
