@@ -1,7 +1,10 @@
 #include "app/bus_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <optional>
 
+#include "core/wire/frame_layout.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -46,6 +49,23 @@ QString troubleWords(const CanSource* link, const std::string& said)
     if (said.empty() || !link) return words::text(said);
     const CanView view = link->view();
     return view.bus == BusState::Up ? words::text(said) : busWords(view.bus, link->busName());
+}
+
+QString stillComes(const std::vector<TappedFrame>& frames)
+{
+    std::optional<double> youngest, heartbeat, status;
+    for (const TappedFrame& frame : frames) {
+        if (!frame.kind || !frame.age || layoutOf(*frame.kind).fromConsole) continue;
+        youngest = std::min(youngest.value_or(*frame.age), *frame.age);
+        if (frame.kind == FrameKind::RobotHeartbeat) heartbeat = frame.age;
+        if (frame.kind == FrameKind::RobotStatus) status = frame.age;
+    }
+    if (!youngest || *youngest > kStillComes) return {};
+    if (heartbeat)
+        return BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat));
+    // A robot's heart answers that of a console that commands; who listens has only this.
+    if (status) return BusWords::tr("frames still come, status %1 old").arg(words::age(*status));
+    return BusWords::tr("frames still come");
 }
 
 QString whyFollowing(const CanSource* link)

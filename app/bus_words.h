@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QString>
+#include <vector>
 
+#include "app/bus_tap.h"
 #include "app/can_source.h"
 #include "drivers/can_bus.h"
 
@@ -12,6 +14,11 @@ QString busWords(BusState state, const std::string& bus);
 
 /// Why nothing arrives from a robot: of its bus where there is one that does not work, else what its source said.
 QString troubleWords(const CanSource* link, const std::string& said);
+
+/// What still comes of a robot whose telemetry has stopped: "frames still come, heartbeat 0.1 s old"; empty: no frame of
+/// it that could be used is younger than kStillComes.
+QString stillComes(const std::vector<TappedFrame>& frames);
+inline constexpr double kStillComes = 0.25;  ///< [s]
 
 /// Why this console only follows; empty where it commands.
 QString whyFollowing(const CanSource* link);

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -12,7 +13,9 @@
 #include <QWindow>
 #include <algorithm>
 
+#include "app/key_sheet.h"
 #include "app/letters.h"
+#include "app/remote_stop.h"
 #include "app/vector_registers.h"
 #include "app/view_menu.h"
 #include "widgets/calm_wheel.h"
@@ -150,9 +153,7 @@ void ConsoleWindow::addHelpKey(const QString& footer)
 void ConsoleWindow::addDeadStopKey()
 {
     constexpr int kFor = 8000;  // [ms]
-    auto* banner = new QLabel(tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to the "
-                                 "console's own window"),
-                              this);
+    auto* banner = new QLabel(this);
     banner->setObjectName(QStringLiteral("banner"));
     banner->setWordWrap(true);
     banner->hide();
@@ -160,28 +161,32 @@ void ConsoleWindow::addDeadStopKey()
     end->setSingleShot(true);
     end->setInterval(kFor);
     connect(end, &QTimer::timeout, banner, &QWidget::hide);
+    const auto say = [this, banner, end](const QString& text) {
+        banner->setText(text);
+        banner->setGeometry(header_->geometry());  // upon it: nothing moves
+        banner->raise();
+        banner->show();
+        end->start();
+    };
+    auto* remote = new RemoteStop(this);
+    connect(remote, &RemoteStop::said, banner, say);
     keys_.add({.keys = {Qt::Key_F12},
-               .meaning = tr("no STOP: this window has no robot"),
+               .meaning = remote->exists() ? tr("STOP, of the console that opened this window")
+                                           : tr("no STOP: this window has no robot"),
                .pressed =
-                   [this, banner, end] {
-                       banner->setGeometry(header_->geometry());  // upon it: nothing moves
-                       banner->raise();
-                       banner->show();
-                       end->start();
+                   [remote, say] {
+                       if (remote->exists()) return remote->press();
+                       say(tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to the "
+                              "console's own window"));
                    },
                .everywhere = true});
 }
 
 void ConsoleWindow::showHelp()
 {
-    if (!help_) {
-        help_ = new QLabel(this, Qt::Tool);
-        help_->setWindowTitle(tr("Keys"));
-        help_->setTextFormat(Qt::RichText);
-        help_->setMargin(18);
-    }
-    help_->setText(keys_.html() + footer_);
-    help_->resize(help_->sizeHint());  // adjustSize() ends at two thirds of the screen and cuts
+    if (!help_) help_ = new KeySheet(this);
+    help_->setKeys(keys_.html() + footer_, roomBelowHeader());
+    putBelowHeader(*help_);
     help_->show();
     help_->raise();
 }
@@ -224,6 +229,22 @@ int ConsoleWindow::bannerLine() const
 int ConsoleWindow::bannersTake() const
 {
     return std::max(0, pages_->y() - header_->y() - header_->height());
+}
+
+QSize ConsoleWindow::roomBelowHeader() const
+{
+    const QSize frame = frameGeometry().size() - size();  // the other's is alike
+    return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame;
+}
+
+void ConsoleWindow::putBelowHeader(QWidget& other) const
+{
+    const QSize frame = frameGeometry().size() - size();
+    const QSize room = roomBelowHeader();
+    other.resize(other.size().boundedTo(room));
+    const QSize spare = room - other.size();
+    const QPoint corner = mapToGlobal(QPoint(0, height() - room.height() - frame.height()));
+    other.move(corner + QPoint(spare.width() / 2, spare.height() / 2));
 }
 
 void ConsoleWindow::fitLetters()
@@ -292,8 +313,27 @@ void ConsoleWindow::showEvent(QShowEvent* event)
     refit();  // once the frame around it is known
 }
 
+/// A menu that is open takes the mouse: a press elsewhere only closes it, and another would be needed for STOP.
+bool ConsoleWindow::pressesStopBesidePopup(const QEvent& event) const
+{
+    if (event.type() != QEvent::MouseButtonPress || !QApplication::activePopupWidget())
+        return false;
+    const auto& mouse = static_cast<const QMouseEvent&>(event);
+    const QPushButton& stop = *header_->stopButton();
+    return mouse.button() == Qt::LeftButton && stop.isVisible()
+        && stop.rect().contains(stop.mapFromGlobal(mouse.globalPosition().toPoint()));
+}
+
 bool ConsoleWindow::eventFilter(QObject* object, QEvent* event)
 {
+    if (object->isWidgetType() && pressesStopBesidePopup(*event)) {
+        emit header_->stopPressed();
+        while (QWidget* const popup = QApplication::activePopupWidget()) {
+            popup->setAttribute(Qt::WA_NoMouseReplay);  // it was pressed already
+            if (!popup->close()) break;
+        }
+        return true;
+    }
     return keys_.filter(*this, *object, *event);
 }
 

@@ -14,6 +14,7 @@ class QStackedWidget;
 namespace terratact {
 
 class ElidedLabel;
+class KeySheet;
 class NavigationRail;
 class PreferenceStore;
 class StatusHeader;
@@ -34,6 +35,10 @@ public:
     void setRoom(QSize room);
     int bannerLine() const;   ///< [px] that banners need, whether there are any or not
     int bannersTake() const;  ///< [px] that they take from the pages now
+    /// Another window's place upon this one: below the header with STOP and a banner's line, and no larger than what is
+    /// left there.
+    void putBelowHeader(QWidget& other) const;
+    QSize roomBelowHeader() const;  ///< [px] for such a window, without the frame the desktop draws
     static constexpr QSize kLeast{1200, 680};  ///< [px] of any window, and of any room
 
 protected:
@@ -59,7 +64,8 @@ protected:
     /// F1 and ? show the sheet of the keys, with this below; HTML.
     void addHelpKey(const QString& footer = {});
 
-    /// For a window without a robot: STOP's key says so, loudly.
+    /// For a window without a robot: STOP's key stops that of the console that opened the window, and says what became
+    /// of it, loudly; without one it says so.
     void addDeadStopKey();
 
     /// The look from now on; wanted: letters [%].
@@ -74,6 +80,7 @@ protected:
 
 private:
     void showHelp();
+    bool pressesStopBesidePopup(const QEvent& event) const;
     QSize room() const;
     QSize needs() const;  ///< [px] with a banner, whether there is one or not
     void fitLetters();
@@ -93,7 +100,7 @@ private:
     QBoxLayout* banners_ = nullptr;  ///< side by side
     QBoxLayout* strips_ = nullptr;
     QBoxLayout* right_ = nullptr;
-    QLabel* help_ = nullptr;
+    KeySheet* help_ = nullptr;
 };
 
 }  // namespace terratact

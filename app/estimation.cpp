@@ -46,9 +46,9 @@ void Estimation::listenToModels()
     });
 }
 
-void Estimation::look(const std::optional<Received>& latest, bool linkAlive)
+void Estimation::look(const std::optional<Received>& latest, bool heard)
 {
-    linkAlive_ = linkAlive;
+    heard_ = heard;
     if (!latest) return;
     const Measurement& newest = latest->sample.measurement;
     if (pose_) pose_->look(newest, latest->count);
@@ -217,12 +217,12 @@ void Estimation::tellOf(const TerrainEstimate& estimate)
 std::optional<Verdict> Estimation::verdict() const
 {
     if (!estimate_ || !scene_) return std::nullopt;
-    return verdictOf(*estimate_, scene_->measurement, linkAlive_, options_.stepLimit);
+    return verdictOf(*estimate_, scene_->measurement, heard_, options_.stepLimit);
 }
 
 std::optional<NoGhost> Estimation::noGhost() const
 {
-    return linkAlive_ ? track_->why() : NoGhost::Unheard;
+    return heard_ ? track_->why() : NoGhost::Unheard;
 }
 
 std::optional<Ghost> Estimation::ghost() const

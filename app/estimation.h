@@ -47,7 +47,7 @@ public:
 
     // What to estimate.
     /// The newest telemetry and whether it is fresh, every tick, before all else.
-    void look(const std::optional<Received>& latest, bool linkAlive);
+    void look(const std::optional<Received>& latest, bool heard);
     /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until one fails, an
     /// estimate stands, or endPreview().
     void preview(const Received& latest);
@@ -111,7 +111,7 @@ private:
     const RobotModel& robot_;
     const Options& options_;
     ModelInUse model_;
-    bool linkAlive_ = false;
+    bool heard_ = false;
 
     std::optional<CapturedScene> scene_;
     std::optional<PoseWatch> pose_;  ///< of scene_

@@ -286,9 +286,12 @@ void Exploration::tick(double now, const std::optional<Received>& latest)
 {
     now_ = now;
     latest_ = latest;
-    linkAlive_ = latest_ && now_ - secondsOf(latest_->arrived) <= options_.linkLostAfter;
+    const auto heardWithin = [this](double seconds) {
+        return latest_ && now_ - secondsOf(latest_->arrived) <= seconds;
+    };
+    linkAlive_ = heardWithin(options_.linkLostAfter);
     ended_ = following() && link_->view().ended;
-    estimation_.look(latest_, linkAlive_);
+    estimation_.look(latest_, heardWithin(options_.staleAfter));
     if (following())
         follow();
     else
@@ -459,9 +462,10 @@ std::optional<int> Exploration::probingBin() const
 QList<Precondition> Exploration::toDrive() const
 {
     if (following()) return {Preconditions::arming(following_->why())};
-    QList<Precondition> list{Preconditions::released(state_.phase == AtemPhase::Stopped),
-                             Preconditions::notExploring(exploring(state_.phase)),
-                             Preconditions::telemetry(linkAlive_, ended_)};
+    QList<Precondition> list{
+        Preconditions::released(state_.phase == AtemPhase::Stopped, linkAlive_),
+        Preconditions::notExploring(exploring(state_.phase)),
+        Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
     return list;
 }
@@ -481,7 +485,7 @@ QList<Precondition> Exploration::toReleaseStop() const
     if (following()) return {Preconditions::arming(following_->why())};
     const bool confirmed = stopSight().state == StopSight::State::Confirmed;
     return {Preconditions::telemetry(linkAlive_, ended_),
-            state_.phase == AtemPhase::Stopped ? Preconditions::stopConfirmed(confirmed)
+            state_.phase == AtemPhase::Stopped ? Preconditions::stopConfirmed(confirmed, linkAlive_)
                                                : Preconditions::nothingToRelease()};
 }
 
@@ -493,7 +497,7 @@ QString Exploration::whyNotArmed() const
 
 void Exploration::overrideDoubts()
 {
-    if (following() || !latest_) return;
+    if (following() || !linkAlive_) return;  // nobody knows what would be overridden
     const Measurement& m = latest_->sample.measurement;
     for (const QString& doubt : ground_.overrideDoubts(m, options_.settings)) {
         emit decided("override", doubt);
@@ -513,11 +517,14 @@ QList<Precondition> Exploration::preconditions() const
 {
     QList<Precondition> list{
         Preconditions::telemetry(linkAlive_, ended_),
-        Preconditions::stop(state_.phase == AtemPhase::Stopped, releasing_),
+        Preconditions::stop(state_.phase == AtemPhase::Stopped, releasing_, linkAlive_),
     };
     if (link_) list << Preconditions::arming(whyNotArmed());
     list << Preconditions::model(estimation_.model());
-    if (latest_) list << ground_.judge(latest_->sample.measurement, options_.settings);
+    if (linkAlive_)
+        list << ground_.judge(latest_->sample.measurement, options_.settings);
+    else
+        list << Preconditions::groundNotKnown();
     return list;
 }
 

@@ -17,6 +17,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/event_list.h"
 #include "widgets/probe_card.h"
+#include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 
 namespace terratact {
@@ -33,7 +34,9 @@ public:
         double pressTorque = 18.0;    ///< [N m] sum of both front flippers
         double driveSpeed = 0.2;      ///< [m/s]
         double linkLostAfter = 0.25;  ///< [s] without telemetry
-        double probeSeconds = 45.0;   ///< what a probe costs, as told to the operator
+        double staleAfter =
+            kStaleAfter;             ///< [s] older telemetry is none of now: no verdict, no ghost
+        double probeSeconds = 45.0;  ///< what a probe costs, as told to the operator
     };
 
     /// link: the source again where its robot has to be armed; else null.

@@ -80,10 +80,14 @@ void LinkStatus::showBanner(const LinkSight& sight, double age)
 {
     banner_.setVisible(sight.newest && !sight.alive && !sight.ended);
     if (!banner_.isVisible()) return;
+    const QString heard = link_ ? stillComes(link_->tap().frames(sight.now)) : QString();
     const QString trouble = troubleWords(link_, acquisition_.trouble());
+    const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
     banner_.setText(
-        tr("LINK LOST for %1 — nothing on this screen is live%2")
-            .arg(words::age(age), trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble));
+        heard.isEmpty()
+            ? tr("LINK LOST for %1 — nothing on this screen is live%2").arg(words::age(age), why)
+            : tr("TELEMETRY LOST for %1 — %2; no measured value is live%3")
+                  .arg(words::age(age), heard, why));
 }
 
 void LinkStatus::tellChange(const LinkSight& sight)

@@ -103,6 +103,7 @@ void MainWindow::build(const Options& options)
     header()->setModel(tr("model loading …"), Tone::Doubt);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());
+    probeNotice_ = std::make_unique<ProbeNotice>(*rail(), *addBanner());
     QLabel& banner = *addBanner();
     QLabel& notRecorded = *addBanner();
     addPages(options);
@@ -339,9 +340,7 @@ void MainWindow::connectAll()
         if (weight == Weight::Bad && !seen) notice_->say(text, steadyNow());
     };
     connect(exploration, &Exploration::happened, events(), note);
-    connect(exploration, &Exploration::stoppedNothing, this, [this](const QString& why) {
-        notice_->say(tr("STOP HAS NO EFFECT HERE: %1").arg(why), steadyNow());
-    });
+    connectStop();
     if (panel_) {
         connect(panel_.get(), &PanelControl::happened, events(), note);
         connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
@@ -359,9 +358,34 @@ void MainWindow::connectAll()
     });
 }
 
+/// STOP from windows that were opened here; and from here, where only the console that opened this window can stop.
+void MainWindow::connectStop()
+{
+    const auto say = [this](const QString& text) { notice_->say(text, steadyNow()); };
+    connect(&remoteStop_, &RemoteStop::said, this, say);
+    connect(exploration_.get(), &Exploration::stoppedNothing, this,
+            [this, say](const QString& why) {
+                if (remoteStop_.exists()) return remoteStop_.press();
+                say(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
+            });
+    if (exploration_->following()) return;
+    auto line = StopLine::listen(stopLineName());
+    if (line)
+        stopLine_.emplace(std::move(*line));
+    else
+        events()->add(tr("F12 in windows that are opened from here stops nothing: %1")
+                          .arg(words::text(line.error().text)),
+                      Weight::Doubt, QTime::currentTime());
+}
+
 void MainWindow::look()
 {
     const double now = steadyNow();
+    if (stopLine_ && stopLine_->take()) {
+        events()->add(tr("STOP was pressed in a window that was opened from here"), Weight::Note,
+                      QTime::currentTime());
+        exploration_->stop();
+    }
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     latest_ = acquisition_->latest();
@@ -379,6 +403,8 @@ void MainWindow::redraw(double now)
     showRecording();
     linkStatus_->showArming(sights_->panel(now));
     showTerrain(now);
+    probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
+                       terrainPage_->isVisible());
     stopDisplay_->show(exploration_->stopSight());
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
@@ -484,8 +510,9 @@ void MainWindow::releaseStop()
 
 void MainWindow::open()
 {
-    if (const QString why = openInAnotherWindow(this); !why.isEmpty())
-        events()->add(why, Weight::Bad, QTime::currentTime());
+    openInAnotherWindow(
+        *this, stopLine_ ? stopLineName() : std::string(),
+        [this](const QString& why) { events()->add(why, Weight::Bad, QTime::currentTime()); });
 }
 
 void MainWindow::defineKeys()

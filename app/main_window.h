@@ -17,7 +17,9 @@
 #include "app/model_trainer.h"
 #include "app/panel_control.h"
 #include "app/preference_store.h"
+#include "app/probe_notice.h"
 #include "app/recording_display.h"
+#include "app/remote_stop.h"
 #include "app/session_recorder.h"
 #include "app/short_notice.h"
 #include "app/stop_display.h"
@@ -110,6 +112,7 @@ private:
     void showTerrain(double now);
     void tickPanel(double now);
     void releaseStop();
+    void connectStop();
     void addTraining(const Options& options);
     void offerViews();
     void open();
@@ -139,6 +142,9 @@ private:
     std::unique_ptr<RecordingDisplay> recordingDisplay_;
     std::unique_ptr<StopDisplay> stopDisplay_;
     std::unique_ptr<ShortNotice> notice_;
+    std::unique_ptr<ProbeNotice> probeNotice_;
+    std::optional<StopLine> stopLine_;  ///< from windows opened here; empty: this one stops nothing
+    RemoteStop remoteStop_;             ///< where this one stops nothing
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
     std::unique_ptr<SessionScribe> scribe_;      ///< likewise

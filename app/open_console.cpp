@@ -95,7 +95,8 @@ Exploration::Options explorationFor(const ConsoleOptions& options, const Prefere
     exploration.settings.seed = options.seed;
     exploration.stepLimit = preferences.obstacleLimit;
     exploration.seconds = preferences.estimateSeconds;
-    if (options.isPicture()) exploration.linkLostAfter = 5.0;  // must not fail on a busy machine
+    if (options.isPicture())  // must not fail on a busy machine
+        exploration.linkLostAfter = exploration.staleAfter = 5.0;
     return exploration;
 }
 

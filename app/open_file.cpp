@@ -2,10 +2,13 @@
 
 #include <QCoreApplication>
 #include <QFile>
-#include <QFileDialog>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QtEndian>
+#include <utility>
 
+#include "app/file_dialog.h"
+#include "app/remote_stop.h"
 #include "core/log/session_schema.h"
 
 namespace terratact {
@@ -33,15 +36,26 @@ FileKind kindOfFile(const QString& path)
     return line.contains("pitch_rad") && line.contains(',') ? FileKind::Scenes : FileKind::Log;
 }
 
-QString openInAnotherWindow(QWidget* parent)
+void openInAnotherWindow(QWidget& parent, const std::string& stopLine,
+                         std::function<void(const QString& why)> failed)
 {
-    const QString path = QFileDialog::getOpenFileName(
-        parent, OpenFile::tr("Open"), {},
-        OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)"));
-    if (path.isEmpty()) return {};
-    if (QProcess::startDetached(QCoreApplication::applicationFilePath(), {path})) return {};
-    return OpenFile::tr("%1 could not be opened: this program could not be started again")
-        .arg(path);
+    const QString filter =
+        OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)");
+    askForFile(parent, {.title = OpenFile::tr("Open"), .filter = filter},
+               [stopLine, failed = std::move(failed)](const QString& path) {
+                   QProcess program;
+                   program.setProgram(QCoreApplication::applicationFilePath());
+                   program.setArguments({path});
+                   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+                   if (!stopLine.empty())
+                       environment.insert(QLatin1String(kStopLineVariable),
+                                          QString::fromStdString(stopLine));
+                   program.setProcessEnvironment(environment);
+                   if (!program.startDetached())
+                       failed(OpenFile::tr("%1 could not be opened: this program could not be "
+                                           "started again")
+                                  .arg(path));
+               });
 }
 
 }  // namespace terratact

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
+#include <functional>
+#include <string>
 
 class QWidget;
 
@@ -14,8 +17,10 @@ enum class FileKind : std::uint8_t {
 };
 FileKind kindOfFile(const QString& path);
 
-/// Asks for a file and opens it in another process of this program, so that nothing that runs here is touched.  Why
-/// it could not; empty: it did, or nobody chose one.
-QString openInAnotherWindow(QWidget* parent);
+/// Asks for a file, and opens the one that is chosen in another process of this program, so that nothing that runs here
+/// is touched.  Does not wait.  failed: it could not, and why.  stopLine: where its F12 goes, see app/remote_stop.h; empty:
+/// where that of this program goes.
+void openInAnotherWindow(QWidget& parent, const std::string& stopLine,
+                         std::function<void(const QString& why)> failed);
 
 }  // namespace terratact

@@ -17,6 +17,11 @@ Precondition missing(const QString& text)
     return {Precondition::Level::Missing, text};
 }
 
+Precondition doubtful(const QString& text)
+{
+    return {Precondition::Level::Doubtful, text};
+}
+
 }  // namespace
 
 Precondition Preconditions::telemetry(bool alive, bool logEnded)
@@ -25,17 +30,22 @@ Precondition Preconditions::telemetry(bool alive, bool logEnded)
     return missing(logEnded ? tr("the log has ended") : tr("no telemetry from the robot"));
 }
 
-Precondition Preconditions::stop(bool latched, bool releasing)
+Precondition Preconditions::stop(bool latched, bool releasing, bool heard)
 {
-    if (!latched) return met(tr("STOP is not latched"));
+    if (!latched) return released(latched, heard);
     return missing(releasing ? tr("STOP: release sent, not yet confirmed by the robot")
                              : tr("STOP is latched"));
 }
 
-Precondition Preconditions::released(bool latched)
+Precondition Preconditions::released(bool latched, bool heard)
 {
-    return latched ? missing(tr("STOP is latched: release it first"))
-                   : met(tr("STOP is not latched"));
+    if (latched) return missing(tr("STOP is latched: release it first"));
+    return heard ? met(tr("STOP is not latched")) : doubtful(tr("STOP: not known, no telemetry"));
+}
+
+Precondition Preconditions::groundNotKnown()
+{
+    return doubtful(tr("left, right: not known, no telemetry"));
 }
 
 Precondition Preconditions::nothingToRelease()
@@ -60,10 +70,11 @@ Precondition Preconditions::stands(bool asThen)
                   : missing(tr("scene, settings or model have changed since the question"));
 }
 
-Precondition Preconditions::stopConfirmed(bool confirmed)
+Precondition Preconditions::stopConfirmed(bool confirmed, bool heard)
 {
-    if (confirmed) return met(tr("the robot says that it is stopped"));
-    return {Precondition::Level::Doubtful, tr("the robot has not confirmed STOP")};
+    if (!confirmed) return doubtful(tr("the robot has not confirmed STOP"));
+    return heard ? met(tr("the robot says that it is stopped"))
+                 : doubtful(tr("the robot said that it is stopped, then no telemetry"));
 }
 
 QList<Precondition> Preconditions::toArm(const CanView& view)

@@ -20,15 +20,19 @@ class Preconditions {
     Q_DECLARE_TR_FUNCTIONS(Preconditions)
 public:
     static Precondition telemetry(bool alive, bool logEnded);
-    static Precondition stop(bool latched, bool releasing);  ///< releasing: not yet confirmed
-    static Precondition arming(const QString& whyNot);       ///< empty: the robot is armed
+    /// heard: the robot's telemetry is live.  Without it nothing of the robot's own is known, and nothing is said to be
+    /// met that only the robot knows.
+    static Precondition stop(bool latched, bool releasing,  ///< releasing: not yet confirmed
+                             bool heard);
+    static Precondition groundNotKnown();               ///< nor how the robot stands on it
+    static Precondition arming(const QString& whyNot);  ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
-    static Precondition released(bool latched);  ///< STOP, for what it forbids at once
+    static Precondition released(bool latched, bool heard);  ///< STOP, for what it forbids at once
     static Precondition nothingToRelease();
     static Precondition noProbeProposed();
     static Precondition notExploring(bool explores);
     static Precondition stands(bool asThen);  ///< what was shown with a proposal
-    static Precondition stopConfirmed(bool confirmed);
+    static Precondition stopConfirmed(bool confirmed, bool heard);
     static QList<Precondition> toArm(const CanView& view);
 };
 

@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -17,6 +16,7 @@
 #include <array>
 #include <utility>
 
+#include "app/file_dialog.h"
 #include "widgets/look.h"
 #include "widgets/session_timeline.h"
 
@@ -155,7 +155,6 @@ QWidget* ReviewExportDialog::span()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     visible_ = new QRadioButton(box);
-    visible_->setToolTip(tr("From A to B, else what the timeline shows: zoom with Z and X"));
     visible_->setChecked(true);
     everything_ = new QRadioButton(box);
     moment_ = new QLabel(box);
@@ -178,7 +177,6 @@ QWidget* ReviewExportDialog::file()
     path_->setAccessibleName(tr("File"));
     path_->setToolTip(tr("Where it is written"));
     browse_ = new QPushButton(tr("Choose …"), row);
-    browse_->setToolTip(tr("Choose the file"));
     line->addWidget(path_, 1);
     line->addWidget(browse_);
     connect(browse_, &QPushButton::clicked, this, &ReviewExportDialog::browse);
@@ -194,7 +192,6 @@ QWidget* ReviewExportDialog::buttons()
     export_->setProperty("role", "primary");
     export_->setDefault(true);
     cancel_ = new QPushButton(tr("Cancel"), row);
-    cancel_->setToolTip(tr("Ends the export and leaves no file (Esc)"));
     auto* close = new QPushButton(tr("Close"), row);
     close->setAutoDefault(false);
     line->addStretch(1);
@@ -266,25 +263,44 @@ void ReviewExportDialog::showSight()
     showButtons();
 }
 
+QString ReviewExportDialog::whyNotExport() const
+{
+    if (job_) return tr("A file is being written");
+    if (chosen(*what_).from == From::Report && sight_.scene == 0)
+        return tr("No estimate stands at this time");
+    return path_->text().trimmed().isEmpty() ? tr("Name the file first") : QString();
+}
+
 void ReviewExportDialog::showButtons()
 {
-    const bool missing = chosen(*what_).from == From::Report && sight_.scene == 0;
+    const QString whyNot = whyNotExport();
     export_->setText(QFileInfo::exists(path()) ? tr("Replace the file") : tr("Export"));
-    export_->setEnabled(!job_ && !missing && !path_->text().trimmed().isEmpty());
+    export_->setEnabled(whyNot.isEmpty());
+    export_->setToolTip(whyNot.isEmpty() ? tr("Writes the file") : whyNot);
     for (QWidget* const choice :
          std::initializer_list<QWidget*>{what_, format_, visible_, everything_, path_, browse_})
         choice->setEnabled(!job_);
+    browse_->setToolTip(job_ ? whyNot : tr("Choose the file"));
+    visible_->setToolTip(job_ ? whyNot
+                              : tr("From A to B, else what the timeline shows: zoom with Z and X"));
+    everything_->setToolTip(job_ ? whyNot : tr("All that the session holds"));
     cancel_->setEnabled(job_ != nullptr);
+    cancel_->setToolTip(job_ ? tr("Ends the export and leaves no file (Esc)")
+                             : tr("Nothing is being written"));
     progress_->setVisible(job_ != nullptr);
 }
 
 void ReviewExportDialog::browse()
 {
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Export to"), path(),
-        QStringLiteral("%1 (*.%2)").arg(format_->currentText(), format_->currentData().toString()));
-    if (!file.isEmpty()) path_->setText(file);
-    path_->setText(path());
+    const QString ending = format_->currentData().toString();
+    const FileWish wish{.title = tr("Export to"),
+                        .start = path(),
+                        .filter = QStringLiteral("%1 (*.%2)").arg(format_->currentText(), ending),
+                        .kind = FileWish::Kind::ToWrite};
+    askForFile(*this, wish, [this](const QString& file) {
+        path_->setText(file);
+        path_->setText(path());
+    });
 }
 
 void ReviewExportDialog::write()

@@ -63,6 +63,7 @@ private:
     void offerFormats();
     void showSight();
     void showButtons();
+    QString whyNotExport() const;  ///< empty: it may be written
     void takeFormat();
     void browse();
     QString path() const;  ///< with the format's ending

@@ -320,9 +320,10 @@ void ReviewWindow::showTerrain()
     if (row) {
         sight.estimate = &row->estimate;
         sight.estimateSeconds = row->seconds;
+        const bool heard = moment_.linkAlive && moment_.measurement
+                        && secondsOf(moment_.time - moment_.measured) <= kStaleAfter;
         if (moment_.scene)
-            sight.verdict =
-                verdictOf(row->estimate, moment_.scene->measurement, moment_.linkAlive, limit);
+            sight.verdict = verdictOf(row->estimate, moment_.scene->measurement, heard, limit);
     }
     if (const auto& answer = whatIf_->answer(); answer && row) {
         sight.second = &*answer;
@@ -443,10 +444,10 @@ void ReviewWindow::exportShown()
 void ReviewWindow::open()
 {
     player_->pause();
-    const QString why = openInAnotherWindow(this);
-    if (why.isEmpty()) return;
-    trouble_ = why;
-    showState();
+    openInAnotherWindow(*this, {}, [this](const QString& why) {
+        trouble_ = why;
+        showState();
+    });
 }
 
 void ReviewWindow::applyPreferences(const Preferences& before)

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include <array>
 #include <numbers>
 
+#include "app/file_dialog.h"
 #include "app/letters.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
@@ -50,7 +50,12 @@ QString chooseTip()
 
 QString shippedTip()
 {
-    return SettingsPage::tr("Back to what came with the program; grey while that is in use");
+    return SettingsPage::tr("Back to what came with the program");
+}
+
+QString shippedInUseTip()
+{
+    return SettingsPage::tr("What came with the program is in use already");
 }
 
 QString languageTip()
@@ -311,9 +316,10 @@ QWidget* SettingsPage::buildFiles()
 void SettingsPage::chooseFile(QString Preferences::*file, const QString& title,
                               const QString& filter)
 {
-    const QString path = QFileDialog::getOpenFileName(this, title, store_.current().*file, filter);
-    if (path.isEmpty()) return;
-    store_.change([file, path](Preferences& p) { p.*file = path; });
+    askForFile(*this, {.title = title, .start = store_.current().*file, .filter = filter},
+               [this, file](const QString& path) {
+                   store_.change([file, path](Preferences& p) { p.*file = path; });
+               });
 }
 
 void SettingsPage::show()
@@ -365,7 +371,8 @@ void SettingsPage::setReopenBlocked(const QString& why)
         control->setToolTip(why.isEmpty() ? tip : why);
     };
     block(chooseRobot_, chooseTip());
-    block(shippedRobot_, shippedTip(), !store_.current().robot.isEmpty());
+    const bool own = !store_.current().robot.isEmpty();
+    block(shippedRobot_, own ? shippedTip() : shippedInUseTip(), own);
     block(defaults_, defaultsTip());
     block(language_, languageTip());
 }
@@ -377,7 +384,9 @@ QString SettingsPage::modelCard() const
 
 void SettingsPage::refresh(double /*now*/)
 {
-    shippedModel_->setEnabled(!store_.current().model.isEmpty());
+    const bool own = !store_.current().model.isEmpty();
+    shippedModel_->setEnabled(own);
+    shippedModel_->setToolTip(own ? shippedTip() : shippedInUseTip());
     lettersNote_->setText(terratact::lettersNote(store_.current().fontScale));
     lettersNote_->setVisible(!lettersNote_->text().isEmpty());
 }

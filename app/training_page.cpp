@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -23,6 +22,7 @@
 
 #include "app/comparison_words.h"
 #include "app/exploration.h"
+#include "app/file_dialog.h"
 #include "core/learn/model_card.h"
 #include "widgets/card.h"
 #include "widgets/held_button.h"
@@ -93,16 +93,6 @@ QLabel* makeSentence(const QString& name, QWidget* parent)
     label->setAccessibleName(name);
     label->setTextFormat(Qt::PlainText);
     return label;
-}
-
-QString startTip()
-{
-    return TrainingPage::tr("Train the model, beside everything else");
-}
-
-QString adoptTip()
-{
-    return TrainingPage::tr("Use the new model from now on");
 }
 
 /// The first name that no model has.
@@ -186,9 +176,9 @@ QWidget* TrainingPage::trainCard()
     seed_->setMinimumHeight(kTarget);
     seed_->setAccessibleName(tr("Seed of the search"));
     seed_->setToolTip(tr("Same scenes and seed: the same model"));
-    start_ = makeButton(tr("Start"), startTip(), card);
+    start_ = makeButton(tr("Start"), {}, card);  // showButtons() gives the tips
     start_->setProperty("role", "primary");
-    cancel_ = makeButton(tr("Cancel"), tr("End what runs; nothing is written"), card);
+    cancel_ = makeButton(tr("Cancel"), {}, card);
     auto* what = new QHBoxLayout;
     what->setSpacing(8);
     auto* nameLabel = new QLabel(tr("Name"), card);
@@ -243,7 +233,7 @@ QWidget* TrainingPage::compareCard()
     newModel_ = makeSentence(tr("Models"), card);
     card->body()->addWidget(newModel_);
     chooseTest_ = addFile(card->body(), tr("Test on"), tr("Choose the scenes to test on"), test_);
-    compare_ = makeButton(tr("Compare"), tr("Estimate the test scenes with both models"), card);
+    compare_ = makeButton(tr("Compare"), {}, card);
     card->body()->addWidget(compare_);
     const auto rows = ComparisonWords::rows({});
     comparison_ = makeTable(static_cast<int>(rows.size()),
@@ -259,12 +249,11 @@ QWidget* TrainingPage::compareCard()
     setTone(*caution_, Tone::Doubt);
     reason_ = makeSentence(tr("Why not"), card);
     setTone(*reason_, Tone::Muted);
-    adopt_ = makeButton(tr("Adopt"), adoptTip(), card);
+    adopt_ = makeButton(tr("Adopt"), {}, card);
     adopt_->setProperty("role", "primary");
     discard_ = new HoldToConfirmButton(tr("Discard (hold)"), &Theme::caution, card);
     discard_->setAccessibleName(tr("Discard the new model"));
     discard_->setFocusPolicy(Qt::TabFocus);
-    discard_->setToolTip(tr("Delete the new model's file"));
     auto* decide = new QHBoxLayout;
     decide->setSpacing(8);
     decide->addWidget(adopt_, 1);
@@ -304,12 +293,10 @@ void TrainingPage::connectTrainer()
 
 void TrainingPage::choose(QLineEdit* field, const QString& title)
 {
-    auto* dialog = new QFileDialog(this, title, QFileInfo(field->text()).path(),
-                                   tr("Scenes (*.csv);;All files (*)"));
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, field, &QLineEdit::setText);
-    dialog->open();
+    const FileWish wish{.title = title,
+                        .start = QFileInfo(field->text()).path(),
+                        .filter = tr("Scenes (*.csv);;All files (*)")};
+    askForFile(*this, wish, [field](const QString& path) { field->setText(path); });
 }
 
 QString TrainingPage::pathOfName() const
@@ -326,9 +313,35 @@ QString TrainingPage::whyNotStart() const
     return {};
 }
 
+QString TrainingPage::whyBusy() const
+{
+    switch (phase_) {
+    case Phase::Training: return tr("A model is being trained: cancel that first.");
+    case Phase::Comparing: return tr("Two models are being compared: cancel that first.");
+    case Phase::Adopting: return tr("Loading the new model …");
+    case Phase::Idle:
+    case Phase::Trained:
+    case Phase::Compared: break;
+    }
+    return {};
+}
+
+QString TrainingPage::whyNotDiscard() const
+{
+    if (const QString why = whyBusy(); !why.isEmpty()) return why;
+    return trained_.isEmpty() ? tr("There is no new model.") : QString();
+}
+
+QString TrainingPage::whyNotCompare() const
+{
+    if (const QString why = whyBusy(); !why.isEmpty()) return why;
+    if (trained_.isEmpty()) return tr("Train a model first.");
+    return test_->text().isEmpty() ? tr("Choose a file of scenes to test on.") : QString();
+}
+
 QString TrainingPage::whyNotAdopt() const
 {
-    if (phase_ == Phase::Adopting) return tr("Loading the new model …");
+    if (phase_ == Phase::Adopting) return whyBusy();
     if (trained_.isEmpty()) return tr("Train a model first.");
     if (phase_ == Phase::Training || phase_ == Phase::Comparing) return {};
     if (phase_ != Phase::Compared) return tr("Compare the new model before it is adopted.");
@@ -427,23 +440,27 @@ void TrainingPage::enter(Phase phase)
 
 void TrainingPage::showButtons()
 {
-    const bool busy = phase_ == Phase::Training || phase_ == Phase::Comparing;
-    const bool idle = !busy && phase_ != Phase::Adopting;
-    const QString whyNot = whyNotStart();
-    start_->setEnabled(idle && whyNot.isEmpty());
-    start_->setToolTip(whyNot.isEmpty() ? startTip() : whyNot);
+    const auto offer = [](QPushButton* button, const QString& whyNot, const QString& tip) {
+        button->setEnabled(whyNot.isEmpty());
+        button->setToolTip(whyNot.isEmpty() ? tip : whyNot);
+    };
+    const QString busy = whyBusy(), whyNot = whyNotStart(), why = whyNotAdopt();
+    const bool runs = phase_ == Phase::Training || phase_ == Phase::Comparing;
+    offer(start_, busy.isEmpty() ? whyNot : busy, tr("Train the model, beside everything else"));
     if (phase_ == Phase::Idle && !whyNot.isEmpty() && !scenes_->text().isEmpty()) say(whyNot);
     if (phase_ == Phase::Idle && status_->text().isEmpty()) say(whyNot);
-    cancel_->setEnabled(busy);
-    for (QWidget* field : std::initializer_list<QWidget*>{scenes_, name_, seed_, chooseScenes_})
-        field->setEnabled(idle);
-    for (QWidget* field : std::initializer_list<QWidget*>{test_, chooseTest_})
-        field->setEnabled(phase_ != Phase::Comparing);
-    compare_->setEnabled(idle && !trained_.isEmpty() && !test_->text().isEmpty());
-    const QString why = whyNotAdopt();
+    offer(cancel_, runs ? QString() : tr("Nothing runs that could be cancelled."),
+          tr("End what runs; nothing is written"));
+    for (QWidget* field : std::initializer_list<QWidget*>{scenes_, name_, seed_})
+        field->setEnabled(busy.isEmpty());
+    offer(chooseScenes_, busy, chooseScenes_->accessibleName());
+    test_->setEnabled(phase_ != Phase::Comparing);
+    offer(chooseTest_, phase_ == Phase::Comparing ? busy : QString(),
+          chooseTest_->accessibleName());
+    offer(compare_, whyNotCompare(), tr("Estimate the test scenes with both models"));
     adopt_->setEnabled(phase_ == Phase::Compared && why.isEmpty());
-    adopt_->setToolTip(why.isEmpty() ? adoptTip() : why);
-    discard_->setEnabled(idle && !trained_.isEmpty());
+    adopt_->setToolTip(!why.isEmpty() ? why : runs ? busy : tr("Use the new model from now on"));
+    offer(discard_, whyNotDiscard(), tr("Delete the new model's file"));
     if (reason_->text() != why) reason_->setText(why);
     reason_->setVisible(!why.isEmpty());
 }

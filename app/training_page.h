@@ -89,7 +89,11 @@ private:
     void showComparison(const ModelComparison& comparison);
     void clearComparison();
     QString pathOfName() const;
-    QString whyNotStart() const;  ///< empty: it may
+    // Empty: it may.
+    QString whyBusy() const;
+    QString whyNotStart() const;
+    QString whyNotCompare() const;
+    QString whyNotDiscard() const;
     QString whyNotAdopt() const;
 
     const Exploration& exploration_;

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -17,6 +16,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/file_dialog.h"
 #include "app/what_if.h"
 #include "core/infer/quality.h"
 #include "core/learn/sha256.h"
@@ -106,16 +106,16 @@ QWidget* WhatIfPage::form()
     model_->addItem(tr("another file …"), QString());
     connect(model_, &QComboBox::activated, this, [this](int index) {
         if (!model_->itemData(index).toString().isEmpty()) return;
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Model"), {}, tr("Models (*.ttm)"));
-        if (!path.isEmpty()) model_->insertItem(0, QFileInfo(path).fileName(), path);
         model_->setCurrentIndex(0);
+        askForFile(*this, {.title = tr("Model"), .filter = tr("Models (*.ttm)")},
+                   [this](const QString& path) {
+                       model_->insertItem(0, QFileInfo(path).fileName(), path);
+                       model_->setCurrentIndex(0);
+                   });
     });
     asRecorded_ = new QPushButton(tr("As recorded"), form);
-    asRecorded_->setToolTip(tr("Sets everything to what was recorded"));
     estimate_ = new QPushButton(tr("Estimate again (E)"), form);
     estimate_->setProperty("role", "primary");
-    estimate_->setToolTip(tr("Estimates the recorded scene with what is set here"));
     for (QPushButton* button : {asRecorded_, estimate_}) {
         button->setFocusPolicy(Qt::TabFocus);
         rows->addRow(button);
@@ -140,8 +140,11 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
     if (same || (!estimate && !recorded_ && !what_->text().isEmpty())) return;
     recorded_ = scene ? estimate : nullptr;
     scene_ = scene ? std::optional(*scene) : std::nullopt;
-    estimate_->setEnabled(recorded_ != nullptr);
-    asRecorded_->setEnabled(recorded_ != nullptr);
+    const QString whyNot = tr("No estimate stood at this time");
+    for (QPushButton* button : {estimate_, asRecorded_}) button->setEnabled(recorded_ != nullptr);
+    estimate_->setToolTip(recorded_ ? tr("Estimates the recorded scene with what is set here")
+                                    : whyNot);
+    asRecorded_->setToolTip(recorded_ ? tr("Sets everything to what was recorded") : whyNot);
     what_->setText(recorded_
                        ? tr("Estimate %1 of scene %2 at %3 s, by %4 with the model %5")
                              .arg(recorded_->id)

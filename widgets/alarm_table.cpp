@@ -84,8 +84,8 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     nothing_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTone(*nothing_, Tone::Good);
 
-    acknowledge_ = button(tr("Acknowledge"), tr("The chosen alarm has been seen"), this);
-    all_ = button(tr("Acknowledge all"), tr("All alarms have been seen"), this);
+    acknowledge_ = button(tr("Acknowledge"), {}, this);  // offer() gives the tips
+    all_ = button(tr("Acknowledge all"), {}, this);
     one_ = button(tr("Silence 60 s"), tr("No sound for a minute; a new alarm sounds all the same"),
                   this);
     two_ = button(tr("Silence 120 s"),
@@ -162,8 +162,14 @@ void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double 
 
 void AlarmTable::offer()
 {
-    acknowledge_->setEnabled(!chosen().isEmpty());
-    all_->setEnabled(table_->rowCount() > 0);
+    const bool any = table_->rowCount() > 0, one = !chosen().isEmpty();
+    const QString none = tr("There is no alarm");
+    acknowledge_->setEnabled(one);
+    acknowledge_->setToolTip(one   ? tr("The chosen alarm has been seen")
+                             : any ? tr("No alarm is chosen in the list")
+                                   : none);
+    all_->setEnabled(any);
+    all_->setToolTip(any ? tr("All alarms have been seen") : none);
 }
 
 void AlarmTable::say(double silentFor)

@@ -84,6 +84,7 @@ QFrame#navigationRail[dense="true"] QPushButton { min-height: 26px; }
 QFrame#navigationRail QPushButton:hover { background: @chipHover; }
 QFrame#navigationRail QPushButton:checked { background: @chipArea; color: @source; border-left: 4px solid @source;
                                             padding-left: 2px; }
+QFrame#navigationRail QPushButton[asks="true"] { background: @chipAccentArea; color: @chipAccentText; }
 QFrame#navigationRail QPushButton[role="alarm"] { background: @chipBadArea; color: @chipBadText; }
 QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 
@@ -104,6 +105,7 @@ QFrame#statusHeader QLabel[chip="true"][tone="accent"] { background: @chipAccent
 QScrollArea#scrollColumn { border: 1px solid transparent; }
 QScrollArea#scrollColumn:focus { border: 1px solid @focus; }
 QLabel#banner { background: @bannerArea; color: @bannerText; font-weight: bold; padding: 7px 16px; }
+QLabel#question { background: @chipAccentArea; color: @chipAccentText; font-weight: bold; padding: 7px 16px; }
 QLabel#reviewStrip { background: @cautionArea; color: @cautionText; font-weight: bold; padding: 5px 12px; }
 
 QMenu { background: @card; color: @text; border: 1px solid @buttonBorder; }

@@ -47,17 +47,27 @@ void NavigationRail::addPage(const QString& name, Qt::Key key, const QString& ti
     column_->insertWidget(page, button);
     buttons_ << button;
     keys_ << key;
+    asking_ << QString();
     connect(button, &QPushButton::clicked, this, [this, page] { choose(page); });
     setDense(dense_);
     if (chosen_ < 0) choose(page);
 }
 
-void NavigationRail::setDense(bool dense)
+void NavigationRail::showTexts(bool dense)
 {
     for (int page = 0; page < pages(); ++page) {
-        const QString name = button(page)->accessibleName();
-        button(page)->setText(dense ? name : name + QLatin1Char('\n') + keyText(keyOf(page)));
+        const QString name = button(page)->accessibleName(), &asking = asking_.at(page);
+        if (dense)
+            button(page)->setText(asking.isEmpty() ? name : asking);
+        else
+            button(page)->setText(name + QLatin1Char('\n')
+                                  + (asking.isEmpty() ? keyText(keyOf(page)) : asking));
     }
+}
+
+void NavigationRail::setDense(bool dense)
+{
+    showTexts(dense);
     if (dense == dense_) return;
     dense_ = dense;
     setProperty("dense", dense);
@@ -112,6 +122,20 @@ bool NavigationRail::event(QEvent* event)
 void NavigationRail::setOffered(int page, bool offered)
 {
     button(page)->setVisible(offered);
+}
+
+void NavigationRail::setAsking(int page, const QString& what)
+{
+    if (asking_.at(page) == what) return;
+    const bool began = asking_.at(page).isEmpty() != what.isEmpty();
+    asking_[page] = what;
+    showTexts(dense_);
+    QPushButton* const one = button(page);
+    one->setAccessibleDescription(what);
+    if (!began) return;
+    one->setProperty("asks", !what.isEmpty());
+    one->style()->unpolish(one);
+    one->style()->polish(one);
 }
 
 void NavigationRail::choose(int page)

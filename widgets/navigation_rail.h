@@ -2,6 +2,7 @@
 
 #include <QFrame>
 #include <QList>
+#include <QStringList>
 
 class QPushButton;
 class QVBoxLayout;
@@ -27,6 +28,8 @@ public:
     void addTool(QPushButton* button);
     /// A page that is not there for the time being is not offered.
     void setOffered(int page, bool offered);
+    /// What a page asks of the operator, in a word or two that stand in place of its key; empty: nothing.
+    void setAsking(int page, const QString& what);
 
     QSize minimumSizeHint() const override;  ///< with room for every page
 
@@ -40,11 +43,13 @@ protected:
 private:
     void fit();
     void setDense(bool dense);
+    void showTexts(bool dense);
     int heightNeeded(bool dense) const;
 
     QVBoxLayout* column_ = nullptr;
     QList<QPushButton*> buttons_, tools_;
     QList<int> keys_;
+    QStringList asking_;  ///< of each page
     bool dense_ = false;
     int chosen_ = -1;
 };

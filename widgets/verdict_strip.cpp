@@ -66,19 +66,16 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     reason_->setWordWrap(true);
     setTone(*reason_, Tone::Muted);
     reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    const auto button = [this](const QString& text, const QString& name, const QString& tip) {
+    const auto button = [this](const QString& text, const QString& name) {
         auto* b = new QPushButton(text, this);
         b->setFocusPolicy(Qt::TabFocus);
         b->setAccessibleName(name);
-        b->setToolTip(tip);
         b->setAutoRepeat(true);
         b->setProperty("role", "small");
         return b;
     };
-    lower_ = button(QStringLiteral("−"), tr("Lower the limit"),
-                    tr("A lower step counts as an obstacle, too (PgDown)"));
-    raise_ = button(QStringLiteral("+"), tr("Raise the limit"),
-                    tr("Only a higher step counts as an obstacle (PgUp)"));
+    lower_ = button(QStringLiteral("−"), tr("Lower the limit"));
+    raise_ = button(QStringLiteral("+"), tr("Raise the limit"));
     connect(lower_, &QPushButton::clicked, this, [this] { choose(limit_ - kLimitStep); });
     connect(raise_, &QPushButton::clicked, this, [this] { choose(limit_ + kLimitStep); });
 
@@ -190,8 +187,15 @@ void VerdictStrip::setBadge(const QString& text, const QString& outlook)
 void VerdictStrip::setLimit(double metres)
 {
     limit_ = std::isfinite(metres) ? std::clamp(metres, kLeastLimit, kGreatestLimit) : kStepLimit;
-    lower_->setEnabled(limit_ > kLeastLimit + 1e-9);
-    raise_->setEnabled(limit_ < kGreatestLimit - 1e-9);
+    const bool lowest = limit_ <= kLeastLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
+    lower_->setEnabled(!lowest);
+    raise_->setEnabled(!highest);
+    lower_->setToolTip(
+        lowest ? tr("No lower limit can be set than %1 m").arg(words::number(kLeastLimit, 2))
+               : tr("A lower step counts as an obstacle, too (PgDown)"));
+    raise_->setToolTip(
+        highest ? tr("No higher limit can be set than %1 m").arg(words::number(kGreatestLimit, 2))
+                : tr("Only a higher step counts as an obstacle (PgUp)"));
 }
 
 void VerdictStrip::choose(double metres)

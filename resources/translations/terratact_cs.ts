@@ -39,6 +39,18 @@
         <source>%1 takes no commands</source>
         <translation>%1 nepřijímá povely</translation>
     </message>
+    <message>
+        <source>frames still come, heartbeat %1 old</source>
+        <translation>rámce stále přicházejí, poslední odpověď před %1</translation>
+    </message>
+    <message>
+        <source>frames still come, status %1 old</source>
+        <translation>rámce stále přicházejí, poslední stav před %1</translation>
+    </message>
+    <message>
+        <source>frames still come</source>
+        <translation>rámce stále přicházejí</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -123,6 +135,13 @@
     </message>
 </context>
 <context>
+    <name>FileDialog</name>
+    <message>
+        <source>There is no file:</source>
+        <translation>Soubor není:</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -197,6 +216,10 @@
     <message>
         <source>not armed: %1</source>
         <translation>není aktivní: %1</translation>
+    </message>
+    <message>
+        <source>TELEMETRY LOST for %1 — %2; no measured value is live%3</source>
+        <translation>TELEMETRIE ZTRACENA už %1 — %2; žádná naměřená hodnota není živá%3</translation>
     </message>
 </context>
 <context>
@@ -358,6 +381,18 @@
         <source>there is no STOP to release</source>
         <translation>není žádné STOP k uvolnění</translation>
     </message>
+    <message>
+        <source>STOP: not known, no telemetry</source>
+        <translation>STOP: není známo, bez telemetrie</translation>
+    </message>
+    <message>
+        <source>left, right: not known, no telemetry</source>
+        <translation>vlevo, vpravo: není známo, bez telemetrie</translation>
+    </message>
+    <message>
+        <source>the robot said that it is stopped, then no telemetry</source>
+        <translation>robot hlásil, že stojí, pak telemetrie ustala</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -404,6 +439,21 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Nastavení: %1 nelze přečíst; použije se dodaný model</translation>
+    </message>
+</context>
+<context>
+    <name>ProbeNotice</name>
+    <message>
+        <source>arm? %1</source>
+        <translation>sonda %1</translation>
+    </message>
+    <message>
+        <source>PROBE at %1? %2 left, then no: F2 shows the question</source>
+        <translation>SONDA na %1? Zbývá %2, pak ne: otázku ukáže F2</translation>
+    </message>
+    <message>
+        <source>The probe was not answered in time, which means no: F2 shows the result</source>
+        <translation>Na sondu nikdo včas neodpověděl, což znamená ne: výsledek ukáže F2</translation>
     </message>
 </context>
 <context>
@@ -1236,6 +1286,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>silent for %1</source>
         <translation>ticho %1</translation>
     </message>
+    <message>
+        <source>There is no alarm</source>
+        <translation>Není žádný alarm</translation>
+    </message>
+    <message>
+        <source>No alarm is chosen in the list</source>
+        <translation>V seznamu není vybrán žádný alarm</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmsPage</name>
@@ -1517,16 +1575,16 @@ Poslední deaktivace: %1</translation>
         <translation>tento přehled</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>Klávesy</translation>
-    </message>
-    <message>
         <source>STOP HAS NO EFFECT HERE: this window has no robot. Go to the console&apos;s own window</source>
         <translation>STOP TU NEPŮSOBÍ: toto okno nemá robota. Přejděte do okna konzole</translation>
     </message>
     <message>
         <source>no STOP: this window has no robot</source>
         <translation>žádný STOP: toto okno nemá robota</translation>
+    </message>
+    <message>
+        <source>STOP, of the console that opened this window</source>
+        <translation>STOP konzole, která toto okno otevřela</translation>
     </message>
 </context>
 <context>
@@ -2109,6 +2167,13 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+</context>
+<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>Terratact — %1</source>
@@ -2341,6 +2406,14 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>what each command needs, one after the other</source>
         <translation>co potřebují jednotlivé povely, jeden po druhém</translation>
+    </message>
+    <message>
+        <source>F12 in windows that are opened from here stops nothing: %1</source>
+        <translation>F12 v oknech otevřených odtud nic nezastaví: %1</translation>
+    </message>
+    <message>
+        <source>STOP was pressed in a window that was opened from here</source>
+        <translation>STOP byl stisknut v okně otevřeném odtud</translation>
     </message>
 </context>
 <context>
@@ -2733,6 +2806,29 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::RemoteStop</name>
+    <message>
+        <source>STOP SENT to the console that opened this window …</source>
+        <translation>STOP ODESLÁN konzoli, která toto okno otevřela …</translation>
+    </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: the console that opened this window is gone</source>
+        <translation>STOP TU NEPŮSOBÍ: konzole, která toto okno otevřela, už neběží</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT: %1</source>
+        <translation>STOP NEODESLÁN: %1</translation>
+    </message>
+    <message>
+        <source>STOP: the console that opened this window has taken it; see there whether the robot confirms it</source>
+        <translation>STOP: konzole, která toto okno otevřela, jej převzala; tam uvidíte, zda jej robot potvrdí</translation>
+    </message>
+    <message>
+        <source>STOP NOT TAKEN: the console that opened this window does not answer; use the robot&apos;s own switch</source>
+        <translation>STOP NEPŘEVZAT: konzole, která toto okno otevřela, neodpovídá; použijte vypínač na robotu</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewEventsPage</name>
     <message>
         <source>time</source>
@@ -2924,6 +3020,30 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>damaged and left out, places: %1</source>
         <translation>poškozeno a vynecháno, míst: %1</translation>
+    </message>
+    <message>
+        <source>A file is being written</source>
+        <translation>Zapisuje se soubor</translation>
+    </message>
+    <message>
+        <source>No estimate stands at this time</source>
+        <translation>V tomto čase neplatí žádný odhad</translation>
+    </message>
+    <message>
+        <source>Name the file first</source>
+        <translation>Nejdřív pojmenujte soubor</translation>
+    </message>
+    <message>
+        <source>Writes the file</source>
+        <translation>Zapíše soubor</translation>
+    </message>
+    <message>
+        <source>All that the session holds</source>
+        <translation>Vše, co záznam obsahuje</translation>
+    </message>
+    <message>
+        <source>Nothing is being written</source>
+        <translation>Nic se nezapisuje</translation>
     </message>
 </context>
 <context>
@@ -3699,10 +3819,6 @@ Poslední deaktivace: %1</translation>
         <translation>Od teď používat tento soubor</translation>
     </message>
     <message>
-        <source>Back to what came with the program; grey while that is in use</source>
-        <translation>Zpět k tomu, co přišlo s programem; šedé, když se právě používá</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Nastavení</translation>
     </message>
@@ -3777,6 +3893,14 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>%1: %2 ms, %3 mm (± %4 mm)</source>
         <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
+    </message>
+    <message>
+        <source>Back to what came with the program</source>
+        <translation>Zpět k tomu, co přišlo s programem</translation>
+    </message>
+    <message>
+        <source>What came with the program is in use already</source>
+        <translation>To, co přišlo s programem, se už používá</translation>
     </message>
 </context>
 <context>
@@ -4670,6 +4794,26 @@ vpředu</translation>
         <source>Compared on %1 scenes</source>
         <translation>Porovnáno, scén: %1</translation>
     </message>
+    <message>
+        <source>A model is being trained: cancel that first.</source>
+        <translation>Model se učí: nejdřív to zrušte.</translation>
+    </message>
+    <message>
+        <source>Two models are being compared: cancel that first.</source>
+        <translation>Porovnávají se dva modely: nejdřív to zrušte.</translation>
+    </message>
+    <message>
+        <source>There is no new model.</source>
+        <translation>Není žádný nový model.</translation>
+    </message>
+    <message>
+        <source>Choose a file of scenes to test on.</source>
+        <translation>Vyberte soubor scén k ověření.</translation>
+    </message>
+    <message>
+        <source>Nothing runs that could be cancelled.</source>
+        <translation>Neběží nic, co by šlo zrušit.</translation>
+    </message>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
@@ -4760,6 +4904,14 @@ vpředu</translation>
     <message>
         <source>the flippers differ</source>
         <translation>flippery se liší</translation>
+    </message>
+    <message>
+        <source>No lower limit can be set than %1 m</source>
+        <translation>Nižší mez než %1 m nelze nastavit</translation>
+    </message>
+    <message>
+        <source>No higher limit can be set than %1 m</source>
+        <translation>Vyšší mez než %1 m nelze nastavit</translation>
     </message>
 </context>
 <context>
@@ -4970,6 +5122,10 @@ vpředu</translation>
     <message>
         <source>Estimate again (E)</source>
         <translation>Odhadnout znovu (E)</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>V tomto čase neplatil žádný odhad</translation>
     </message>
 </context>
 </TS>

@@ -39,6 +39,18 @@
         <source>%1 takes no commands</source>
         <translation>%1 nimmt keine Befehle an</translation>
     </message>
+    <message>
+        <source>frames still come, heartbeat %1 old</source>
+        <translation>Frames kommen noch, Herzschlag %1 alt</translation>
+    </message>
+    <message>
+        <source>frames still come, status %1 old</source>
+        <translation>Frames kommen noch, Zustand %1 alt</translation>
+    </message>
+    <message>
+        <source>frames still come</source>
+        <translation>Frames kommen noch</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -123,6 +135,13 @@
     </message>
 </context>
 <context>
+    <name>FileDialog</name>
+    <message>
+        <source>There is no file:</source>
+        <translation>Keine Datei:</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -197,6 +216,10 @@
     <message>
         <source>not armed: %1</source>
         <translation>nicht freigegeben: %1</translation>
+    </message>
+    <message>
+        <source>TELEMETRY LOST for %1 — %2; no measured value is live%3</source>
+        <translation>TELEMETRIE WEG seit %1 — %2; kein Messwert ist aktuell%3</translation>
     </message>
 </context>
 <context>
@@ -358,6 +381,18 @@
         <source>there is no STOP to release</source>
         <translation>es gibt kein STOP freizugeben</translation>
     </message>
+    <message>
+        <source>STOP: not known, no telemetry</source>
+        <translation>STOP: nicht bekannt, keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>left, right: not known, no telemetry</source>
+        <translation>links, rechts: nicht bekannt, keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>the robot said that it is stopped, then no telemetry</source>
+        <translation>der Roboter meldete, dass er steht, dann keine Telemetrie</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -404,6 +439,21 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Einstellungen: %1 ist nicht lesbar; das mitgelieferte Modell wird verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>ProbeNotice</name>
+    <message>
+        <source>arm? %1</source>
+        <translation>Sonde %1</translation>
+    </message>
+    <message>
+        <source>PROBE at %1? %2 left, then no: F2 shows the question</source>
+        <translation>SONDIERUNG bei %1? Noch %2, dann nein: F2 zeigt die Frage</translation>
+    </message>
+    <message>
+        <source>The probe was not answered in time, which means no: F2 shows the result</source>
+        <translation>Die Sondierung wurde nicht rechtzeitig beantwortet, das heißt nein: F2 zeigt das Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -1236,6 +1286,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>silent for %1</source>
         <translation>stumm für %1</translation>
     </message>
+    <message>
+        <source>There is no alarm</source>
+        <translation>Es gibt keinen Alarm</translation>
+    </message>
+    <message>
+        <source>No alarm is chosen in the list</source>
+        <translation>In der Liste ist kein Alarm gewählt</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmsPage</name>
@@ -1517,16 +1575,16 @@ Zuletzt gesperrt: %1</translation>
         <translation>diese Übersicht</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
         <source>STOP HAS NO EFFECT HERE: this window has no robot. Go to the console&apos;s own window</source>
         <translation>STOP WIRKT HIER NICHT: dieses Fenster hat keinen Roboter. Zum Fenster der Konsole wechseln</translation>
     </message>
     <message>
         <source>no STOP: this window has no robot</source>
         <translation>kein STOP: dieses Fenster hat keinen Roboter</translation>
+    </message>
+    <message>
+        <source>STOP, of the console that opened this window</source>
+        <translation>STOP der Konsole, die dieses Fenster geöffnet hat</translation>
     </message>
 </context>
 <context>
@@ -2109,6 +2167,13 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>Terratact — %1</source>
@@ -2341,6 +2406,14 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>what each command needs, one after the other</source>
         <translation>was jeder Befehl braucht, einer nach dem anderen</translation>
+    </message>
+    <message>
+        <source>F12 in windows that are opened from here stops nothing: %1</source>
+        <translation>F12 in Fenstern, die von hier geöffnet werden, hält nichts an: %1</translation>
+    </message>
+    <message>
+        <source>STOP was pressed in a window that was opened from here</source>
+        <translation>STOP wurde in einem Fenster gedrückt, das von hier geöffnet wurde</translation>
     </message>
 </context>
 <context>
@@ -2733,6 +2806,29 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::RemoteStop</name>
+    <message>
+        <source>STOP SENT to the console that opened this window …</source>
+        <translation>STOP GESENDET an die Konsole, die dieses Fenster geöffnet hat …</translation>
+    </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: the console that opened this window is gone</source>
+        <translation>STOP WIRKT HIER NICHT: die Konsole, die dieses Fenster geöffnet hat, läuft nicht mehr</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT: %1</source>
+        <translation>STOP NICHT GESENDET: %1</translation>
+    </message>
+    <message>
+        <source>STOP: the console that opened this window has taken it; see there whether the robot confirms it</source>
+        <translation>STOP: die Konsole, die dieses Fenster geöffnet hat, hat es übernommen; dort steht, ob der Roboter es bestätigt</translation>
+    </message>
+    <message>
+        <source>STOP NOT TAKEN: the console that opened this window does not answer; use the robot&apos;s own switch</source>
+        <translation>STOP NICHT ÜBERNOMMEN: die Konsole, die dieses Fenster geöffnet hat, antwortet nicht; den Schalter am Roboter benutzen</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewEventsPage</name>
     <message>
         <source>time</source>
@@ -2924,6 +3020,30 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>damaged and left out, places: %1</source>
         <translation>beschädigt und ausgelassen, Stellen: %1</translation>
+    </message>
+    <message>
+        <source>A file is being written</source>
+        <translation>Eine Datei wird geschrieben</translation>
+    </message>
+    <message>
+        <source>No estimate stands at this time</source>
+        <translation>Zu dieser Zeit gilt keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Name the file first</source>
+        <translation>Erst die Datei benennen</translation>
+    </message>
+    <message>
+        <source>Writes the file</source>
+        <translation>Schreibt die Datei</translation>
+    </message>
+    <message>
+        <source>All that the session holds</source>
+        <translation>Alles, was die Sitzung enthält</translation>
+    </message>
+    <message>
+        <source>Nothing is being written</source>
+        <translation>Es wird nichts geschrieben</translation>
     </message>
 </context>
 <context>
@@ -3699,10 +3819,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Ab jetzt diese Datei verwenden</translation>
     </message>
     <message>
-        <source>Back to what came with the program; grey while that is in use</source>
-        <translation>Zurück zu dem, was mitgeliefert ist; grau, solange es in Gebrauch ist</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -3777,6 +3893,14 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>%1: %2 ms, %3 mm (± %4 mm)</source>
         <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
+    </message>
+    <message>
+        <source>Back to what came with the program</source>
+        <translation>Zurück zu dem, was mit dem Programm kam</translation>
+    </message>
+    <message>
+        <source>What came with the program is in use already</source>
+        <translation>Was mit dem Programm kam, ist schon in Gebrauch</translation>
     </message>
 </context>
 <context>
@@ -4670,6 +4794,26 @@ voraus</translation>
         <source>Compared on %1 scenes</source>
         <translation>Mit %1 Szenen verglichen</translation>
     </message>
+    <message>
+        <source>A model is being trained: cancel that first.</source>
+        <translation>Ein Modell wird trainiert: erst abbrechen.</translation>
+    </message>
+    <message>
+        <source>Two models are being compared: cancel that first.</source>
+        <translation>Zwei Modelle werden verglichen: erst abbrechen.</translation>
+    </message>
+    <message>
+        <source>There is no new model.</source>
+        <translation>Es gibt kein neues Modell.</translation>
+    </message>
+    <message>
+        <source>Choose a file of scenes to test on.</source>
+        <translation>Eine Datei mit Szenen zum Prüfen wählen.</translation>
+    </message>
+    <message>
+        <source>Nothing runs that could be cancelled.</source>
+        <translation>Es läuft nichts, was man abbrechen könnte.</translation>
+    </message>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
@@ -4760,6 +4904,14 @@ voraus</translation>
     <message>
         <source>the flippers differ</source>
         <translation>die Flipper weichen ab</translation>
+    </message>
+    <message>
+        <source>No lower limit can be set than %1 m</source>
+        <translation>Eine niedrigere Grenze als %1 m geht nicht</translation>
+    </message>
+    <message>
+        <source>No higher limit can be set than %1 m</source>
+        <translation>Eine höhere Grenze als %1 m geht nicht</translation>
     </message>
 </context>
 <context>
@@ -4970,6 +5122,10 @@ voraus</translation>
     <message>
         <source>Estimate again (E)</source>
         <translation>Erneut schätzen (E)</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>Zu dieser Zeit galt keine Schätzung</translation>
     </message>
 </context>
 </TS>

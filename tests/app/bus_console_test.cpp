@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/bus_words.h"
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
@@ -20,6 +21,7 @@
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/staged_robot.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -184,28 +186,40 @@ struct BusConsole : testing::Test {
             [&] { return arming() != ArmingPhase::Armed || robotDoes(RobotActivity::Driving); });
         return arming() == ArmingPhase::Armed && robotDoes(RobotActivity::Driving);
     }
-    /// The same, again after each disarming: on a busy machine heartbeats may come too late.
-    bool drivesAtLast()
+    /// Explores and probes by keys; false where something disarmed the console on the way.
+    bool exploresAndProbes()
     {
-        for (int go = 0; go < 20; ++go) {
-            if (drives()) return true;
-            if (arming() == ArmingPhase::Armed) return false;  // that was not it
-        }
-        return false;
-    }
-    void exploreAndProbe()
-    {
-        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        const auto failsOnlyDisarmed = [this] {
+            const AtemState& state = window->exploration().state();
+            EXPECT_TRUE(state.phase == AtemPhase::Failed
+                        && (state.failure == AtemFailure::Disarmed
+                            || state.failure == AtemFailure::LinkLost))
+                << describe(state.phase) << ": " << describe(state.failure);
+            return false;
+        };
+        const auto gets = [this](AtemPhase phase) {
+            (void)eventually(
+                [&] {
+                    const AtemPhase now = window->exploration().state().phase;
+                    return now == phase || now == AtemPhase::Failed;
+                },
+                60000);
+            return window->exploration().state().phase == phase;
+        };
+        if (!eventually([&] {
+                return window->atemPanel()->requestButton()->isEnabled()
+                    || arming() != ArmingPhase::Armed;
+            })
+            || arming() != ArmingPhase::Armed)
+            return false;
         QTest::keyClick(window.get(), Qt::Key_A);
-        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
-            << describe(window->exploration().state().failure);
-        ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+        if (!gets(AtemPhase::ProposingProbe)) return failsOnlyDisarmed();
+        EXPECT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
         picture("asks-for-a-probe");
         QTest::keyPress(window.get(), Qt::Key_Space);
-        ASSERT_TRUE(robotIs(RobotActivity::Probing));
+        const bool presents = gets(AtemPhase::Presenting);
         QTest::keyRelease(window.get(), Qt::Key_Space);
-        ASSERT_TRUE(reaches(AtemPhase::Presenting))
-            << describe(window->exploration().state().failure);
+        return presents || failsOnlyDisarmed();
     }
     bool robotDoes(RobotActivity activity) const
     {
@@ -333,14 +347,21 @@ TEST_F(BusConsole, heldKeyThatAnXServerRepeatsArmsNothing)
 TEST_F(BusConsole, driveExploreProbeAndDriveOn)
 {
     open();
-    ASSERT_TRUE(drivesAtLast());
-    QTest::keyRelease(window.get(), Qt::Key_W);
-    ASSERT_TRUE(robotIs(RobotActivity::Halted));
-    exploreAndProbe();
-    EXPECT_TRUE(window->exploration().state().probed);
-    picture("presenting");
-    QTest::qWait(200);
-    EXPECT_TRUE(drivesAtLast()) << "the exploration has ended for the robot, too";
+    // On a busy machine heartbeats may come too late and disarm the console in some go; in every go is somebody's
+    // fault, as where the end of an exploration disarms.
+    bool drivesOn = false;
+    for (int go = 0; go < 10 && !drivesOn && !HasFailure(); ++go) {
+        if (!drives()) continue;
+        const int epoch = window->link()->view().link.arming.epoch;  // another for every arming
+        QTest::keyRelease(window.get(), Qt::Key_W);
+        ASSERT_TRUE(robotIs(RobotActivity::Halted));
+        if (!exploresAndProbes()) continue;
+        EXPECT_TRUE(window->exploration().state().probed);
+        picture("presenting");
+        QTest::qWait(200);
+        drivesOn = drives() && window->link()->view().link.arming.epoch == epoch;
+    }
+    EXPECT_TRUE(drivesOn) << "it had to be armed anew each time";
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
@@ -456,6 +477,51 @@ TEST_F(BusConsole, lostLinkIsSaidWithItsCure)
     picture("bus-down");
 }
 
+TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
+{
+    SimulatedRobot::Options simulation;
+    simulation.startX = 2.0;
+    StagedRobot numb(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                     RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    window = console(bus.join("can0"), CanSource::Mode::Transmit,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    numb.stage({.isNumb = true});
+    EXPECT_TRUE(eventually([&] {
+        return says("TELEMETRY LOST for") && says("frames still come, heartbeat")
+            && says("no measured value is live");
+    }));
+    EXPECT_FALSE(says("nothing on this screen is live"));
+    picture("telemetry-stopped");
+    numb.stage({.isMute = true});
+    EXPECT_TRUE(eventually([&] { return says("nothing on this screen is live"); }));
+    EXPECT_FALSE(says("frames still come"));
+    window.reset();
+}
+
+TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
+{
+    const auto frame = [](std::optional<FrameKind> kind, std::optional<double> age) {
+        TappedFrame made;
+        made.kind = kind;
+        made.age = age;
+        return made;
+    };
+    EXPECT_EQ(stillComes({}), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.1), frame(FrameKind::Attitude, 0.8)}),
+              "frames still come, heartbeat 100 ms old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 3.0), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come, heartbeat 3.0 s old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, {}), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotStatus, 0.5), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come, status 500 ms old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.26)}), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::ConsoleHeartbeat, 0.0), frame({}, 0.0)}), "")
+        << "neither is the robot's";
+}
+
 TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
 {
     open(CanSource::Mode::Listen);
@@ -490,7 +556,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     for (MainWindow* one : {listener.get(), window.get()})
         ASSERT_TRUE(eventually([&] { return hasModel(*one); }));
     arm();
-    exploreAndProbe();
+    ASSERT_TRUE(exploresAndProbes());
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
     const auto ledger = window->exploration().estimation().ledger().entries();
     const TemporaryDirectory directory;

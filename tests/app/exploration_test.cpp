@@ -1,4 +1,8 @@
+#include <QLabel>
+
+#include "app/link_status.h"
 #include "tests/support/exploration_bench.h"
+#include "widgets/status_header.h"
 
 namespace terratact {
 namespace {
@@ -452,6 +456,65 @@ TEST_F(Bench, aLostLinkFailsTheExploration)
     EXPECT_TRUE(exploration->linkAlive());
 }
 
+TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
+{
+    propose();
+    const auto withheld = [this] {
+        const std::vector<Doubt> doubts = exploration->estimation().verdict()->doubts;
+        return std::ranges::find(doubts, Doubt::Stale) != doubts.end();
+    };
+    const double heard = now;
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter - 0.001, latest);
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter + 0.001, latest);
+    EXPECT_TRUE(withheld()) << "with the values";
+    EXPECT_TRUE(exploration->linkAlive()) << "the link is lost later";
+    now = heard + kStaleAfter + 0.001;
+    tick();
+    EXPECT_FALSE(withheld());
+}
+
+/// What a window shows of an exploration whose time is in the test's hands.
+struct LinkBench : Bench {
+    LinkBench() : display(header, banner, list, acquisition, nullptr) {}
+    void showAt(double time)
+    {
+        exploration->tick(time, latest);
+        display.show({.now = time, .newest = &*latest, .alive = exploration->linkAlive()});
+    }
+    StatusHeader header;
+    QLabel banner;
+    EventList list;
+    ScriptedSource other;
+    Acquisition acquisition{other};
+    LinkStatus display;
+};
+
+TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
+{
+    EXPECT_EQ(exploration->options().linkLostAfter, 0.25);
+    const double heard = now;
+    for (const double age : {0.0, 0.15, 0.24, 0.2499}) {
+        showAt(heard + age);
+        EXPECT_TRUE(exploration->linkAlive()) << age;
+        EXPECT_TRUE(banner.isHidden()) << age;
+        EXPECT_FALSE(header.linkText().startsWith("LINK LOST")) << age;
+    }
+    showAt(heard + 0.2501);
+    EXPECT_FALSE(exploration->linkAlive());
+    EXPECT_TRUE(banner.isVisible()) << "with the first picture after that";
+    EXPECT_EQ(banner.text(), "LINK LOST for 250 ms — nothing on this screen is live");
+    EXPECT_TRUE(header.linkText().startsWith("LINK LOST"));
+    showAt(heard + 0.26);
+    EXPECT_EQ(banner.text(), "LINK LOST for 260 ms — nothing on this screen is live");
+    now = heard + 0.26;
+    line();
+    showAt(now);
+    EXPECT_TRUE(exploration->linkAlive());
+    EXPECT_TRUE(banner.isHidden()) << "one line of telemetry is enough";
+}
+
 TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
 {
     blocked = true;
@@ -589,6 +652,34 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
 }
 
+TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
+{
+    EXPECT_EQ(linesOf(exploration->preconditions()),
+              "✔ telemetry is live\n✔ STOP is not latched\n✔ model fake.ttm is ready\n"
+              "✔ left and right agree, roll is small");
+    exploration->tick(now + 0.849, latest);
+    const QString stale = "✘ no telemetry from the robot\n"
+                          "! STOP: not known, no telemetry\n"
+                          "✔ model fake.ttm is ready\n! left, right: not known, no telemetry";
+    EXPECT_EQ(linesOf(exploration->preconditions()), stale);
+    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("! STOP: not known"));
+
+    telemetry.roll = 0.2;
+    tick();
+    exploration->tick(now + 0.849, latest);
+    exploration->overrideDoubts();
+    EXPECT_EQ(exploration->overridden(), "")
+        << "of a roll that was, nobody can take anything upon him";
+    EXPECT_EQ(linesOf(exploration->preconditions()), stale);
+    tick();
+    EXPECT_TRUE(linesOf(exploration->preconditions()).contains("! roll +11.5°"));
+
+    Exploration unheard(source, RobotModel{}, *worker, Exploration::Options{});
+    unheard.tick(now, std::nullopt);
+    EXPECT_FALSE(linesOf(unheard.preconditions()).contains("✔ STOP"));
+    EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! left, right: not known"));
+}
+
 TEST_F(Bench, everyCommandListsWhatItNeeds)
 {
     EXPECT_EQ(linesOf(exploration->toDrive()),
@@ -609,7 +700,9 @@ TEST_F(Bench, everyCommandListsWhatItNeeds)
     EXPECT_EQ(linesOf(exploration->toReleaseStop()),
               "✔ telemetry is live\n✔ the robot says that it is stopped");
     tickInSilence(10);
-    EXPECT_TRUE(linesOf(exploration->toReleaseStop()).startsWith("✘ no telemetry"));
+    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
+              "✘ no telemetry from the robot\n"
+              "! the robot said that it is stopped, then no telemetry");
 }
 
 TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)

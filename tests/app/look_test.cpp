@@ -36,6 +36,7 @@
 #include "widgets/probe_card.h"
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
+#include "widgets/verdict_strip.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -458,6 +459,27 @@ TEST_F(Look, everyControlHasANameAndASize)
                 << what << " says neither what it does nor why not";
         }
     });
+}
+
+TEST_F(Look, aButtonThatCannotBePressedSaysWhyNot)
+{
+    gui::TipsOfButtons tips;
+    const auto lookEverywhere = [&] { eachPage([&] { tips.look(*window); }); };
+    lookEverywhere();
+    for (const double limit : {VerdictStrip::kLeastLimit, VerdictStrip::kGreatestLimit}) {
+        window->preferences().change([limit](Preferences& p) { p.obstacleLimit = limit; });
+        tips.look(*window);
+    }
+    window->preferences().change([](Preferences& p) { p.model = "/nowhere/none.ttm"; });
+    explore();
+    lookEverywhere();
+    window->exploration().stop();  // which is an alarm, too
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->releaseButton()->isVisible(); }));
+    lookEverywhere();
+    EXPECT_EQ(tips.silent(), std::vector<std::string>());
+    for (const char* name : {"Lower the limit", "Raise the limit", "Acknowledge", "Acknowledge all",
+                             "The shipped one: Model", "Explore the terrain (A)"})
+        EXPECT_TRUE(tips.compared().contains(name)) << name;
 }
 
 TEST_F(Look, TabReachesEverythingAndComesBack)

@@ -11,6 +11,9 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -19,6 +22,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -101,7 +105,8 @@ struct Console : testing::Test {
         options.robot = robot;
         options.source = std::move(source);
         options.model = std::move(model);
-        options.exploration.linkLostAfter = 3.0;  // this machine may be busy
+        // This machine may be busy.
+        options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
         options.exploration.driveSpeed = 0.05;
         options.exploration.limits.approval = answerTime;
         options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
@@ -109,6 +114,8 @@ struct Console : testing::Test {
         window->probeCard()->approveButton()->setHoldTime(150);
         window->atemPanel()->releaseButton()->setHoldTime(150);
         window->resize(1280, 720);
+        QObject::connect(&window->exploration(), &Exploration::decided, window.get(),
+                         [this](const char* what) { stops += std::string_view(what) == "stop"; });
         gui::showActive(*window);
     }
     ScriptedSource* openScripted()
@@ -145,6 +152,20 @@ struct Console : testing::Test {
         QTest::keyClick(window.get(), Qt::Key_A);
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
         ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+    }
+
+    /// As the desktop would bring it: what blocks the window, or holds the mouse, gets its chance.
+    void clickStop()
+    {
+        const QPushButton& stop = *window->header()->stopButton();
+        QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                          stop.mapTo(window.get(), stop.rect().center()));
+    }
+    /// How often since the last time; what is repeated until the robot confirms it is no press.
+    int stopsPressed() { return std::exchange(stops, 0); }
+    static QRect onScreen(const QWidget& widget)
+    {
+        return {widget.mapToGlobal(QPoint(0, 0)), widget.size()};
     }
 
     /// In every size of screen and letters: all has its room, and the letters are at least as large as was achieved.
@@ -187,6 +208,7 @@ struct Console : testing::Test {
 
     RobotModel robot = absolem();
     double answerTime = AtemLimits{}.approval;  // [s]
+    int stops = 0;
     std::unique_ptr<MainWindow> window;
 };
 
@@ -429,9 +451,9 @@ TEST_F(Console, stopActsWhateverElseIsHeldDown)
     }
 }
 
-TEST_F(Console, stopWorksInEveryFileDialog)
+TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
 {
-    ScriptedSource* source = openScripted();
+    openScripted();
     EXPECT_TRUE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs))
         << "no key of a desktop's own dialog reaches this program";
     const auto press = [](QPushButton* button) {
@@ -441,21 +463,86 @@ TEST_F(Console, stopWorksInEveryFileDialog)
         {"a file", [&] { QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier); }},
         {"a model", press(window->settings()->modelButton())},
         {"a robot", press(window->settings()->robotButton())}};
-    for (const auto& [what, opens] : ways) {
-        bool stopped = false;
-        QTimer::singleShot(0, window.get(), [&] {
-            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-            if (!dialog) return;
-            source->takeCommands();
-            QTest::keyClick(dialog->findChild<QLineEdit*>("fileNameEdit"), Qt::Key_F12);
-            for (const Command& command : source->takeCommands())
-                stopped = stopped || std::holds_alternative<StopCommand>(command);
-            dialog->reject();
-        });
-        QTest::keyClick(window.get(), Qt::Key_F7);
-        opens();
-        EXPECT_TRUE(stopped) << what;
-    }
+    for (const int letters : {100, 200})
+        for (const auto& [what, opens] : ways) {
+            window->setRoom({1200, 680});
+            window->preferences().change([=](Preferences& p) { p.fontScale = letters; });
+            window->resize(1200, 680);
+            QTest::keyClick(window.get(), Qt::Key_F7);
+            opens();
+            opens();
+            const auto dialogs = window->findChildren<QFileDialog*>();
+            ASSERT_EQ(dialogs.size(), 1) << what << ": one of a kind";
+            QFileDialog& dialog = *dialogs.front();
+            ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+            EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << what;
+            QTest::keyClick(dialog.findChild<QLineEdit*>("fileNameEdit"), Qt::Key_F12);
+            EXPECT_EQ(stopsPressed(), 1) << what;
+            clickStop();
+            EXPECT_EQ(stopsPressed(), 1) << what;
+            EXPECT_FALSE(dialog.frameGeometry().intersects(onScreen(*window->header())))
+                << what << " lies upon STOP, letters " << letters;
+            if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
+                !folder.isEmpty())
+                dialog.grab().save(folder + "/choose-a-file.png");
+            dialog.reject();
+            ASSERT_TRUE(eventually([&] { return window->findChildren<QFileDialog*>().empty(); }));
+        }
+}
+
+TEST_F(Console, aFileThatIsNotThereIsSaidInTheDialogItself)
+{
+    openScripted();
+    const TemporaryDirectory directory;
+    const QString before = window->preferences().current().model;
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    QTest::mouseClick(window->settings()->modelButton(), Qt::LeftButton);
+    auto* dialog = window->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog && QTest::qWaitForWindowExposed(dialog));
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    ASSERT_TRUE(name);
+    const auto type = [&](const std::string& file) {
+        name->clear();
+        QTest::keyClicks(name, QString::fromStdString(file));
+    };
+    const QString usual = dialog->labelText(QFileDialog::FileName);
+    type(directory.file("none.ttm"));
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr)
+        << "which STOP could not be clicked beside";
+    EXPECT_TRUE(dialog->isVisible());
+    EXPECT_EQ(dialog->labelText(QFileDialog::FileName), "There is no file:");
+    clickStop();
+    EXPECT_EQ(stopsPressed(), 1);
+    EXPECT_EQ(window->preferences().current().model, before);
+    const std::string model = directory.file("some.ttm");
+    ASSERT_TRUE(writeModel(model, toyModel()));
+    type("s");
+    EXPECT_EQ(dialog->labelText(QFileDialog::FileName), usual);
+    name->setText(QString::fromStdString(model));
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_TRUE(
+        eventually([&] { return window->preferences().current().model.toStdString() == model; }));
+}
+
+TEST_F(Console, stopWorksByKeyAndByMouseWhileAMenuIsOpen)
+{
+    openScripted();
+    for (QPushButton* button : {window->header()->qualityButton(), window->viewButton()})
+        for (const bool mouse : {false, true}) {
+            ASSERT_TRUE(eventually([&] { return button->isVisible(); }));
+            QMenu& menu = *button->menu();
+            menu.popup(button->mapToGlobal(QPoint(0, button->height())));
+            ASSERT_TRUE(eventually([&] { return menu.isVisible(); }));
+            if (mouse)
+                clickStop();
+            else
+                QTest::keyClick(&menu, Qt::Key_F12);
+            EXPECT_TRUE(eventually([&] { return stops > 0; }, 2000))
+                << button->accessibleName().toStdString() << (mouse ? ", mouse" : ", key");
+            EXPECT_EQ(stopsPressed(), 1);
+            menu.hide();
+        }
 }
 
 TEST_F(Console, keysActOnlyOnWhatIsSeen)
@@ -485,6 +572,66 @@ TEST_F(Console, keysActOnlyOnWhatIsSeen)
     EXPECT_TRUE(reaches(AtemPhase::Idle)) << "what runs is aborted from anywhere";
 }
 
+TEST_F(Console, aProposedProbeIsToldOnEveryPageWithTheTimeThatIsLeft)
+{
+    answerTime = 300.0;  // this machine may be busy
+    open(fastRobot(robot, 2.1));
+    const QPushButton& terrain = *window->rail()->button(0);
+    ASSERT_TRUE(readyToExplore());
+    const QString plain = terrain.text();
+    const int wide = window->rail()->width();
+    proposeByKeyboard();
+    EXPECT_FALSE(says("PROBE at")) << "the card asks";
+    const QRegularExpression left("PROBE at 0\\.6 m\\? [0-9]:[0-9]{2} left, then no");
+    const auto tells = [&] {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && left.match(label->text()).hasMatch()) return true;
+        return false;
+    };
+    for (int page = 1; page < window->rail()->pages(); ++page) {
+        if (window->rail()->button(page)->isHidden()) continue;
+        QTest::keyClick(window.get(), window->rail()->keyOf(page));
+        const std::string where = std::to_string(page);
+        EXPECT_TRUE(eventually(tells)) << where;
+        EXPECT_TRUE(terrain.text().contains(QRegularExpression("arm\\? [0-9]:[0-9]{2}"))) << where;
+        EXPECT_TRUE(eventually([&] { return gui::cramped(*window).empty(); }, 2000)) << where;
+        EXPECT_EQ(window->rail()->width(), wide) << where;
+    }
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    ASSERT_TRUE(eventually(tells));
+    if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty())
+        window->grab().save(folder + "/probe-asked-on-another-page.png");
+    QTest::mouseClick(window->rail()->button(0), Qt::LeftButton);
+    EXPECT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
+    EXPECT_TRUE(eventually([&] { return !tells(); }));
+    QTest::keyClick(window.get(), Qt::Key_N);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(eventually([&] { return terrain.text() == plain; }))
+        << terrain.text().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    QTest::qWait(100);
+    EXPECT_FALSE(says("not answered in time")) << "it was answered";
+}
+
+TEST_F(Console, aProbeThatNobodyAnsweredIsToldUntilTheTerrainIsSeen)
+{
+    answerTime = 2.0;
+    open(fastRobot(robot, 2.1));
+    ASSERT_TRUE(readyToExplore());
+    QTest::keyClick(window.get(), Qt::Key_A);
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting)) << "nobody has answered";
+    EXPECT_TRUE(eventually([&] { return says("not answered in time, which means no"); }));
+    QTest::keyClick(window.get(), Qt::Key_F4);
+    QTest::qWait(100);
+    EXPECT_TRUE(says("not answered in time")) << "on every page";
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(eventually([&] { return !says("The probe was not answered in time"); }));
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    QTest::qWait(100);
+    EXPECT_FALSE(says("not answered in time")) << "it has been seen";
+}
+
 TEST_F(Console, stopClaimsNoMoreThanIsKnown)
 {
     ScriptedSource* source = openScripted();
@@ -506,6 +653,17 @@ TEST_F(Console, stopClaimsNoMoreThanIsKnown)
     source->setMeasurement(stopped);
     EXPECT_TRUE(eventually([&] { return stop.text() == "STOPPED (F12)"; }));
     EXPECT_FALSE(says("STOP SENT") || says("STOP NOT SENT"));
+}
+
+TEST_F(Console, stopFromAWindowThatWasOpenedHereActsLikeItsOwn)
+{
+    openScripted();
+    auto caller = StopCaller::open();
+    ASSERT_TRUE(caller);
+    ASSERT_TRUE(caller->press(stopLineName()));
+    EXPECT_TRUE(eventually([&] { return caller->isTaken(); }));
+    EXPECT_EQ(stopsPressed(), 1);
+    EXPECT_TRUE(reaches(AtemPhase::Stopped));
 }
 
 TEST_F(Console, stopActsOnTheMousePress)
@@ -558,6 +716,43 @@ TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
     QTest::keyClick(lists(), Qt::Key_F12);
     EXPECT_TRUE(robotIs(RobotActivity::Stopped));
     lists()->close();
+}
+
+TEST_F(Console, theSheetOfKeysLeavesTheHeaderFreeAndAllOfItCanBeReached)
+{
+    openScripted();
+    window->setRoom({1200, 680});
+    for (const int letters : {100, 200}) {
+        window->preferences().change([=](Preferences& p) { p.fontScale = letters; });
+        window->resize(1200, 680);
+        QTest::keyClick(window.get(), Qt::Key_F1);
+        auto* sheet = window->findChild<QScrollArea*>(QString(), Qt::FindDirectChildrenOnly);
+        ASSERT_TRUE(sheet && QTest::qWaitForWindowExposed(sheet)) << letters;
+        EXPECT_TRUE(sheet->isWindow());
+        EXPECT_FALSE(sheet->frameGeometry().intersects(onScreen(*window->header()))) << letters;
+        EXPECT_TRUE(onScreen(*window).contains(sheet->frameGeometry())) << letters;
+        EXPECT_EQ(sheet->horizontalScrollBar()->maximum(), 0) << letters << ": lines are whole";
+        const QWidget& text = *sheet->widget();
+        EXPECT_GE(text.height(), text.hasHeightForWidth() ? text.heightForWidth(text.width())
+                                                          : text.sizeHint().height())
+            << letters;
+        EXPECT_LE(text.height(),
+                  sheet->viewport()->height() + sheet->verticalScrollBar()->maximum())
+            << letters;
+        if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty()) {
+            QPixmap both = window->grab();
+            sheet->render(&both, sheet->pos() - window->pos());
+            both.save(QStringLiteral("%1/keys_%2.png").arg(folder).arg(letters));
+        }
+        clickStop();
+        EXPECT_EQ(stopsPressed(), 1) << letters;
+        if (const int below = sheet->verticalScrollBar()->maximum(); below > 0) {
+            QTest::keyClick(sheet, Qt::Key_PageDown);
+            EXPECT_GT(sheet->verticalScrollBar()->value(), 0) << "by key, too";
+        }
+        QTest::keyClick(sheet, Qt::Key_Escape);
+        EXPECT_FALSE(sheet->isVisible());
+    }
 }
 
 TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)

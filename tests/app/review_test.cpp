@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <QComboBox>
 #include <QDir>
@@ -13,11 +14,14 @@
 #include <QTableView>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 #include "app/estimator_worker.h"
 #include "app/language.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
+#include "app/remote_stop.h"
 #include "app/review_events_page.h"
 #include "app/review_export.h"
 #include "app/review_export_dialog.h"
@@ -163,6 +167,34 @@ TEST_F(ReviewOf, aSessionSaysThatItIsOneAndOffersNoCommand)
             EXPECT_FALSE(button->isVisible() && button->isEnabled())
                 << t << " " << button->text().toStdString();
     }
+}
+
+bool saysUponTheHeader(const QWidget& window, const char* words)
+{
+    for (const QLabel* label : window.findChildren<QLabel*>())
+        if (label->isVisible() && label->text().contains(words)) return true;
+    return false;
+}
+
+TEST_F(ReviewOf, aSessionThatAConsoleHasOpenedStopsTheRobotOfThatConsole)
+{
+    record();
+    const std::string name = "terratact-review-test-" + std::to_string(::getpid());
+    qputenv(kStopLineVariable, QByteArray::fromStdString(name));
+    open();
+    qunsetenv(kStopLineVariable);
+    auto listens = StopLine::listen(name);
+    ASSERT_TRUE(listens) << listens.error().text;
+    auto line = std::make_unique<StopLine>(std::move(*listens));
+    press(Qt::Key_F12);
+    EXPECT_TRUE(line->take());
+    EXPECT_TRUE(saysUponTheHeader(*window, "STOP SENT to the console"));
+    EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "has taken it"); }));
+    press(Qt::Key_F12);  // and nobody looks
+    EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "STOP NOT TAKEN"); }));
+    line.reset();
+    press(Qt::Key_F12);
+    EXPECT_TRUE(saysUponTheHeader(*window, "STOP HAS NO EFFECT HERE: the console that opened"));
 }
 
 TEST_F(ReviewOf, aSessionShowsWhatTheOperatorSaw)
@@ -539,6 +571,41 @@ TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
     window->goTo(0.0);
     choose("Report", ".html", "none.html");
     EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "no estimate stands";
+}
+
+TEST_F(ExportOf, aButtonThatCannotBePressedSaysWhyNot)
+{
+    {
+        auto writer = robotSession(path.toStdString(), 60.0, 850.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE(writer->seal());
+    }
+    open();
+    gui::TipsOfButtons tips;
+    window->rail()->choose(window->rail()->pageOf(Qt::Key_F6));
+    for (const double time : {0.0, At::kMarker}) {
+        window->goTo(time);
+        tips.look(*window);
+    }
+    window->goTo(0.0);
+    choose("Report", ".html", "report.html");
+    ReviewExportDialog& dialog = *window->exportDialog();
+    tips.look(dialog);
+    EXPECT_EQ(dialog.exportButton()->toolTip(), "No estimate stands at this time");
+    choose("Frames, signals", ".mcap", "");
+    dialog.pathEdit()->clear();
+    tips.look(dialog);
+    EXPECT_EQ(dialog.exportButton()->toolTip(), "Name the file first");
+    choose("Frames, signals", ".mcap", "big.mcap");
+    tips.look(dialog);
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    ASSERT_TRUE(dialog.writes());
+    tips.look(dialog);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+    EXPECT_EQ(tips.silent(), std::vector<std::string>());
+    for (const char* name : {"Export", "Cancel", "Choose …", "As recorded", "Estimate again (E)"})
+        EXPECT_TRUE(tips.compared().contains(name)) << name;
 }
 
 TEST_F(ExportOf, aFileThatIsThereIsReplacedOnlyByAButtonThatSaysSo)

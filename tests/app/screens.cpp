@@ -331,7 +331,7 @@ void Screens::open(const Setting& setting)
     options.modelPath = resourcePath("models/default.ttm");
     options.robotDetails = QStringLiteral("robots/absolem.toml");
     options.recorder = recorder;
-    options.exploration.linkLostAfter = setting.linkLostAfter;
+    options.exploration.linkLostAfter = options.exploration.staleAfter = setting.linkLostAfter;
     options.exploration.limits = setting.limits;
     options.exploration.driveSpeed = 0.03;
     Preferences preferences;

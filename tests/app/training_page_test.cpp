@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
@@ -16,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "app/main_window.h"
@@ -159,13 +159,17 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_FALSE(page->startButton()->isEnabled());
     EXPECT_FALSE(page->compareButton()->isEnabled());
     EXPECT_FALSE(page->adoptButton()->isEnabled());
+    gui::TipsOfButtons tips;
+    tips.look(*page);
     train(files->file("learn.csv"));
     EXPECT_TRUE(
         eventually([&] { return page->bins()->item(0, 1)->text().startsWith("done"); }, kPatience));
     EXPECT_EQ(page->bins()->item(10, 6)->text(), "waiting");
     EXPECT_TRUE(page->bar()->format().contains("left")) << page->bar()->format().toStdString();
     EXPECT_FALSE(page->startButton()->isEnabled());
+    tips.look(*page);
     ASSERT_TRUE(ends());
+    tips.look(*page);
     for (int bin = 0; bin < kBins; ++bin)
         for (int kind = 1; kind <= 6; ++kind) {
             const QString text = page->bins()->item(bin, kind)->text();
@@ -175,7 +179,9 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_EQ(page->nameField()->text(), "trained-2");
 
     type(page->testField(), files->file("test.csv"));
+    tips.look(*page);
     click(page->compareButton());
+    tips.look(*page);
     ASSERT_TRUE(ends());
     EXPECT_TRUE(page->verdict()->isVisible());
     EXPECT_TRUE(page->verdict()->text().contains("near the robot on "));
@@ -191,11 +197,17 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     window->exploration().request();
     ASSERT_TRUE(eventually([&] { return !page->adoptButton()->isEnabled(); }));
     EXPECT_TRUE(page->reason()->text().contains("exploration is running"));
+    tips.look(*page);
     click(page->adoptButton());
     EXPECT_EQ(modelInUse(), "old.ttm");
     page->setFocus();
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(eventually([&] { return page->adoptButton()->isEnabled(); }));
+    tips.look(*page);
+    EXPECT_EQ(tips.silent(), std::vector<std::string>());
+    for (const char* name : {"Start", "Cancel", "Compare", "Adopt", "Discard the new model",
+                             "Choose the scenes to learn from", "Choose the scenes to test on"})
+        EXPECT_TRUE(tips.compared().contains(name)) << name;
 
     click(page->adoptButton());
     ASSERT_TRUE(eventually([&] { return modelInUse() == "trained-1.ttm"; }, kPatience)) << said();
@@ -292,7 +304,7 @@ TEST_F(TrainingConsole, aModelThatCannotBeLoadedLeavesTheOldOne)
     EXPECT_TRUE(window->modelTrouble().isEmpty());
 }
 
-TEST_F(TrainingConsole, f12StopsTheRobotInTheFileDialog)
+TEST_F(TrainingConsole, stopWorksByKeyAndByMouseBesideTheFileDialog)
 {
     click(page->scenesButton());
     QFileDialog* dialog = nullptr;
@@ -308,11 +320,17 @@ TEST_F(TrainingConsole, f12StopsTheRobotInTheFileDialog)
     const auto commands = source->takeCommands();
     ASSERT_FALSE(commands.empty());
     EXPECT_TRUE(std::holds_alternative<StopCommand>(commands.front()));
+    int stops = 0;
+    QObject::connect(&window->exploration(), &Exploration::decided, window.get(),
+                     [&stops](const char* what) { stops += std::string_view(what) == "stop"; });
+    const QPushButton& stop = *window->header()->stopButton();
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                      stop.mapTo(window.get(), stop.rect().center()));
+    EXPECT_EQ(stops, 1) << "nor does the dialog block the mouse";
 
-    dialog->selectFile(QString::fromStdString(files->file("learn.csv")));
-    auto* choose = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
-    ASSERT_TRUE(eventually([&] { return choose->isEnabled(); }));
-    click(choose);
+    name->setFocus();
+    name->setText(QString::fromStdString(files->file("learn.csv")));
+    QTest::keyClick(name, Qt::Key_Return);
     EXPECT_TRUE(eventually(
         [&] { return page->scenesField()->text().toStdString() == files->file("learn.csv"); }));
 }

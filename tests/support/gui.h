@@ -19,6 +19,7 @@
 #include <QWidget>
 #include <array>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -113,6 +114,48 @@ inline QStringList readableTexts(const QWidget& window)
     }
     return texts;
 }
+
+/// The tips of buttons while they can be pressed and while they cannot: then they have to say why not.
+class TipsOfButtons {
+public:
+    /// Takes those of the buttons that are seen now.
+    void look(const QWidget& window)
+    {
+        for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
+            if (!button->isVisible() || button->objectName().startsWith(QLatin1String("qt_")))
+                continue;
+            Tips& tips = tips_[button];
+            (button->isEnabled() ? tips.enabled : tips.disabled).insert(button->toolTip());
+            const QString name = button->accessibleName();
+            tips.name = (name.isEmpty() ? button->text() : name).toStdString();
+        }
+    }
+    /// The names of buttons that were seen both ways.
+    std::set<std::string> compared() const
+    {
+        std::set<std::string> names;
+        for (const auto& [button, tips] : tips_)
+            if (!tips.enabled.empty() && !tips.disabled.empty()) names.insert(tips.name);
+        return names;
+    }
+    /// Of those that cannot be pressed: with no tip, or one that they have where they can, too.
+    std::vector<std::string> silent() const
+    {
+        std::vector<std::string> names;
+        for (const auto& [button, tips] : tips_)
+            for (const QString& tip : tips.disabled)
+                if (tip.isEmpty() || tips.enabled.count(tip) > 0)
+                    names.push_back(tips.name + ": " + tip.toStdString());
+        return names;
+    }
+
+private:
+    struct Tips {
+        std::string name;
+        std::set<QString> enabled, disabled;
+    };
+    std::map<const QAbstractButton*, Tips> tips_;
+};
 
 inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border
 

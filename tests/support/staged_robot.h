@@ -26,6 +26,7 @@ struct Staging {
     double pitch = 0.0, roll = 0.0;        ///< [rad] added
     double twist = 0.0;                    ///< [rad] added between its left and right front flipper
     bool isMute = false;                   ///< nothing of it is heard
+    bool isNumb = false;                   ///< nothing but its status and heartbeat is heard
 };
 
 /// A simulated robot in a thread of its own on the end "robot" of a MemoryBus, which must outlive it, with telemetry as
@@ -112,6 +113,9 @@ private:
         if (staging_.isMute) return std::nullopt;
         const auto unpacked = unpack(frame);
         Unpacked content = std::get<Unpacked>(unpacked);
+        const bool beats =
+            content.kind == FrameKind::RobotStatus || content.kind == FrameKind::RobotHeartbeat;
+        if (staging_.isNumb && !beats) return std::nullopt;
         if (const auto status = statusOf(content))
             return frameOf(stagedStatus(*status), content.counter);
         if (content.kind == FrameKind::Attitude) {

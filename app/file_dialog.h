@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <functional>
+
+class QWidget;
+
+namespace terratact {
+
+/// Which file is asked for.
+struct FileWish {
+    enum class Kind : std::uint8_t { Existing, ToWrite };
+    QString title;
+    QString start{};   ///< a file or a folder; empty: where the program was started
+    QString filter{};  ///< as QFileDialog has it
+    Kind kind = Kind::Existing;
+};
+
+/// Shows a dialog for a file and does not wait.  It blocks no other window and leaves the header of the console's free,
+/// so that STOP can be pressed with the mouse, too.  One with this title that is open already comes to the front
+/// instead.  `chosen` is called once with the path; never where none is chosen or the parent has gone.
+void askForFile(QWidget& parent, const FileWish& wish,
+                std::function<void(const QString& path)> chosen);
+
+}  // namespace terratact

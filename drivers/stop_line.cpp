@@ -1,0 +1,111 @@
+#include "drivers/stop_line.h"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace terratact {
+namespace {
+
+constexpr std::string_view kStop = "terratact STOP", kTaken = "terratact STOP taken";
+
+struct Address {
+    sockaddr_un content{};
+    socklen_t size = 0;
+    const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&content); }
+};
+
+/// Of the abstract namespace: a name that begins with a 0.  An empty one: the kernel gives one.
+Address addressOf(const std::string& name)
+{
+    Address address;
+    address.content.sun_family = AF_UNIX;
+    name.copy(address.content.sun_path + 1, sizeof address.content.sun_path - 1);
+    const std::size_t path = name.empty() ? 0 : 1 + name.size();
+    address.size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + path);
+    return address;
+}
+
+Error lastError(const std::string& name)
+{
+    const int code = errno;
+    return {name + ": " + std::generic_category().message(code), code};
+}
+
+Result<PosixFd> boundTo(const std::string& name)
+{
+    PosixFd socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    if (!socket) return lastError(name);
+    const Address address = addressOf(name);
+    if (::bind(socket.get(), address.get(), address.size) != 0) return lastError(name);
+    return socket;
+}
+
+/// Reads one datagram; false where there is none.  from: of its sender.
+bool read(int socket, std::string_view wanted, bool& isWanted, Address& from)
+{
+    std::array<char, 64> text{};
+    from.size = sizeof from.content;
+    const ssize_t count = ::recvfrom(socket, text.data(), text.size(), 0,
+                                     reinterpret_cast<sockaddr*>(&from.content), &from.size);
+    if (count < 0) return false;
+    isWanted = std::string_view(text.data(), static_cast<std::size_t>(count)) == wanted;
+    return true;
+}
+
+}  // namespace
+
+Result<StopLine> StopLine::listen(const std::string& name)
+{
+    if (name.empty() || name.size() > 100)
+        return Error{"a stop line needs a name of 1 to 100 characters", EINVAL};
+    auto socket = boundTo(name);
+    if (!socket) return socket.error();
+    return StopLine(std::move(*socket));
+}
+
+bool StopLine::take()
+{
+    bool pressed = false, isStop = false;
+    Address from;
+    while (read(socket_.get(), kStop, isStop, from)) {
+        if (!isStop) continue;
+        pressed = true;
+        (void)::sendto(socket_.get(), kTaken.data(), kTaken.size(), MSG_NOSIGNAL, from.get(),
+                       from.size);  // whoever has gone needs no answer
+    }
+    return pressed;
+}
+
+Result<StopCaller> StopCaller::open()
+{
+    auto socket = boundTo({});
+    if (!socket) return socket.error();
+    return StopCaller(std::move(*socket));
+}
+
+Status StopCaller::press(const std::string& name)
+{
+    (void)isTaken();  // an answer to an earlier press is none to this one
+    const Address address = addressOf(name);
+    const ssize_t sent = ::sendto(socket_.get(), kStop.data(), kStop.size(), MSG_NOSIGNAL,
+                                  address.get(), address.size);
+    if (sent < 0) return lastError(name);
+    return Done{};
+}
+
+bool StopCaller::isTaken()
+{
+    bool taken = false, isAnswer = false;
+    Address from;
+    while (read(socket_.get(), kTaken, isAnswer, from)) taken = taken || isAnswer;
+    return taken;
+}
+
+}  // namespace terratact
