@@ -34,6 +34,8 @@ public:
     void setRoom(QSize room);
     int bannerLine() const;   ///< [px] that banners need, whether there are any or not
     int bannersTake() const;  ///< [px] that they take from the pages now
+    /// From now on a thin line says so, and how to leave it.  Before the window is shown.
+    void saySafeMode();
     static constexpr QSize kLeast{1200, 680};  ///< [px] of any window, and of any room
 
 protected:
@@ -74,6 +76,7 @@ protected:
 
 private:
     void showHelp();
+    QLabel* addStrip(QLabel* strip, const QString& look);
     QSize room() const;
     QSize needs() const;  ///< [px] with a banner, whether there is one or not
     void fitLetters();
