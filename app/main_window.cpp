@@ -103,6 +103,11 @@ void MainWindow::build(const Options& options)
     header()->setModel(tr("model loading …"), Tone::Doubt);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());
+    panelLost_ = addBanner();
+    panelLost_->setText(exploration_->following()
+                            ? tr("PANEL LOST: connect the operator's panel")
+                            : tr("PANEL LOST, which means STOP: connect the operator's panel, then "
+                                 "hold R; or start without --panel"));
     QLabel& banner = *addBanner();
     QLabel& notRecorded = *addBanner();
     addPages(options);
@@ -197,7 +202,9 @@ void MainWindow::offerViews()
     drawsAction_ = menu->addAction(tr("Some of the draws as thin lines (D)"));
     drawsAction_->setCheckable(true);
     connect(drawsAction_, &QAction::toggled, terrain(), &TerrainProfileView::setDrawsShown);
-    menu->addSection(tr("A second method beside it"));
+    menu->addSeparator();
+    QAction* title = menu->addAction(tr("A second method beside it"));
+    title->setEnabled(false);  // addSection() draws no title where there is a style sheet
     auto* group = new QActionGroup(menu);
     const auto offer = [&](const QString& text, std::optional<Method> method) {
         QAction* action = menu->addAction(text);
@@ -380,6 +387,7 @@ void MainWindow::redraw(double now)
     linkStatus_->showArming(sights_->panel(now));
     showTerrain(now);
     stopDisplay_->show(exploration_->stopSight());
+    panelLost_->setVisible(panel_ && panel_->isLost());
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
@@ -396,6 +404,7 @@ void MainWindow::showTerrain(double now)
 {
     TerrainSight sight = sights_->terrain(now, latest_);
     sight.numbersDue = now - numbersShown_ >= kNumbers;
+    sight.numbersFor = kNumbers + kRedraw;
     if (sight.numbersDue) numbersShown_ = now;
     terrainPage_->setSight(sight);
 }
@@ -474,11 +483,8 @@ void MainWindow::tickPanel(double now)
 
 void MainWindow::releaseStop()
 {
-    if (panel_ && panel_->stopPressed()) {
-        events()->add(tr("STOP is pressed on the panel: release it there first"), Weight::Bad,
-                      QTime::currentTime());
-        return;
-    }
+    const QString why = panel_ ? panel_->whyNotReleased() : QString();
+    if (!why.isEmpty()) return events()->add(why, Weight::Bad, QTime::currentTime());
     exploration_->releaseStop();
 }
 

@@ -25,6 +25,7 @@
 #include "app/tradeoff_csv.h"
 
 class QAction;
+class QLabel;
 class QPushButton;
 
 namespace terratact {
@@ -154,6 +155,7 @@ private:
 
     // Qt's parents own the widgets.
     QWidget* cardsPage_ = nullptr;
+    QLabel* panelLost_ = nullptr;  ///< a banner
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;

@@ -339,7 +339,6 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     exploreAndProbe();
     EXPECT_TRUE(window->exploration().state().probed);
     picture("presenting");
-    QTest::qWait(200);
     EXPECT_TRUE(drivesAtLast()) << "the exploration has ended for the robot, too";
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
