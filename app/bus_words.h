@@ -10,7 +10,8 @@ namespace terratact {
 /// What is the matter with a bus, and the command that mends it.
 QString busWords(BusState state, const std::string& bus);
 
-/// Why nothing arrives from a robot: of its bus where there is one that does not work, else what its source said.
+/// Why nothing arrives from a robot, or leaves for it: of its bus where there is one that does not work, else what its
+/// source said.
 QString troubleWords(const CanSource* link, const std::string& said);
 
 /// Why this console only follows; empty where it commands.
