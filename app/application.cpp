@@ -69,6 +69,7 @@ Status Application::start(const Preferences& preferences, bool pictures)
 
 void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left)
 {
+    if (options.safeMode) window.saySafeMode();
     setSize(window, options, left);
     closeOnSignals(window);
     window.show();

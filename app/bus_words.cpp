@@ -46,9 +46,9 @@ QString busWords(BusState state, const std::string& bus)
 
 QString troubleWords(const CanSource* link, const std::string& said)
 {
-    if (said.empty() || !link) return words::text(said);
+    if (said.empty() || !link) return words::sentence(said);
     const CanView view = link->view();
-    return view.bus == BusState::Up ? words::text(said) : busWords(view.bus, link->busName());
+    return view.bus == BusState::Up ? words::sentence(said) : busWords(view.bus, link->busName());
 }
 
 QString stillComes(const std::vector<TappedFrame>& frames)

@@ -12,7 +12,8 @@ namespace terratact {
 /// What is the matter with a bus, and the command that mends it.
 QString busWords(BusState state, const std::string& bus);
 
-/// Why nothing arrives from a robot: of its bus where there is one that does not work, else what its source said.
+/// Why nothing arrives from a robot, or leaves for it: of its bus where there is one that does not work, else what its
+/// source said.
 QString troubleWords(const CanSource* link, const std::string& said);
 
 /// What still comes of a robot whose telemetry has stopped: "frames still come, heartbeat 0.1 s old"; empty: no frame of

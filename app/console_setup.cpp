@@ -30,22 +30,22 @@ Preferences inForce(Preferences preferences, const ConsoleOptions& options)
     return preferences;
 }
 
-std::string usableRobot(const QString& preferred, QStringList& troubles)
+std::string usableRobot(const QString& preferred, std::vector<LateSentence>& troubles)
 {
     if (!preferred.isEmpty()) {
         const auto robot = readRobotModel(preferred.toStdString());
         if (robot) return preferred.toStdString();
-        troubles << robotNotUsed(QString::fromStdString(robot.error().text));
+        troubles.push_back(robotNotUsed(robot.error()));
     }
     return resourcePath("robots/absolem.toml");
 }
 
-std::string usableModel(const QString& preferred, QStringList& troubles)
+std::string usableModel(const QString& preferred, std::vector<LateSentence>& troubles)
 {
     if (!preferred.isEmpty()) {
         if (const QFileInfo info(preferred); info.isFile() && info.isReadable())
             return preferred.toStdString();
-        troubles << modelNotUsed(preferred);
+        troubles.push_back(modelNotUsed(preferred));
     }
     return resourcePath("models/default.ttm");
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
 #include <string>
+#include <vector>
 
 #include "app/console_options.h"
 #include "app/preferences.h"
@@ -18,8 +18,8 @@ LoadedPreferences preferencesFor(const ConsoleOptions& options);
 Preferences inForce(Preferences preferences, const ConsoleOptions& options);
 
 /// The preferred file, or where that cannot be used the shipped one, and a sentence more among the troubles.
-std::string usableRobot(const QString& preferred, QStringList& troubles);
-std::string usableModel(const QString& preferred, QStringList& troubles);
+std::string usableRobot(const QString& preferred, std::vector<LateSentence>& troubles);
+std::string usableModel(const QString& preferred, std::vector<LateSentence>& troubles);
 
 /// The file that the command line names, else the usable one.
 std::string robotFor(const ConsoleOptions& options, LoadedPreferences& loaded);

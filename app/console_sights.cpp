@@ -55,8 +55,7 @@ AlarmSight ConsoleSights::alarms(double now, const std::optional<Received>& newe
             link->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
     }
     sight.noModel = exploration.estimation().model().trouble;
-    if (parts_.recorder)
-        sight.notRecorded = QString::fromStdString(parts_.recorder->state().trouble);
+    if (parts_.recorder) sight.notRecorded = words::sentence(parts_.recorder->state().trouble);
     if (parts_.panel && !parts_.panel->answers(now))
         sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
     if (exploration.state().phase == AtemPhase::Failed)

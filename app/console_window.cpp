@@ -68,10 +68,21 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
 
 QLabel* ConsoleWindow::addStrip(const QString& look)
 {
-    auto* strip = new QLabel(this);
+    return addStrip(new QLabel(this), look);
+}
+
+QLabel* ConsoleWindow::addStrip(QLabel* strip, const QString& look)
+{
     strip->setObjectName(look);
     strips_->addWidget(strip);
     return strip;
+}
+
+void ConsoleWindow::saySafeMode()
+{
+    QLabel* strip = addStrip(new ElidedLabel(this), QStringLiteral("safeStrip"));
+    strip->setText(tr("SAFE MODE: default settings, none are read or saved · to leave it, start "
+                      "without --safe-mode"));
 }
 
 ElidedLabel* ConsoleWindow::addBanner()
@@ -228,7 +239,11 @@ int ConsoleWindow::bannerLine() const
 
 int ConsoleWindow::bannersTake() const
 {
-    return std::max(0, pages_->y() - header_->y() - header_->height());
+    int strips = 0;
+    for (int i = 0; i < strips_->count(); ++i)
+        if (const QWidget* strip = strips_->itemAt(i)->widget(); strip && !strip->isHidden())
+            strips += strip->height();
+    return std::max(0, pages_->y() - header_->y() - header_->height() - strips);
 }
 
 QSize ConsoleWindow::roomBelowHeader() const

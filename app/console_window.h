@@ -39,6 +39,8 @@ public:
     /// left there.
     void putBelowHeader(QWidget& other) const;
     QSize roomBelowHeader() const;  ///< [px] for such a window, without the frame the desktop draws
+    /// From now on a thin line says so, and how to leave it.  Before the window is shown.
+    void saySafeMode();
     static constexpr QSize kLeast{1200, 680};  ///< [px] of any window, and of any room
 
 protected:
@@ -81,6 +83,7 @@ protected:
 private:
     void showHelp();
     bool pressesStopBesidePopup(const QEvent& event) const;
+    QLabel* addStrip(QLabel* strip, const QString& look);
     QSize room() const;
     QSize needs() const;  ///< [px] with a banner, whether there is one or not
     void fitLetters();

@@ -220,22 +220,18 @@ std::optional<Verdict> Estimation::verdict() const
     return verdictOf(*estimate_, scene_->measurement, heard_, options_.stepLimit);
 }
 
-std::optional<NoGhost> Estimation::noGhost() const
-{
-    return heard_ ? track_->why() : NoGhost::Unheard;
-}
-
 std::optional<Ghost> Estimation::ghost() const
 {
-    if (!wantsGhost() || noGhost()) return std::nullopt;
+    if (!wantsGhost() || !heard_) return std::nullopt;
     return track_->ghost();
 }
 
 QString Estimation::whyNoGhost() const
 {
     if (!wantsGhost()) return {};
-    const auto why = noGhost();
-    return why ? tr("No ghost: %1").arg(words::sentence(describe(*why))) : QString();
+    if (const auto why = track_->why())
+        return tr("No ghost: %1").arg(words::sentence(describe(*why)));
+    return heard_ ? QString() : tr("No ghost while telemetry is missing");
 }
 
 }  // namespace terratact

@@ -105,7 +105,6 @@ private:
     EstimateRequest requestFor(Method method) const;
     void tellOf(const TerrainEstimate& estimate);
     bool wantsGhost() const { return track_ && !estimate_ && !live_; }
-    std::optional<NoGhost> noGhost() const;
 
     EstimatorWorker& worker_;
     const RobotModel& robot_;

@@ -15,6 +15,7 @@
 #include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
 #include "core/learn/sha256.h"
+#include "widgets/words.h"
 
 namespace terratact {
 
@@ -112,7 +113,7 @@ void EstimatorWorker::take(const ModelLoader& load)
             emit modelLoaded(model->name, model->details, model->hash, model->content);
             return;
         }
-        why = QString::fromStdString(model.error().text);
+        why = words::sentence(model.error().text);
     } catch (const std::exception& error) {
         why = QString::fromUtf8(error.what());
     }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kRepeatStop = 0.2;  // [s]
 constexpr double kReleaseFor = 5.0;  // [s] a release of STOP is tried
+constexpr double kEndsWithin = 1.0;  // [s] a robot ends an exploration, once told to
 
 }  // namespace
 
@@ -70,6 +71,7 @@ void Exploration::request()
     emit decided("explore", {});
     pending_.requested = true;
     driving_ = false;  // the halt comes from the exploration
+    driveWanted_.reset();
 }
 
 void Exploration::abort()
@@ -120,13 +122,25 @@ void Exploration::drive(int direction)
 {
     if (!whyNotDriving().isEmpty()) return;
     driving_ = true;
+    driveBegan_ = now_;
+    driveWanted_ = DriveCommand{.speed = direction * options_.driveSpeed};
     emit decided("drive", direction > 0 ? QStringLiteral("forward") : QStringLiteral("back"));
-    command(DriveCommand{.speed = direction * options_.driveSpeed});
+    driveOn();
+}
+
+void Exploration::driveOn()
+{
+    // A robot that has just been told to end its exploration says so with its next status; before, it takes no drive.
+    if (!driveWanted_) return;
+    const auto robot = link_ ? link_->view().link.robot : std::nullopt;
+    if (robot && robot->exploring && now_ - driveBegan_ < kEndsWithin) return;
+    command(*std::exchange(driveWanted_, std::nullopt));
 }
 
 void Exploration::halt()
 {
     if (!std::exchange(driving_, false)) return;
+    driveWanted_.reset();
     emit decided("halt", {});
     command(HaltCommand{});
 }
@@ -147,6 +161,7 @@ void Exploration::stop()
     pending_.stop = true;
     releasing_ = false;
     driving_ = false;
+    driveWanted_.reset();
 }
 
 void Exploration::sendStop()
@@ -154,7 +169,7 @@ void Exploration::sendStop()
     stopSent_ = now_;
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(StopCommand{});
-    const QString trouble = sent ? QString() : words::sentence(sent.error().text);
+    const QString trouble = sent ? QString() : troubleWords(link_, sent.error().text);
     if (!trouble.isEmpty() && trouble != stopTrouble_)
         emit happened(tr("STOP not sent: %1").arg(trouble), Weight::Bad);
     stopTrouble_ = trouble;
@@ -216,7 +231,7 @@ void Exploration::command(const Command& command)
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
     if (!sent)
-        emit happened(tr("command not sent: %1").arg(words::sentence(sent.error().text)),
+        emit happened(tr("command not sent: %1").arg(troubleWords(link_, sent.error().text)),
                       Weight::Bad);
 }
 
@@ -333,6 +348,7 @@ void Exploration::advance()
     const AtemState before = state_;
     state_ = nextState(state_, in, options_.limits);
     if (state_.phase != before.phase) enter(before);
+    driveOn();
 }
 
 void Exploration::preview()
@@ -373,7 +389,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Stopped:
         estimation_.cancel();
         emit happened(tr("STOP"), Weight::Bad);
-        if (!estimation_.estimate()) forget(tr("No estimate: STOP was pressed"));
+        if (!estimation_.estimate()) forget(tr("No estimate: the robot was stopped"));
         break;
     case AtemPhase::Failed: fail(); break;
     }

@@ -55,8 +55,8 @@ public:
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
     /// Estimated beside the first; empty: none.
     void setSecondMethod(std::optional<Method> method);
-    void drive(int direction);
-    void halt();  ///< ends drive(); does nothing when not driving
+    void drive(int direction);  ///< as soon as the robot has ended what it explored
+    void halt();                ///< ends drive(); does nothing when not driving
     /// Goes out at once and again until the robot confirms it; over a link that takes no commands it only says so.
     void stop();
     void releaseStop();
@@ -124,6 +124,7 @@ private:
     QString failureWords() const;
     void preview();
 
+    void driveOn();
     void command(const Command& command);
     bool answered() const;  ///< the newest telemetry was measured after the last command
     void endOverrides();
@@ -149,6 +150,8 @@ private:
     std::uint64_t commandedAt_ = 0;
 
     bool driving_ = false;
+    std::optional<DriveCommand> driveWanted_;  ///< that has not been sent yet
+    double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;
     double stopBegan_ = 0.0, stopSent_ = 0.0, releaseBegan_ = 0.0;  ///< [s]
     bool stopConfirmed_ = false;  ///< by the robot; telemetry that fails to come takes nothing back

@@ -104,6 +104,11 @@ void MainWindow::build(const Options& options)
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());
     probeNotice_ = std::make_unique<ProbeNotice>(*rail(), *addBanner());
+    panelLost_ = addBanner();
+    panelLost_->setText(exploration_->following()
+                            ? tr("PANEL LOST: connect the operator's panel")
+                            : tr("PANEL LOST, which means STOP: connect the operator's panel, then "
+                                 "hold R; or start without --panel"));
     QLabel& banner = *addBanner();
     QLabel& notRecorded = *addBanner();
     addPages(options);
@@ -198,7 +203,9 @@ void MainWindow::offerViews()
     drawsAction_ = menu->addAction(tr("Some of the draws as thin lines (D)"));
     drawsAction_->setCheckable(true);
     connect(drawsAction_, &QAction::toggled, terrain(), &TerrainProfileView::setDrawsShown);
-    menu->addSection(tr("A second method beside it"));
+    menu->addSeparator();
+    QAction* title = menu->addAction(tr("A second method beside it"));
+    title->setEnabled(false);  // addSection() draws no title where there is a style sheet
     auto* group = new QActionGroup(menu);
     const auto offer = [&](const QString& text, std::optional<Method> method) {
         QAction* action = menu->addAction(text);
@@ -406,6 +413,7 @@ void MainWindow::redraw(double now)
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
                        terrainPage_->isVisible());
     stopDisplay_->show(exploration_->stopSight());
+    panelLost_->setVisible(panel_ && panel_->isLost());
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
@@ -422,6 +430,7 @@ void MainWindow::showTerrain(double now)
 {
     TerrainSight sight = sights_->terrain(now, latest_);
     sight.numbersDue = now - numbersShown_ >= kNumbers;
+    sight.numbersFor = kNumbers + kRedraw;
     if (sight.numbersDue) numbersShown_ = now;
     terrainPage_->setSight(sight);
 }
@@ -500,11 +509,8 @@ void MainWindow::tickPanel(double now)
 
 void MainWindow::releaseStop()
 {
-    if (panel_ && panel_->stopPressed()) {
-        events()->add(tr("STOP is pressed on the panel: release it there first"), Weight::Bad,
-                      QTime::currentTime());
-        return;
-    }
+    const QString why = panel_ ? panel_->whyNotReleased() : QString();
+    if (!why.isEmpty()) return events()->add(why, Weight::Bad, QTime::currentTime());
     exploration_->releaseStop();
 }
 

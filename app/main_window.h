@@ -27,6 +27,7 @@
 #include "app/tradeoff_csv.h"
 
 class QAction;
+class QLabel;
 class QPushButton;
 
 namespace terratact {
@@ -160,6 +161,7 @@ private:
 
     // Qt's parents own the widgets.
     QWidget* cardsPage_ = nullptr;
+    QLabel* panelLost_ = nullptr;  ///< a banner
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;

@@ -15,6 +15,7 @@
 #include "core/file_write.h"
 #include "core/infer/watch.h"
 #include "core/learn/model_file.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -182,7 +183,7 @@ void ModelTrainer::doTrain(const TrainingPlan& plan, const QString& path)
     int scenes = 0;
     const Status written = trainInto(path.toStdString(), plan, watch, scenes);
     if (!written) {
-        end([this, why = QString::fromStdString(written.error().text)] { emit failed(why); });
+        end([this, why = words::sentence(written.error().text)] { emit failed(why); });
         return;
     }
     end([this, path, scenes] { emit trained(path, scenes); });
@@ -198,11 +199,11 @@ void ModelTrainer::doCompare(const ComparisonPlan& plan)
     };
     const auto comparison = compareModels(plan, watch);
     if (!comparison) {
-        end([this, why = QString::fromStdString(comparison.error().text)] { emit failed(why); });
+        end([this, why = words::sentence(comparison.error().text)] { emit failed(why); });
         return;
     }
     if (const Status kept = keepInCard(plan, *comparison); !kept)
-        emit noticed(QString::fromStdString(kept.error().text));
+        emit noticed(words::sentence(kept.error().text));
     end([this, comparison = *comparison] { emit compared(comparison); });
 }
 

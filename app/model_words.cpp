@@ -46,7 +46,7 @@ QString ModelWords::card(const ModelFacts& facts)
     }
     if (shown == 0) lines << tr("never evaluated: its errors are unknown");
     if (!facts.trouble.empty())
-        lines << tr("its card is not used: %1").arg(words::text(facts.trouble));
+        lines << tr("its card is not used: %1").arg(words::sentence(facts.trouble));
     lines
         << tr("content %1; scenes %2").arg(shortHash(facts.contentHash), shortHash(facts.dataHash));
     lines << tr("made by: %1").arg(words::text(facts.command));

@@ -39,7 +39,7 @@ Chosen choose(const ConsoleOptions& options, const std::optional<Preferences>& b
 {
     Chosen chosen;
     chosen.loaded = preferencesFor(options);
-    QStringList& troubles = chosen.loaded.troubles;
+    std::vector<LateSentence>& troubles = chosen.loaded.troubles;
     chosen.robot = before ? usableRobot(before->robot, troubles) : robotFor(options, chosen.loaded);
     chosen.model = before ? usableModel(before->model, troubles) : modelFor(options, chosen.loaded);
     chosen.inForce = before ? *before : inForce(chosen.loaded.preferences, options);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "widgets/words.h"
+
 namespace terratact {
 
 PanelControl::PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSource& source,
@@ -12,9 +14,11 @@ PanelControl::PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSour
 
 void PanelControl::tick(double now, const Sight& sight)
 {
+    if (now_ == 0.0) answeredAt_ = now;  // it has a while to begin
     now_ = now;
     if (std::exchange(shown_, sight.shown) != sight.shown) shownSince_ = now;
     report_ = reader_.latest();
+    if (answers(now)) answeredAt_ = now;
     const bool stopped = report_.state.stop;
     if (stopped && !wasStopped_) {
         exploration_.stop();  // again, after the reader's own: the window has to know, too
@@ -26,7 +30,7 @@ void PanelControl::tick(double now, const Sight& sight)
     press(sight);
     ask(sight);
     light();
-    const QString trouble = QString::fromStdString(report_.trouble);
+    const QString trouble = words::sentence(report_.trouble);
     if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, Weight::Bad);
     trouble_ = trouble;
 }
@@ -86,6 +90,14 @@ void PanelControl::light()
 bool PanelControl::answers(double now) const
 {
     return report_.state.present && reader_.age(now) <= kAnswersWithin;
+}
+
+QString PanelControl::whyNotReleased() const
+{
+    if (!stopPressed()) return {};
+    return report_.state.present
+             ? tr("STOP is pressed on the panel: release it there first")
+             : tr("the panel is lost: connect it first, or start the console without --panel");
 }
 
 Precondition PanelControl::precondition(double now) const

@@ -12,6 +12,7 @@ class PanelControl final : public QObject {
     Q_OBJECT
 public:
     static constexpr double kAnswersWithin = 0.1;  ///< [s]
+    static constexpr double kLostAfter = 0.3;      ///< [s]
     static constexpr double kApproveHold = 1.5;    ///< [s] as on the screen
     static constexpr double kBuzz = 0.5;           ///< [s] of one sound
     static constexpr double kAskAgain = 10.0;      ///< [s] between two sounds of one question
@@ -33,9 +34,11 @@ public:
 
     /// The panel is there and was read lately: what an armed robot needs of it.
     bool answers(double now) const;
+    bool isLost() const { return now_ - answeredAt_ > kLostAfter; }  ///< not only late
     bool stopPressed() const { return report_.state.stop; }
     const PanelState& state() const { return report_.state; }
     Precondition precondition(double now) const;
+    QString whyNotReleased() const;  ///< STOP, by the window; empty: it may be
     const PanelReader& reader() const { return reader_; }
     const PanelReport& report() const { return report_; }
 
@@ -51,7 +54,8 @@ private:
     Exploration& exploration_;
     PanelReader reader_;
     PanelReport report_;
-    double now_ = 0.0;  ///< [s]
+    double now_ = 0.0;         ///< [s]
+    double answeredAt_ = 0.0;  ///< [s]
     bool wasStopped_ = true;
     std::optional<quint64> shown_;
     double shownSince_ = 0.0;      ///< [s]

@@ -9,6 +9,13 @@ PreferenceStore::PreferenceStore(LoadedPreferences loaded, Preferences inForce)
 {
 }
 
+QStringList PreferenceStore::troubles() const
+{
+    QStringList sentences;
+    for (const LateSentence& trouble : loaded_.troubles) sentences << trouble();
+    return sentences;
+}
+
 void PreferenceStore::change(const std::function<void(Preferences&)>& edit)
 {
     const Preferences before = inForce_, saved = loaded_.preferences;

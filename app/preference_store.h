@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <functional>
 
 #include "app/preferences.h"
@@ -16,7 +17,7 @@ public:
     PreferenceStore() : PreferenceStore({}, {}) {}  ///< the defaults; nothing is read or saved
 
     const Preferences& current() const { return inForce_; }
-    const QStringList& troubles() const { return loaded_.troubles; }  ///< of loading
+    QStringList troubles() const;  ///< of loading, in words
 
     /// Applies a change to what is in force and to what is saved, and saves it.
     void change(const std::function<void(Preferences&)>& edit);

@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
+#include <QStringList>
 #include <array>
 #include <functional>
 #include <numbers>
@@ -35,7 +36,7 @@ bool isPath(const QString& text)
 /// Reads and writes one value each under its key; every value is kept as text.
 struct Reader {
     const QSettings& file;
-    QStringList& troubles;
+    std::vector<LateSentence>& troubles;
 
     /// parse: text → bool, whether it was valid; it sets the value then.
     template <class Parse>
@@ -44,8 +45,10 @@ struct Reader {
         if (!file.contains(QLatin1String(key))) return;
         const QVariant found = file.value(QLatin1String(key));
         if (found.typeId() == QMetaType::QString && parse(found.toString())) return;
-        troubles << Says::tr("Preferences: “%1” is no valid %2, its default is used")
-                        .arg(found.toString().left(40).simplified(), QLatin1String(key));
+        troubles.emplace_back([key, text = found.toString().left(40).simplified()] {
+            return Says::tr("Preferences: “%1” is no valid %2, its default is used")
+                .arg(text, QLatin1String(key));
+        });
     }
     void number(const char* key, double& to, double least, double most)
     {
@@ -179,17 +182,19 @@ void visit(Visitor visitor, Values& p)
 }
 
 /// Moves the file out of the way; says so, and where nothing may be saved because it could not.
-void setAside(const QString& path, const QString& why, LoadedPreferences& loaded)
+void setAside(const QString& path, const LateSentence& why, LoadedPreferences& loaded)
 {
     const QString bad = path + QStringLiteral(".bad");
     QFile::remove(bad);
     if (QFile::rename(path, bad)) {
-        loaded.troubles << Says::tr(
-                               "Preferences: %1; the file is set aside as %2, defaults are used")
-                               .arg(why, bad);
+        loaded.troubles.emplace_back([why, bad] {
+            return Says::tr("Preferences: %1; the file is set aside as %2, defaults are used")
+                .arg(why(), bad);
+        });
     } else {
-        loaded.troubles
-            << Says::tr("Preferences: %1; defaults are used and nothing is saved").arg(why);
+        loaded.troubles.emplace_back([why] {
+            return Says::tr("Preferences: %1; defaults are used and nothing is saved").arg(why());
+        });
         loaded.path.clear();
     }
 }
@@ -227,14 +232,19 @@ Settings withPreferences(Settings settings, const Preferences& preferences)
     return settings;
 }
 
-QString robotNotUsed(const QString& why)
+LateSentence robotNotUsed(const Error& why)
 {
-    return Says::tr("Preferences: %1; the shipped robot is used").arg(why);
+    return [why] {
+        return Says::tr("Preferences: %1; the shipped robot is used")
+            .arg(words::sentence(why.text));
+    };
 }
 
-QString modelNotUsed(const QString& path)
+LateSentence modelNotUsed(const QString& path)
 {
-    return Says::tr("Preferences: %1 cannot be read; the shipped model is used").arg(path);
+    return [path] {
+        return Says::tr("Preferences: %1 cannot be read; the shipped model is used").arg(path);
+    };
 }
 
 QString preferencesPath()
@@ -251,34 +261,39 @@ LoadedPreferences loadPreferences(const QString& path)
     if (path.isEmpty() || !info.exists()) return loaded;
     if (!info.isFile()) {  // a folder, or a pipe whose reading would wait for ever
         loaded.path.clear();
-        loaded.troubles << Says::tr(
-                               "Preferences: %1 is no file; defaults are used and nothing is saved")
-                               .arg(path);
+        loaded.troubles.emplace_back([path] {
+            return Says::tr("Preferences: %1 is no file; defaults are used and nothing is saved")
+                .arg(path);
+        });
         return loaded;
     }
     if (!info.isReadable()) {
         loaded.path.clear();
-        loaded.troubles
-            << Says::tr("Preferences: %1 cannot be read; defaults are used and nothing is saved")
-                   .arg(path);
+        loaded.troubles.emplace_back([path] {
+            return Says::tr(
+                       "Preferences: %1 cannot be read; defaults are used and nothing is saved")
+                .arg(path);
+        });
         return loaded;
     }
     if (info.size() > kLargestFile) {
-        setAside(path, Says::tr("%1 is too large").arg(path), loaded);
+        setAside(
+            path, [path] { return Says::tr("%1 is too large").arg(path); }, loaded);
         return loaded;
     }
     const QSettings file(path, QSettings::IniFormat);
     bool numbered = false;
     const int schema = file.value(kSchemaKey).toString().toInt(&numbered);
     if (file.status() != QSettings::NoError || !numbered || schema < 1) {
-        setAside(path, Says::tr("%1 is not understood").arg(path), loaded);
+        setAside(
+            path, [path] { return Says::tr("%1 is not understood").arg(path); }, loaded);
     } else if (schema > kPreferencesSchema) {
         loaded.path.clear();
-        loaded.troubles
-            << Says::tr(
-                   "Preferences: %1 was written by a newer version; defaults are used and nothing "
-                   "is saved")
-                   .arg(path);
+        loaded.troubles.emplace_back([path] {
+            return Says::tr("Preferences: %1 was written by a newer version; defaults are used and "
+                            "nothing is saved")
+                .arg(path);
+        });
     } else {
         visit(Reader{file, loaded.troubles}, loaded.preferences);
     }

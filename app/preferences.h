@@ -2,10 +2,12 @@
 
 #include <QByteArray>
 #include <QString>
-#include <QStringList>
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include "core/infer/quality.h"
+#include "core/result.h"
 #include "widgets/palette.h"
 
 namespace terratact {
@@ -48,10 +50,13 @@ Settings withPreferences(Settings settings, const Preferences& preferences);
 /// terratact/console.ini in the user's configuration folder (XDG base directory specification).
 QString preferencesPath();
 
+/// A sentence in the language of when it is asked for: what language that is to be stands in the file.
+using LateSentence = std::function<QString()>;
+
 struct LoadedPreferences {
     Preferences preferences;
-    QStringList troubles;  ///< one sentence for each thing that was not taken as it stood
-    QString path;          ///< where to save; empty: nowhere, the file there is not ours to replace
+    std::vector<LateSentence> troubles;  ///< one for each thing that was not taken as it stood
+    QString path;  ///< where to save; empty: nowhere, the file there is not ours to replace
 };
 
 /// Reads a file of preferences; never fails.  A value that is not valid is replaced by its default, a file that
@@ -68,8 +73,8 @@ QString savePreferences(const QString& path, const Preferences& preferences);
 QString changesOf(const Preferences& before, const Preferences& now);
 
 // What is said when a preferred file could not be used.
-QString robotNotUsed(const QString& why);
-QString modelNotUsed(const QString& path);
+LateSentence robotNotUsed(const Error& why);
+LateSentence modelNotUsed(const QString& path);
 
 /// The names used in the file and on the command line: "day", "night-red", "high-contrast"; "drive", …
 std::string_view name(ThemeName theme);

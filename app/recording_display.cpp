@@ -19,7 +19,7 @@ void RecordingDisplay::show(const RecordingState& state)
 {
     const bool failed = state.on && !state.trouble.empty();
     strip_.setVisible(failed);
-    if (failed) strip_.setText(tr("NOT RECORDED: %1").arg(QString::fromStdString(state.trouble)));
+    if (failed) strip_.setText(tr("NOT RECORDED: %1").arg(words::sentence(state.trouble)));
     button_.setToolTip(state.recording
                            ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames found no room\nA "
                                 "click marks this moment (K)")

@@ -11,6 +11,7 @@
 #include "widgets/look.h"
 #include "widgets/numbers_table.h"
 #include "widgets/terrain_profile_view.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -21,7 +22,7 @@ struct ExportWords {
 
 QString troubleOf(const Status& status)
 {
-    return status ? QString() : QString::fromStdString(status.error().text);
+    return status ? QString() : words::sentence(status.error().text);
 }
 
 /// Draws it as by day, as paper is white, while it lives.

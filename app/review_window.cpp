@@ -93,7 +93,7 @@ ReviewWindow::ReviewWindow(Options options)
     if (auto notes = readNotes(session_.path()))
         notes_ = std::move(*notes);
     else
-        trouble_ = QString::fromStdString(notes.error().text);
+        trouble_ = words::sentence(notes.error().text);
     buildHeader();
     addPages(std::move(options.models));
     addTools();
@@ -397,8 +397,8 @@ void ReviewWindow::takeNote()
     std::stable_sort(notes.begin(), notes.end(),
                      [](const ReviewNote& a, const ReviewNote& b) { return a.time < b.time; });
     const Status saved = writeNotes(session_.path(), notes);
-    trouble_ = saved ? QString()
-                     : tr("NOTE NOT SAVED: %1").arg(QString::fromStdString(saved.error().text));
+    trouble_ =
+        saved ? QString() : tr("NOTE NOT SAVED: %1").arg(words::sentence(saved.error().text));
     if (saved) {
         notes_ = std::move(notes);
         note_->clear();
@@ -541,10 +541,12 @@ void ReviewWindow::place()
     else
         terrain_->placeDecisions();
     terrain_->decisions()->show();
-    if (isLow || currentPage() == robotPage_)
+    const bool isApart = isLow || currentPage() == robotPage_;
+    if (isApart)
         robot->addWidget(terrain_->lower(), 1);
     else
         terrain_->placeLower();
+    terrain_->stackLower(isApart && isNarrow);
     terrain_->lower()->show();
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/session_report.h"
 #include "core/log/session_reader.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -50,7 +51,7 @@ void SessionExportJob::run()
 {
     auto session = SessionReader::open(wish_.session);
     if (!session) {
-        emit ended(QString::fromStdString(session.error().text), 0, 0);
+        emit ended(words::sentence(session.error().text), 0, 0);
         return;
     }
     const Progress progress = [this](double share) { return goOn(share); };
@@ -62,9 +63,9 @@ void SessionExportJob::run()
         if (written)
             counts = *written;
         else
-            trouble = QString::fromStdString(written.error().text);
+            trouble = words::sentence(written.error().text);
     } else if (const Status written = writeReportOf(*session, wish_, progress); !written) {
-        trouble = QString::fromStdString(written.error().text);
+        trouble = words::sentence(written.error().text);
     }
     emit ended(trouble, counts.leftOut, static_cast<int>(session->damage().size()));
 }

@@ -29,7 +29,7 @@ QString StopDisplay::late(const StopSight& sight)
     const QString age = words::age(sight.seconds);
     switch (sight.state) {
     case StopSight::State::NotSent:
-        return tr("STOP NOT SENT for %1: %2. It is tried again; use the robot's own switch")
+        return tr("STOP NOT SENT for %1, it is tried again: use the robot's own switch — %2")
             .arg(age, sight.why);
     case StopSight::State::Sent:
         if (sight.seconds < kConfirmsWithin) return {};

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/console_window.h"
@@ -67,6 +68,12 @@ std::optional<ArmTip> armTipOf(const TerrainSight& sight, bool asking)
     return ArmTip{.state = State::Touched, .bin = touched.bin, .height = touched.height};
 }
 
+/// Of a preview: it stays while the estimate of the scene is computed.
+bool flippersMove(const TerrainSight& sight)
+{
+    return sight.state.phase == AtemPhase::Pressing;
+}
+
 bool isShown(const std::optional<TerrainEstimate>& shown, const TerrainEstimate* estimate)
 {
     return estimate ? shown == *estimate : !shown;
@@ -118,8 +125,12 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     lower_ = new QHBoxLayout(lowerPanel_);
     lower_->setContentsMargins(0, 0, 0, 0);
     lower_->setSpacing(kBetween);
-    for (QWidget* card : std::initializer_list<QWidget*>{forces, robotCard_, eventCard})
-        lower_->addWidget(card);
+    recent_ = new QHBoxLayout;
+    recent_->setSpacing(kBetween);
+    recent_->addWidget(robotCard_);
+    recent_->addWidget(eventCard);
+    lower_->addWidget(forces);
+    lower_->addLayout(recent_);
 
     rows_ = new QVBoxLayout(this);
     rows_->setSpacing(kBetween);
@@ -181,6 +192,12 @@ Card* TerrainPage::robotCard()
 void TerrainPage::placeLower()
 {
     if (rows_->indexOf(lowerPanel_) < 0) rows_->addWidget(lowerPanel_);
+    share();
+}
+
+void TerrainPage::stackLower(bool stacked)
+{
+    stacked_ = stacked;
     share();
 }
 
@@ -275,6 +292,7 @@ void TerrainPage::fit()
 void TerrainPage::setTight(bool tight)
 {
     tight_ = tight;
+    if (window_) stacked_ = tight;
     const int margin = tight ? 6 : 10;
     rows_->setContentsMargins(12, margin, 12, margin);
     atem_->setNarrow(tight);
@@ -325,9 +343,11 @@ void TerrainPage::share()
     rows_->setStretchFactor(upper_, shares.upper + (fontScale_ > 100 ? 4 : 0));
     rows_->setStretchFactor(lowerPanel_, shares.lower);
     lower_->setStretch(0, shares.forces);
-    lower_->setStretch(1, shares.robot);
-    lower_->setStretch(2, shares.events);
-    lower_->itemAt(2)->widget()->setVisible(shares.events > 0);
+    lower_->setStretch(1, shares.robot + shares.events);
+    recent_->setDirection(stacked_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    recent_->setStretch(0, stacked_ ? 0 : shares.robot);
+    recent_->setStretch(1, stacked_ ? 1 : shares.events);
+    recent_->itemAt(1)->widget()->setVisible(shares.events > 0);
     drive_->setProminent(layout_ == Layout::Drive);
     drive_->setVisible(layout_ != Layout::Review);
 }
@@ -382,12 +402,15 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     const bool fresh = sight.age <= kStaleAfter;
     if (sight.numbersDue || fresh != numbersFresh_) {
         numbersFresh_ = fresh;
-        readout_->setMeasurement(*sight.measurement, sight.age);
-        robotAge_->setText(sight.ended ? tr("the log has ended")
-                                       : tr("%1 old").arg(words::age(sight.age)));
-        setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+        const bool isDrawn = !sight.scene || sight.scene == sight.measurement;
+        readout_->setMeasurement(*sight.measurement, sight.age,
+                                 isDrawn ? std::nullopt : std::optional(sight.scene->pitch));
+        showAge(sight);
     }
-    if (!fresh) return forces_->clearForces();
+    if (!fresh) {
+        showAge(sight);  // it grows
+        return forces_->clearForces();
+    }
     if (sight.count == shownCount_ || !sight.forces) return;
     if (sight.forcesBefore)
         forces_->setForces(*sight.forces, sight.now, *sight.forcesBefore);
@@ -398,15 +421,29 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     showThreshold();
 }
 
+void TerrainPage::showAge(const TerrainSight& sight)
+{
+    const bool fresh = sight.age <= kStaleAfter;
+    const double oldest = std::ceil(10.0 * (sight.age + sight.numbersFor)) / 10.0;
+    QString text;
+    if (sight.measurement == sight.scene)
+        text = QString();  // a scene of a file
+    else if (sight.ended)
+        text = tr("the log has ended");
+    else if (!fresh)
+        text = tr("%1 s old").arg(words::number(sight.age, 1));
+    else if (sight.numbersFor > 0.0)
+        text = tr("< %1 s old").arg(words::number(oldest, 1));
+    else
+        text = tr("%1 old").arg(words::age(sight.age));
+    robotAge_->setText(text);
+    setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+}
+
 void TerrainPage::showEstimate(const TerrainSight& sight)
 {
     if (sight.live) {
-        if (!isShown(shownLive_, sight.live)) {
-            terrain_->setEstimate(*sight.live,
-                                  tr("The flippers still move: nothing ahead is felt yet"));
-            strip_->setLive(tr("LIVE preview"));
-            shownReason_.clear();
-        }
+        showPreview(sight);
         shown_.reset();
     } else if (sight.estimate) {
         if (!isShown(shown_, sight.estimate)) {
@@ -427,7 +464,18 @@ void TerrainPage::showEstimate(const TerrainSight& sight)
     }
     shownLive_ = copyOf(sight.live);
     shownEstimate_ = sight.estimate && !sight.live;
-    if (sight.estimate) shownReason_.clear();
+    if (shownEstimate_) shownReason_.clear();
+}
+
+void TerrainPage::showPreview(const TerrainSight& sight)
+{
+    const bool moves = flippersMove(sight);
+    const QString note = moves ? tr("The flippers still move: nothing ahead is felt yet")
+                               : tr("Preview from the way down: the estimate is being computed");
+    if (isShown(shownLive_, sight.live) && shownReason_ == note) return;
+    terrain_->setEstimate(*sight.live, note);
+    strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));
+    shownReason_ = note;
 }
 
 void TerrainPage::showPose(const TerrainSight& sight)
@@ -448,8 +496,9 @@ void TerrainPage::showPose(const TerrainSight& sight)
 void TerrainPage::showVerdict(const TerrainSight& sight)
 {
     if (!sight.verdict)
-        return verdict_->setNothing(sight.live ? tr("The flippers still move")
-                                               : sight.whyNoEstimate);
+        return verdict_->setNothing(!sight.live           ? sight.whyNoEstimate
+                                    : flippersMove(sight) ? tr("The flippers still move")
+                                                          : tr("The estimate is being computed"));
     QString probe;
     const ProbeProposal* const proposal = sight.proposal;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit()) {

@@ -41,6 +41,7 @@ struct TerrainSight {
     const Measurement* measurement = nullptr;  ///< the newest
     double age = 0.0;                          ///< [s] of it
     bool numbersDue = true;                    ///< its numbers are to be shown, not only drawn
+    double numbersFor = 0.0;                   ///< [s] at most, until they are shown anew
     std::uint64_t count = 0;                   ///< another for another measurement
     const std::vector<ForceArray>* forces = nullptr;  ///< of it
     /// Set: the peaks are of these, whatever was shown before.
@@ -86,6 +87,7 @@ public:
     /// Forces, robot and events, below the terrain; whoever takes them into a layout of its own gives them back so.
     QWidget* lower() const { return lowerPanel_; }
     void placeLower();
+    void stackLower(bool stacked);  ///< robot and events one above the other: half as wide
     /// Likewise exploring and the arm, beside the terrain.
     QWidget* decisions() const { return decisions_; }
     void placeDecisions();
@@ -127,7 +129,9 @@ private:
     Card* forceCard();
     Card* robotCard();
     void showRobot(const TerrainSight& sight);
+    void showAge(const TerrainSight& sight);
     void showEstimate(const TerrainSight& sight);
+    void showPreview(const TerrainSight& sight);
     void showPose(const TerrainSight& sight);
     void showVerdict(const TerrainSight& sight);
     void showProbe(const TerrainSight& sight);
@@ -142,6 +146,7 @@ private:
     Layout layout_ = Layout::Probe;
     int fontScale_ = 100;
     bool verdictBeside_ = false;
+    bool stacked_ = false;                   ///< robot and events
     const ConsoleWindow* window_ = nullptr;  ///< null: it does not tighten
     bool tight_ = false;
     bool measures_ = false;          ///< arranged for a moment only
@@ -175,7 +180,8 @@ private:
     QWidget* decisions_ = nullptr;
     QBoxLayout* decide_ = nullptr;  ///< of them
     QWidget* lowerPanel_ = nullptr;
-    QBoxLayout* lower_ = nullptr;  ///< forces, robot, events
+    QBoxLayout* lower_ = nullptr;   ///< forces, and beside them
+    QBoxLayout* recent_ = nullptr;  ///< robot and events
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_, shownSecond_;

@@ -140,24 +140,46 @@ void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>&
 {
     if (state.phase != state_.phase) lookedUp_.reset();
     state_ = state;
-    QString text = words::sentence(state.followed ? describeFollowed(state.phase)
-                                                  : terratact::describe(state.phase));
-    if (state.phase == AtemPhase::Failed)
-        text += QStringLiteral(": ")
-              + (said.isEmpty() ? words::sentence(terratact::describe(state.failure)) : said);
-    else if (!said.isEmpty())
-        text = said;
-    if (state.phase == AtemPhase::Presenting && state.approvalExpired)
-        text += tr("; no answer in time, so no probe");
-    else if (state.phase == AtemPhase::Presenting && state.probed)
-        text += tr(", arm included");
-    stateText_->setText(capital(text));
-    setTone(*stateText_, toneOf(state.phase));
+    said_ = said;
+    showState();
     timeText_->setText(time ? timeWords(*time) : QString());
     setTone(*timeText_, Tone::Strong);
     arrange();
     showList();
     showButtons();
+}
+
+void AtemPanel::showState()
+{
+    const auto is = [this](AtemPhase phase) { return state_.phase == phase; };
+    QString text = words::sentence(state_.followed ? describeFollowed(state_.phase)
+                                                   : terratact::describe(state_.phase));
+    if (is(AtemPhase::Failed))
+        text += QStringLiteral(": ")
+              + (said_.isEmpty() ? words::sentence(terratact::describe(state_.failure)) : said_);
+    else if (!said_.isEmpty())
+        text = said_;
+    else if (is(AtemPhase::Idle) && !state_.followed)
+        text = idleWords(text);
+    if (is(AtemPhase::Presenting) && state_.approvalExpired)
+        text += tr("; no answer in time, so no probe");
+    else if (is(AtemPhase::Presenting) && state_.probed)
+        text += tr(", arm included");
+    stateText_->setText(capital(text));
+    setTone(*stateText_, toneOf(state_.phase));
+}
+
+/// "ready" only where nothing below speaks against it.
+QString AtemPanel::idleWords(const QString& ready) const
+{
+    if (onlyShows_) return tr("nothing is explored");
+    switch (worstOf(needs_[indexOf(Commanded::Explore)])) {
+    case Precondition::Level::Missing: return tr("not ready");
+    case Precondition::Level::Doubtful: return tr("not ready: doubtful");
+    case Precondition::Level::Overridden:
+    case Precondition::Level::Met: break;
+    }
+    return ready;
 }
 
 QString AtemPanel::timeWords(const PhaseTime& time)
@@ -183,7 +205,9 @@ void AtemPanel::setNeeds(Commanded command, const QList<Precondition>& precondit
         release_->setToolTip(tr("Lets commands through again; the robot does not move by itself")
                              + QLatin1Char('\n') + linesOf(preconditions));
     if (command == listed()) showList();
-    if (command == Commanded::Explore) showButtons();
+    if (command != Commanded::Explore) return;
+    showState();
+    showButtons();
 }
 
 Commanded AtemPanel::next() const
@@ -292,6 +316,7 @@ void AtemPanel::showList()
 void AtemPanel::forbidCommands()
 {
     onlyShows_ = true;
+    showState();
     arrange();
     showButtons();
 }

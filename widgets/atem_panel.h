@@ -63,6 +63,8 @@ signals:
     void overrideWanted();
 
 private:
+    void showState();
+    QString idleWords(const QString& ready) const;
     void showList();
     void showButtons();
     void arrange();
@@ -73,6 +75,7 @@ private:
     static QString timeWords(const PhaseTime& time);
 
     AtemState state_;
+    QString said_;  ///< of it
     bool onlyShows_ = false;
     bool narrow_ = false;
     bool resultStands_ = false;

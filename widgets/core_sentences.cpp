@@ -18,7 +18,8 @@ namespace {
     QT_TRANSLATE_NOOP("core", "the last estimate has become too uncertain"),
     QT_TRANSLATE_NOOP("core", "the robot has tilted too much since the last estimate"),
     QT_TRANSLATE_NOOP("core", "the robot has turned since the last estimate"),
-    QT_TRANSLATE_NOOP("core", "telemetry was missing while the robot drove"),
+    QT_TRANSLATE_NOOP("core",
+                      "telemetry was missing for a while, in which the robot may have moved"),
     QT_TRANSLATE_NOOP("core", "nothing of the last estimate is left in view"),
     QT_TRANSLATE_NOOP("core", "roll %1°: the ground is not the same left and right"),
     QT_TRANSLATE_NOOP(
@@ -131,38 +132,92 @@ namespace {
                               "effective draws %3 (limit %4)"),
     QT_TRANSLATE_NOOP("core",
                       "the model of bin %1 m is singular: %2 of its variance was added as noise"),
+    // What is wrong with a file, a bus or the panel: after its name, and before what the system says.
+    QT_TRANSLATE_NOOP("core", "cannot be opened"),
+    QT_TRANSLATE_NOOP("core", "cannot be read"),
+    QT_TRANSLATE_NOOP("core", "cannot be written"),
+    QT_TRANSLATE_NOOP("core", "the directory cannot be made"),
+    QT_TRANSLATE_NOOP("core", "it is not a regular file"),
+    QT_TRANSLATE_NOOP("core", "is empty"),
+    QT_TRANSLATE_NOOP("core", "is a directory"),
+    QT_TRANSLATE_NOOP("core", "is not an SQLite file"),
+    QT_TRANSLATE_NOOP("core", "is larger than the %1 bytes allowed"),
+    QT_TRANSLATE_NOOP("core", "has %1 bytes where its header says %2"),
+    QT_TRANSLATE_NOOP("core", "it is truncated"),
+    QT_TRANSLATE_NOOP("core", "is larger than the %1 bytes allowed here"),
+    QT_TRANSLATE_NOOP("core", "line %1"),
+    QT_TRANSLATE_NOOP("core", "is an SQLite file of another application, not a Terratact model"),
+    QT_TRANSLATE_NOOP("core", "is a part of a model; `terratact merge` makes a model of all parts"),
+    QT_TRANSLATE_NOOP("core", "is a model of format version %1, and this program reads version %2"),
+    QT_TRANSLATE_NOOP("core", "its tables are not those of a Terratact model"),
+    QT_TRANSLATE_NOOP("core",
+                      "its content was altered: it does not have the hash that was stored with it"),
+    QT_TRANSLATE_NOOP("core", "the disk is full"),
+    QT_TRANSLATE_NOOP("core",
+                      "only %1 MB are free, %2 MB are left alone; recording goes on when there is "
+                      "room"),
+    QT_TRANSLATE_NOOP("core", "the disk is slow, it has been writing for %1 s; %2 frames wait"),
+    QT_TRANSLATE_NOOP("core", "not sent"),
+    QT_TRANSLATE_NOOP("core", "not sent, the kernel's queue is full"),
+    QT_TRANSLATE_NOOP("core", "not readable"),
+    QT_TRANSLATE_NOOP("core", "the panel is absent"),
+    QT_TRANSLATE_NOOP("core", "No such file or directory"),
+    QT_TRANSLATE_NOOP("core", "Permission denied"),
+    QT_TRANSLATE_NOOP("core", "Operation not permitted"),
+    QT_TRANSLATE_NOOP("core", "Is a directory"),
+    QT_TRANSLATE_NOOP("core", "Not a directory"),
+    QT_TRANSLATE_NOOP("core", "Read-only file system"),
+    QT_TRANSLATE_NOOP("core", "No space left on device"),
+    QT_TRANSLATE_NOOP("core", "Input/output error"),
+    QT_TRANSLATE_NOOP("core", "Network is down"),
+    QT_TRANSLATE_NOOP("core", "No such device"),
+    QT_TRANSLATE_NOOP("core", "No such device or address"),
+    QT_TRANSLATE_NOOP("core", "Device or resource busy"),
+    QT_TRANSLATE_NOOP("core", "No buffer space available"),
 };
 
-}  // namespace
-
-QString words::sentence(std::string_view english)
+/// As it is among those; empty: it is not.
+QString translated(const QString& whole)
 {
     static const QRegularExpression kNumber(
         QStringLiteral("(?<![A-Za-z0-9])[+-]?[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?"));
-    QString whole = text(english);
     QString pattern;
     QStringList numbers;
     qsizetype done = 0;
-    for (auto found = kNumber.globalMatch(whole); found.hasNext();) {
-        const QRegularExpressionMatch match = found.next();
+    for (auto number = kNumber.globalMatch(whole); number.hasNext();) {
+        const QRegularExpressionMatch match = number.next();
         numbers << match.captured();
         pattern += whole.mid(done, match.capturedStart() - done)
                  + QStringLiteral("%%1").arg(numbers.size());
         done = match.capturedEnd();
     }
     pattern += whole.mid(done);
-    const QString translated = QCoreApplication::translate("core", pattern.toUtf8().constData());
-    if (translated == pattern) return whole;
+    const QString found = QCoreApplication::translate("core", pattern.toUtf8().constData());
+    if (found == pattern) return {};
     QString result;
     static const QRegularExpression kPlace(QStringLiteral("%([1-9])"));
     done = 0;
-    for (auto found = kPlace.globalMatch(translated); found.hasNext();) {
-        const QRegularExpressionMatch match = found.next();
-        result += translated.mid(done, match.capturedStart() - done)
+    for (auto place = kPlace.globalMatch(found); place.hasNext();) {
+        const QRegularExpressionMatch match = place.next();
+        result += found.mid(done, match.capturedStart() - done)
                 + numbers.value(match.captured(1).toInt() - 1);
         done = match.capturedEnd();
     }
-    return result + translated.mid(done);
+    return result + found.mid(done);
+}
+
+}  // namespace
+
+QString words::sentence(std::string_view english)
+{
+    const QString whole = text(english);
+    if (QString known = translated(whole); !known.isEmpty()) return known;
+    // "models/mine.ttm: cannot be opened: No such file or directory"
+    const QString kJoint = QStringLiteral(": ");
+    QStringList parts = whole.split(kJoint);
+    for (QString& part : parts)
+        if (const QString known = translated(part); !known.isEmpty()) part = known;
+    return parts.join(kJoint);
 }
 
 }  // namespace terratact

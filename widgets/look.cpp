@@ -106,6 +106,7 @@ QScrollArea#scrollColumn { border: 1px solid transparent; }
 QScrollArea#scrollColumn:focus { border: 1px solid @focus; }
 QLabel#banner { background: @bannerArea; color: @bannerText; font-weight: bold; padding: 7px 16px; }
 QLabel#question { background: @chipAccentArea; color: @chipAccentText; font-weight: bold; padding: 7px 16px; }
+QLabel#safeStrip { background: @cautionArea; color: @cautionText; font-size: @13px; padding: 2px 16px; }
 QLabel#reviewStrip { background: @cautionArea; color: @cautionText; font-weight: bold; padding: 5px 12px; }
 
 QMenu { background: @card; color: @text; border: 1px solid @buttonBorder; }

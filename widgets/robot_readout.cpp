@@ -41,7 +41,8 @@ void RobotReadout::show(Row row, const QString& text, bool known)
     setTone(*label, known ? Tone::Strong : Tone::Muted);
 }
 
-void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds)
+void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds,
+                                  std::optional<double> captured)
 {
     const bool fresh = ageSeconds <= kStaleAfter;
     const auto put = [&](Row row, const QString& text) {
@@ -54,6 +55,12 @@ void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds)
         return words::signedNumber(value, 2) + QStringLiteral(" A");
     };
     put(Pitch, words::degrees(m.pitch));
+    // Two lines of telemetry differ by the sensor's noise, if by nothing else.
+    if (captured)
+        values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), words::degrees(*captured)));
+    values_[Pitch]->setToolTip(
+        captured ? tr("now, and when the scene was captured: the robot is drawn as it stood then")
+                 : QString());
     put(Roll, words::degrees(m.roll));
     put(FrontFlippers, pair(words::degrees(m.frontLeft), words::degrees(m.frontRight)));
     put(RearFlippers, pair(words::degrees(m.rearLeft), words::degrees(m.rearRight)));
@@ -64,6 +71,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds)
 void RobotReadout::clearMeasurement()
 {
     for (int row = 0; row < kRows; ++row) show(static_cast<Row>(row), words::kNothing, false);
+    values_[Pitch]->setToolTip({});
 }
 
 QString RobotReadout::text(int row) const

@@ -212,6 +212,7 @@ public:
         setItemAttribute(QwtPlotItem::Legend, false);
     }
     std::array<bool, kBins> shown{};
+    bool isShown() const { return std::ranges::find(shown, true) != shown.end(); }
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
               const QRectF& canvas) const override
@@ -405,7 +406,6 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
         return item;
     };
     note_ = label();
-    note_->setMargin(kNoteMargin);
     ghostNote_ = label();
 
     clearEstimate(tr("No estimate yet"));
@@ -521,7 +521,8 @@ void TerrainProfileView::arrangeNotes()
     // Two lines would cover the robot of a low plot; that it has moved is the lesser news beside a ghost.
     const bool isLow = canvas()->height() < scaled(kLowPlot) && ghost_->ghost;
     note_->setVisible(!isLow && !note_->text().text().isEmpty());
-    ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // else below the other one
+    note_->setMargin(zones_->isShown() ? scaled(28) : kNoteMargin);  // below the zones' words
+    ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));         // else below the other one
 }
 
 void TerrainProfileView::resizeEvent(QResizeEvent* event)
@@ -598,6 +599,7 @@ void TerrainProfileView::showEstimate()
     const bool two = std::any_of(twoHeights_->modes.begin(), twoHeights_->modes.end(),
                                  [](const auto& modes) { return modes.has_value(); });
     setInLegend(*twoHeights_, two);
+    arrangeNotes();
     showDraws();
     inspect(inspector_->bin() >= 0 ? std::optional(inspector_->bin()) : std::nullopt);
     mean_->setShape(pathThrough(known));
@@ -856,7 +858,7 @@ void TerrainProfileView::describe()
 {
     QStringList lines;
     for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
-    if (!estimate_) lines << note_->text().text();
+    if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
     if (!veil_->words.isEmpty()) lines.prepend(tr("not live: nothing is heard of the robot"));
     if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
     setAccessibleDescription(lines.join(QLatin1Char('\n')));

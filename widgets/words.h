@@ -19,8 +19,8 @@ inline QString text(std::string_view utf8)
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 
-/// A sentence of the core, in the operator's language where it is among those of core_sentences.cpp; else as it
-/// is.  Its numbers are carried over.
+/// A sentence of the core, in the operator's language where it is among those of core_sentences.cpp; else what of it
+/// is, of the parts that ": " joins.  Its numbers are carried over.
 QString sentence(std::string_view english);
 
 inline QString number(double value, int decimals)

@@ -84,7 +84,8 @@ std::string describe(NoGhost why)
     case NoGhost::TooUncertain: return "the last estimate has become too uncertain";
     case NoGhost::Tilted: return "the robot has tilted too much since the last estimate";
     case NoGhost::Turned: return "the robot has turned since the last estimate";
-    case NoGhost::Unheard: return "telemetry was missing while the robot drove";
+    case NoGhost::Unheard:
+        return "telemetry was missing for a while, in which the robot may have moved";
     case NoGhost::NothingLeft: return "nothing of the last estimate is left in view";
     }
     throw std::invalid_argument("describe: no such NoGhost");

@@ -115,9 +115,16 @@ TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
     driveBy(0.1);
     tickInSilence(10);
     EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("telemetry"));
+    EXPECT_EQ(exploration->estimation().whyNoGhost(), "No ghost while telemetry is missing");
     tick();
     EXPECT_TRUE(exploration->estimation().ghost());
+    telemetry.time += 2.0;  // of silence
+    tick();
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("may have moved"));
+    tickInSilence(10);
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("may have moved"))
+        << "it is ended for that, not for the silence of now";
 }
 
 TEST_F(DrivingOn, leavesNothingOfAnEstimateThatTheOperatorHasCleared)

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -29,11 +30,13 @@
 #include "tests/support/temporary_directory.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
+#include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 #include "widgets/probe_card.h"
+#include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
 #include "widgets/verdict_strip.h"
@@ -330,6 +333,8 @@ QStringList allOf(int count)
 
 TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
 {
+    constexpr const char* kTrouble =
+        "/home/no 2/mine.ttm: cannot be opened: No such file or directory";
     TerrainEstimate estimate = stepEstimate();
     for (int i = 0; i < 400; ++i) {
         estimate.draws.push_back(estimate.height);
@@ -368,9 +373,15 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
             words::sentence("roll -5.2°: the ground is not the same left and right");
         EXPECT_TRUE(roll.contains("-5.2°") && !roll.contains("ground")) << roll.toStdString();
         EXPECT_EQ(words::sentence("nobody knows 3 of these"), "nobody knows 3 of these");
+        const QStringList trouble = words::sentence(kTrouble).split(": ");
+        ASSERT_EQ(trouble.size(), 3) << language;
+        EXPECT_EQ(trouble[0], "/home/no 2/mine.ttm");
+        EXPECT_NE(trouble[1], "cannot be opened");
+        EXPECT_NE(trouble[2], "No such file or directory");
     }
     EXPECT_EQ(installLanguage(*qApp, "tlh"), "en");
     EXPECT_EQ(words::sentence("ready"), "ready");
+    EXPECT_EQ(words::sentence(kTrouble), kTrouble);
 }
 
 TEST(Letters, areTheLargestThatFit)
@@ -568,6 +579,91 @@ TEST_F(Look, aTroubleWithThePreferencesIsAnEvent)
         return window->events()->count() > 0
             && !window->events()->findItems("purple", Qt::MatchContains).isEmpty();
     }));
+}
+
+TEST_F(Look, aTroubleWithThePreferencesIsInTheLanguageOfWhenItIsSaid)
+{
+    directory.write("console.ini", "[General]\nschema=1\nlanguage=cs\ntheme=purple\n");
+    LoadedPreferences loaded =
+        loadPreferences(QString::fromStdString(directory.file("console.ini")));
+    loaded.troubles.push_back(robotNotUsed(Error{"mine.toml: is empty"}));
+    const PreferenceStore store(loaded, loaded.preferences);
+    const QStringList english = store.troubles();
+    if (installLanguage(*qApp, store.current().language) != "cs")
+        GTEST_SKIP() << "built without translations";
+    const QStringList czech = store.troubles();
+    installLanguage(*qApp, "en");
+    ASSERT_EQ(czech.size(), 2);
+    EXPECT_TRUE(czech[0].contains("purple") && czech[0] != english[0]);
+    EXPECT_TRUE(czech[1].contains("mine.toml: ") && !czech[1].contains("is empty"));
+}
+
+TEST_F(Look, safeModeIsSaidOnEveryPageAndCutsNothing)
+{
+    window->hide();
+    window->saySafeMode();
+    gui::showActive(*window);
+    for (const QSize size : {QSize(1200, 680), QSize(1440, 900)}) {
+        window->setRoom(size);
+        window->resize(size);
+        eachPage([&] {
+            const QStringList texts = gui::readableTexts(*window);
+            EXPECT_TRUE(std::ranges::any_of(texts, [](const QString& text) {
+                return text.contains("SAFE MODE") && text.contains("without --safe-mode");
+            }));
+            EXPECT_EQ(window->size(), size);
+            EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
+            EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+        });
+    }
+}
+
+TEST(TerrainPageAlone, saysNoTelemetryYoungerThanItMayBe)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const Measurement m;
+    const auto says = [&](double age, bool due, double numbersFor) {
+        TerrainSight sight;
+        sight.measurement = &m;
+        sight.age = age;
+        sight.numbersDue = due;
+        sight.numbersFor = numbersFor;
+        page.setSight(sight);
+        for (const QLabel* label : page.findChildren<QLabel*>())
+            if (label->accessibleName() == "Age of the telemetry") return label->text();
+        return QString();
+    };
+    EXPECT_EQ(says(0.046, true, 0.0), "46 ms old") << "it stands";
+    EXPECT_EQ(says(0.046, true, 0.24), "< 0.3 s old") << "when it is shown anew";
+    EXPECT_EQ(says(0.149, false, 0.24), "< 0.3 s old") << "these are still those numbers";
+    EXPECT_EQ(says(0.149, true, 0.24), "< 0.4 s old");
+    EXPECT_EQ(says(0.16, false, 0.24), "0.2 s old") << "at once";
+    EXPECT_EQ(page.readout()->text(RobotReadout::Pitch), "--");
+    EXPECT_EQ(says(1.27, false, 0.24), "1.3 s old") << "and it grows";
+}
+
+TEST(TerrainPageAlone, saysThatFlippersMoveOnlyWhileTheyDo)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const Measurement m;
+    const TerrainEstimate preview = stepEstimate();
+    const auto says = [&](AtemPhase phase) {
+        TerrainSight sight;
+        sight.measurement = &m;
+        sight.live = &preview;
+        sight.state.phase = phase;
+        page.setSight(sight);
+        return page.verdict()->reason() + "\n" + page.terrain()->accessibleDescription() + "\n"
+             + page.strip()->headline();
+    };
+    const QString moving = says(AtemPhase::Pressing), computing = says(AtemPhase::Estimating);
+    EXPECT_EQ(moving.count("flippers still move"), 2) << moving.toStdString();
+    EXPECT_TRUE(moving.contains("LIVE preview"));
+    EXPECT_EQ(computing.count("flippers still move"), 0) << computing.toStdString();
+    EXPECT_EQ(computing.count("estimate is being computed"), 2) << computing.toStdString();
+    EXPECT_FALSE(computing.contains("LIVE"));
 }
 
 }  // namespace

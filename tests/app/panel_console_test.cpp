@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QPushButton>
+#include <algorithm>
 
 #include "app/main_window.h"
 #include "app/robot_in_process.h"
@@ -227,13 +228,31 @@ TEST_F(PanelConsole, diagnosticsTellHowThePanelFares)
         << window->diagnosticsPage()->text().toStdString();
 }
 
-TEST_F(PanelConsole, lossOfThePanelStops)
+TEST_F(PanelConsole, lossOfThePanelStopsAndSaysSoUntilItIsBack)
 {
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    const auto says = [&](const QString& words) {
+        const QStringList texts = gui::readableTexts(*window);
+        return std::ranges::any_of(texts, [&](const QString& t) { return t.contains(words); });
+    };
+    EXPECT_FALSE(says("PANEL LOST"));
     board.unplug();
     EXPECT_TRUE(reaches(AtemPhase::Stopped));
     EXPECT_TRUE(eventually([&] { return !window->atemPanel()->requestButton()->isEnabled(); }));
+    EXPECT_TRUE(eventually([&] { return says("PANEL LOST, which means STOP"); }));
+    EXPECT_FALSE(says("STOP was pressed")) << "nobody did";
+    QTest::keyPress(window.get(), Qt::Key_R);
+    EXPECT_TRUE(eventually([&] {
+        return !window->events()->findItems("connect it first", Qt::MatchContains).empty();
+    }));
+    QTest::keyRelease(window.get(), Qt::Key_R);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Stopped);
+    board.plugIn();
+    EXPECT_TRUE(eventually([&] { return !says("PANEL LOST"); }));
+    QTest::keyPress(window.get(), Qt::Key_R);
+    EXPECT_TRUE(reaches(AtemPhase::Idle));
+    QTest::keyRelease(window.get(), Qt::Key_R);
 }
 
 TEST_F(PanelConsole, panelThatThrowsIsALostPanelAndEndsNothingElse)

@@ -55,7 +55,7 @@ TEST_F(PreferencesFile, isNotThereAtTheFirstStart)
 {
     const LoadedPreferences loaded = loadPreferences(path());
     EXPECT_EQ(loaded.preferences, kDefaults);
-    EXPECT_EQ(loaded.troubles, QStringList());
+    EXPECT_TRUE(loaded.troubles.empty());
     EXPECT_EQ(loaded.path, path());
 }
 
@@ -63,7 +63,7 @@ TEST_F(PreferencesFile, givesBackEveryValue)
 {
     EXPECT_EQ(savePreferences(path(), unlikeTheDefaults()), QString());
     const LoadedPreferences loaded = loadPreferences(path());
-    EXPECT_EQ(loaded.troubles, QStringList());
+    EXPECT_TRUE(loaded.troubles.empty());
     EXPECT_TRUE(loaded.preferences == unlikeTheDefaults());
     EXPECT_EQ(savePreferences(path(), kDefaults), QString());
     EXPECT_TRUE(loadPreferences(path()).preferences == kDefaults)
@@ -131,8 +131,8 @@ TEST_F(PreferencesFile, aBadValueIsItsDefaultAndSaid)
         const LoadedPreferences loaded =
             loadText("[General]\nschema=1\n" + std::string(key) + "=" + value + "\n");
         EXPECT_TRUE(loaded.preferences == kDefaults) << key << "=" << value;
-        ASSERT_EQ(loaded.troubles.size(), 1) << key << "=" << value;
-        EXPECT_TRUE(loaded.troubles.first().contains(QLatin1String(key)));
+        ASSERT_EQ(loaded.troubles.size(), 1U) << key << "=" << value;
+        EXPECT_TRUE(loaded.troubles.front()().contains(QLatin1String(key)));
         EXPECT_EQ(loaded.path, path()) << "the file may be replaced";
     }
 }
@@ -145,7 +145,7 @@ TEST_F(PreferencesFile, oneBadValueLeavesTheOthers)
     expected.theme = ThemeName::NightRed;
     expected.sound = false;
     EXPECT_TRUE(loaded.preferences == expected);
-    EXPECT_EQ(loaded.troubles.size(), 1);
+    EXPECT_EQ(loaded.troubles.size(), 1U);
 }
 
 TEST_F(PreferencesFile, whatIsNotUnderstoodIsSetAside)
@@ -163,7 +163,7 @@ TEST_F(PreferencesFile, whatIsNotUnderstoodIsSetAside)
     for (const std::string& content : bad) {
         const LoadedPreferences loaded = loadText(content);
         EXPECT_TRUE(loaded.preferences == kDefaults);
-        ASSERT_EQ(loaded.troubles.size(), 1) << content.substr(0, 40);
+        ASSERT_EQ(loaded.troubles.size(), 1U) << content.substr(0, 40);
         EXPECT_EQ(contentOf(path().toStdString() + ".bad"), content)
             << "kept for who wants to look";
         EXPECT_FALSE(std::filesystem::exists(path().toStdString()));
@@ -176,7 +176,7 @@ TEST_F(PreferencesFile, anEmptyFileIsNoSchemaEither)
 {
     const LoadedPreferences loaded = loadText("");
     EXPECT_TRUE(loaded.preferences == kDefaults);
-    EXPECT_EQ(loaded.troubles.size(), 1);
+    EXPECT_EQ(loaded.troubles.size(), 1U);
 }
 
 TEST_F(PreferencesFile, aNewerSchemaIsLeftAlone)
@@ -184,8 +184,8 @@ TEST_F(PreferencesFile, aNewerSchemaIsLeftAlone)
     const std::string newer = "[General]\nschema=2\ntheme=night-red\n";
     const LoadedPreferences loaded = loadText(newer);
     EXPECT_TRUE(loaded.preferences == kDefaults);
-    ASSERT_EQ(loaded.troubles.size(), 1);
-    EXPECT_TRUE(loaded.troubles.first().contains("newer"));
+    ASSERT_EQ(loaded.troubles.size(), 1U);
+    EXPECT_TRUE(loaded.troubles.front()().contains("newer"));
     EXPECT_EQ(savePreferences(loaded.path, unlikeTheDefaults()), QString());
     EXPECT_EQ(contentOf(path().toStdString()), newer);
 }
@@ -194,11 +194,11 @@ TEST_F(PreferencesFile, aFolderOrAPipeInItsPlaceIsSaid)
 {
     std::filesystem::create_directories(path().toStdString());
     const LoadedPreferences folder = loadPreferences(path());
-    EXPECT_EQ(folder.troubles.size(), 1);
+    EXPECT_EQ(folder.troubles.size(), 1U);
     EXPECT_EQ(folder.path, QString());
     const std::string pipe = directory.file("pipe.ini");
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_EQ(loadPreferences(QString::fromStdString(pipe)).troubles.size(), 1)
+    EXPECT_EQ(loadPreferences(QString::fromStdString(pipe)).troubles.size(), 1U)
         << "and it returned";
 }
 

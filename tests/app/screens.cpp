@@ -1,20 +1,25 @@
 #include "tests/app/screens.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <thread>
 
 #include "app/language.h"
 #include "app/resources.h"
+#include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/frame_layout.h"
 #include "tests/support/gui.h"
 #include "tests/support/sessions.h"
+#include "tests/support/toy_model.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/held_button.h"
@@ -68,11 +73,11 @@ bool isSameEverywhere(const std::string& text)
         "\\b(pa|pac|pafc|pafac|local|joint|clearance|Absolem|Terratact|SIMULATED ROBOT|"
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
         "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Start|Status|Name|Training|"
-        "Signal|Rate|Bytes|REC|Export)\\b|can#|"
-        "[^ ]*\\.(ttm|toml|csv|log|tts)\\b|Čeština|\\bbit\\b|UTC|/min\\b|"
+        "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
+        "candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
+        "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
         // what the system says, and drivers in its place
-        "/proc/terratact|the directory cannot be made|the controller is off the bus|"
-        "[Nn]o such file( or directory)?|Address family not supported by protocol");
+        "/proc/terratact|no such chip|Address family not supported by protocol");
     static const QRegularExpression kWord("[A-Za-z]{3}");
     QString rest = QString::fromStdString(text);
     return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);
@@ -104,10 +109,9 @@ QRegularExpression patternOf(const QString& text)
                                   | QRegularExpression::DotMatchesEverythingOption);
 }
 
-/// Those of `says` that cannot be read anywhere in the window.
-QStringList missingIn(const QWidget& window, const QStringList& says)
+/// Those of `says` that are in none of the texts.
+QStringList missingIn(const QStringList& texts, const QStringList& says)
 {
-    const QStringList texts = gui::readableTexts(window);
     QStringList missing;
     for (const QString& text : says) {
         const QRegularExpression pattern = patternOf(text);
@@ -162,6 +166,7 @@ Screens::~Screens()
 void Screens::close()
 {
     holdsEstimates = false;
+    scenes.reset();
     review.reset();
     console.reset();  // its source lives on the bus
     robot.reset();
@@ -207,21 +212,27 @@ void Screens::unsay(const QString& recorded)
             said.erase(part);
 }
 
-QWidget& Screens::window() const
+ConsoleWindow& Screens::window() const
 {
     if (console) return *console;
-    return *review;
+    if (review) return *review;
+    return *scenes;
+}
+
+bool Screens::reads(const QString& text) const
+{
+    return missingIn(gui::readableTexts(window()), {text}).isEmpty();
 }
 
 void Screens::picture(std::string_view name, const QStringList& says)
 {
-    look(name, says, false);
+    look(name, says);
     save(gui::painted(window()), name);
 }
 
 void Screens::pictureWith(QWidget& above, std::string_view name, const QStringList& says)
 {
-    look(name, says, true);
+    look(name, says, &above);
     QImage image = gui::painted(window());
     if (above.isWindow()) {
         const QImage sheet = gui::painted(above);
@@ -232,26 +243,59 @@ void Screens::pictureWith(QWidget& above, std::string_view name, const QStringLi
     save(image, name);
 }
 
-void Screens::look(std::string_view name, const QStringList& says, bool isCovered)
+void Screens::pictureOfMenu(QPushButton& button, std::string_view name, const QStringList& says)
+{
+    ASSERT_TRUE(button.isVisible() && button.menu()) << name;
+    QMenu& menu = *button.menu();
+    menu.popup({});
+    ASSERT_TRUE(eventually([&] { return menu.isVisible(); })) << name;
+    QStringList lines;
+    for (const QAction* action : menu.actions()) lines << action->text();
+    for (const QString& text : missingIn(lines, says))
+        ADD_FAILURE() << name << " does not say: " << text.toStdString();
+    EXPECT_EQ(menu.size().expandedTo(menu.sizeHint()), menu.size()) << name << ": lines are cut";
+    QImage image = gui::painted(window());
+    // As the button opens it: below where there is room, else above, and never beyond the window.
+    QRect place(button.mapTo(&window(), QPoint(0, button.height())), menu.size());
+    if (place.bottom() > image.height()) place.moveBottom(place.top() - button.height());
+    place.moveRight(std::min(place.right(), image.width() - 1));
+    place.moveTop(std::max(place.top(), 0));
+    EXPECT_TRUE(image.rect().contains(place)) << name << " has no room";
+    QPainter(&image).drawImage(place.topLeft(), gui::painted(menu));
+    menu.close();
+    look(name, {button.text()});
+    save(image, name);
+}
+
+void Screens::look(std::string_view name, const QStringList& says, QWidget* above)
 {
     const auto untidy = [&] {
         auto found = gui::cutText(window());
-        if (!isCovered)
-            for (const std::string& text : gui::overlaps(window())) found.push_back(text);
+        if (!above) std::ranges::copy(gui::overlaps(window()), std::back_inserter(found));
+        if (above && above->isWindow())
+            std::ranges::copy(gui::cramped(*above), std::back_inserter(found));
         return found;
     };
+    const auto unsaid = [&] {
+        QStringList texts = gui::readableTexts(window());
+        if (above && above->isWindow()) texts << gui::readableTexts(*above);
+        return missingIn(texts, says);
+    };
     EXPECT_FALSE(says.isEmpty()) << name << ": what does it show?";
-    (void)eventually([&] { return missingIn(window(), says).isEmpty(); }, 15000);
+    (void)eventually([&] { return unsaid().isEmpty(); }, 15000);
     QTest::qWait(kSettles);
     (void)eventually([&] { return untidy().empty(); }, 3000);  // a busy machine lays out late
-    for (const QString& text : missingIn(window(), says))
+    for (const QString& text : unsaid())
         ADD_FAILURE() << name << " does not say: " << text.toStdString();
     for (const std::string& text : untidy()) ADD_FAILURE() << "in " << name << ": " << text;
     if (console) {
         EXPECT_TRUE(console->header()->stopButton()->isVisible()) << name;
     }
-    for (const std::string& text : gui::textsOf(window()))
-        if (!isWordsOfAFile(text)) said.merge(partsOf(text));
+    for (const QWidget* seen : std::initializer_list<const QWidget*>{&window(), above}) {
+        if (!seen) continue;
+        for (const std::string& text : gui::textsOf(*seen))
+            if (!isWordsOfAFile(text)) said.merge(partsOf(text));
+    }
 }
 
 void Screens::save(const QImage& image, std::string_view name)
@@ -339,18 +383,43 @@ void Screens::open(const Setting& setting)
     options.exploration.settings = withPreferences({}, preferences);
     options.preferences =
         std::make_unique<PreferenceStore>(LoadedPreferences{preferences, {}, {}}, preferences);
-    options.presets.model = readPresets(resourcePath("models/default.presets.csv"))->model;
-    options.presets.costs = {{Method::Local, Quality::Balanced, 1.1, 2.0, 25.0}};
+    options.presets = *readPresets(resourcePath("models/default.presets.csv"));
     if (setting.hasPanel) {
         board = std::make_unique<PanelBoard>();
         options.panel = std::make_unique<OperatorPanel>(
             PanelConfig{}, [this](const GpioRequest&) { return board->open(); });
     }
     console = std::make_unique<MainWindow>(std::move(options));
-    console->setRoom({1440, 900});
-    console->resize(1440, 900);
-    gui::showActive(*console);
+    if (setting.safeMode) console->saySafeMode();
+    show(*console);
     (void)eventually([&] { return console->probeCard()->isVisible(); }, 5000);  // it has its size
+}
+
+void Screens::show(ConsoleWindow& opened)
+{
+    opened.setRoom({1440, 900});
+    opened.resize(1440, 900);
+    gui::showActive(opened);
+}
+
+void Screens::openReview()
+{
+    close();
+    auto session = SessionReader::open(resourcePath("sessions/demo.tts"));
+    ASSERT_TRUE(session) << session.error().text;
+    review = std::make_unique<ReviewWindow>(ReviewWindow::Options{
+        .session = std::move(*session),
+        .robot = model,
+        .models = {QString::fromStdString(resourcePath("models/default.ttm"))}});
+    show(*review);
+}
+
+void Screens::openScenes()
+{
+    close();
+    scenes = std::make_unique<ScenesWindow>(ScenesWindow::Options{
+        .path = "seen/scenes.csv", .scenes = someScenes(3, 5), .robot = model, .model = altered()});
+    show(*scenes);
 }
 
 void Screens::press(int key, Qt::KeyboardModifiers with)

@@ -14,6 +14,7 @@
 
 #include "app/main_window.h"
 #include "app/review_window.h"
+#include "app/scenes_window.h"
 #include "app/steady_now.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/absolem.h"
@@ -50,8 +51,11 @@ struct Screens : testing::Test {
     /// Takes the picture once it can be read in the window what it is to show: each of `says`, in which %1 stands for
     /// anything.  No text may be cut, no widget lie upon another, and STOP must be there.
     void picture(std::string_view name, const QStringList& says);
-    /// The same with another window, or what hides others on purpose, upon it.
+    /// The same with another window, which may say some of it, or what hides others on purpose, upon it.
     void pictureWith(QWidget& above, std::string_view name, const QStringList& says);
+    /// The same with the button's menu, which says each of `says`.
+    void pictureOfMenu(QPushButton& button, std::string_view name, const QStringList& says);
+    bool reads(const QString& text) const;  ///< somewhere in the window
 
     /// How a console is opened.
     struct Setting {
@@ -63,6 +67,7 @@ struct Screens : testing::Test {
         double linkLostAfter = 3.0;  ///< [s]; this machine may be busy
         AtemLimits limits = kPatient;
         bool hasPanel = false;
+        bool safeMode = false;
         std::string sessions{};  ///< folder of recordings; empty: one of the test's own
         Staging staging{};
     };
@@ -82,7 +87,10 @@ struct Screens : testing::Test {
     /// Holds the button by its key until half of the hold has passed, and takes the picture; it is still held then.
     void holdAtHalf(HoldToConfirmButton& button, Qt::Key key, std::string_view name,
                     const QStringList& says);
-    QWidget& window() const;
+    ConsoleWindow& window() const;
+    /// Opens the windows that have no robot.
+    void openReview();
+    void openScenes();
     /// What was recorded is in the language of then.
     void unsay(const QString& recorded);
 
@@ -93,13 +101,15 @@ struct Screens : testing::Test {
     std::unique_ptr<StagedRobot> robot;
     std::unique_ptr<MainWindow> console;
     std::unique_ptr<ReviewWindow> review;      ///< seen where there is no console
+    std::unique_ptr<ScenesWindow> scenes;      ///< seen where there is neither
     std::atomic<bool> holdsEstimates = false;  ///< the next ones stop in their middle
     void alterEstimates(std::function<void(TerrainEstimate&)> how);  ///< from now on; empty: not
 
 private:
     ModelLoader altered();
     void close();
-    void look(std::string_view name, const QStringList& says, bool isCovered);
+    void look(std::string_view name, const QStringList& says, QWidget* above = nullptr);
+    void show(ConsoleWindow& opened);
     void save(const QImage& image, std::string_view name);
     void compareWithEnglish();
 

@@ -11,15 +11,20 @@
 
 #include "app/resources.h"
 #include "app/review_events_page.h"
+#include "app/review_export_dialog.h"
 #include "app/settings_page.h"
 #include "app/training_page.h"
+#include "app/view_menu.h"
 #include "app/what_if_page.h"
 #include "core/learn/scene_file.h"
 #include "core/log/session_reader.h"
 #include "tests/app/screens.h"
 #include "tests/support/gui.h"
 #include "tests/support/toy_model.h"
+#include "widgets/arming_control.h"
+#include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
+#include "widgets/event_list.h"
 #include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
@@ -91,6 +96,9 @@ TEST_F(Screens, result)
         press(Qt::Key_F9);
         EXPECT_TRUE(eventually([&] { return console->forces()->isVisible(); }));
         picture("letters_200_percent_page_robot", {QStringLiteral("N")});
+        const QRect events(console->events()->mapTo(&window(), QPoint()),
+                           console->events()->size());
+        EXPECT_TRUE(window().rect().contains(events)) << "no need to scroll to the last minutes";
         press(Qt::Key_F2);
         console->preferences().change([](Preferences& p) { p.fontScale = 100; });
 
@@ -100,12 +108,12 @@ TEST_F(Screens, result)
         };
         for (int attempt = 0; attempt < 3 && way() < 0.2; ++attempt) {  // a busy machine
             ASSERT_NO_FATAL_FAILURE(explore());
+            robot->stage({.explores = true});
             press(Qt::Key_N);
-            ASSERT_TRUE(eventually([&] {
-                const auto robotSays = console->link()->view().link.robot;
-                return console->drivePad()->backButton()->isEnabled() && !robotSays->exploring;
-            }));
+            ASSERT_TRUE(eventually([&] { return console->drivePad()->backButton()->isEnabled(); }));
             QTest::keyPress(&window(), Qt::Key_S);
+            QTest::qWait(100);  // the robot takes its time to end the exploration; the key counts
+            robot->stage({});
             (void)eventually([&] { return way() > 0.2; }, 5000);
             QTest::keyRelease(&window(), Qt::Key_S);
         }
@@ -155,18 +163,35 @@ TEST_F(Screens, training)
     });
 }
 
-TEST_F(Screens, review)
+TEST_F(Screens, menus)
 {
     inEveryLanguage([&] {
-        auto session = SessionReader::open(resourcePath("sessions/demo.tts"));
-        ASSERT_TRUE(session) << session.error().text;
-        review = std::make_unique<ReviewWindow>(ReviewWindow::Options{
-            .session = std::move(*session),
-            .robot = model,
-            .models = {QString::fromStdString(resourcePath("models/default.ttm"))}});
-        review->setRoom({1440, 900});
-        review->resize(1440, 900);
-        gui::showActive(*review);
+        open({});
+        ASSERT_TRUE(
+            eventually([&] { return console->header()->arming()->armButton()->isEnabled(); }));
+        pictureOfMenu(*console->header()->qualityButton(), "menu_quality",
+                      {MainWindow::tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error "
+                                      "%4 mm")});
+        pictureOfMenu(*console->viewButton(), "menu_terrain",
+                      {MainWindow::tr("Some of the draws as thin lines (D)"),
+                       MainWindow::tr("A second method beside it"), QStringLiteral("joint")});
+        pictureOfMenu(*console->atemPanel()->needsButton(), "menu_needs",
+                      {AtemPanel::tr("exploring"), AtemPanel::tr("releasing STOP")});
+        QPushButton* view = nullptr;
+        for (QPushButton* button : console->rail()->findChildren<QPushButton*>())
+            if (button->menu()) view = button;
+        ASSERT_TRUE(view);
+        pictureOfMenu(*view, "menu_view",
+                      {ViewMenu::tr("layout: drive"), ViewMenu::tr("colours: night, red"),
+                       ViewMenu::tr("larger letters"), ViewMenu::tr("language: %1")});
+    });
+}
+
+TEST_F(Screens, review)
+{
+    constexpr int kCanFrames = 3;  // among what can be exported
+    inEveryLanguage([&] {
+        ASSERT_NO_FATAL_FAILURE(openReview());
         review->goTo(66.0);
         ASSERT_TRUE(eventually([&] { return review->surveyed(); }));
         ASSERT_TRUE(review->moment().model);
@@ -187,7 +212,29 @@ TEST_F(Screens, review)
         ASSERT_TRUE(eventually([&] { return whatIf.answer().has_value(); }, 60000));
         picture("what_if_by_another_method",
                 {WhatIfPage::tr("Differs from what was shown by %1 m at most, at bin %2.")});
+        for (int i = 0; i < 10; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
+        press(Qt::Key_F5);
+        picture("review_letters_200_percent_page_robot", {QStringLiteral("N")});
+        const auto right = [](const QWidget& card, const QWidget& in) {
+            return card.mapTo(&in, QPoint(card.width(), 0)).x();
+        };
+        EXPECT_LE(right(*review->terrainPage()->events(), *review), review->width());
+        press(Qt::Key_0, Qt::ControlModifier);
         press(Qt::Key_F2);
+        const TemporaryDirectory files;
+        press(Qt::Key_E, Qt::ControlModifier);
+        auto* exporting = review->findChild<ReviewExportDialog*>();
+        ASSERT_TRUE(exporting && eventually([&] { return exporting->isVisible(); }));
+        exporting->pathEdit()->setText(QString::fromStdString(files.file("demo.png")));
+        pictureWith(*exporting, "export",
+                    {ReviewExportDialog::tr("What"), ReviewExportDialog::tr("Export")});
+        exporting->what()->setCurrentIndex(kCanFrames);
+        exporting->exportButton()->click();
+        ASSERT_TRUE(eventually([&] { return !exporting->writes(); }, 60000));
+        pictureWith(
+            *exporting, "export_written",
+            {ReviewExportDialog::tr("Written: %1"), ReviewExportDialog::tr("Replace the file")});
+        exporting->close();
         press(Qt::Key_F12);
         QWidget* banner = nullptr;
         for (QLabel* label : review->findChildren<QLabel*>())
@@ -198,6 +245,27 @@ TEST_F(Screens, review)
                     {ConsoleWindow::tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to "
                                        "the console's own window")});
         unsay(recordedModel);
+    });
+}
+
+TEST_F(Screens, scenes)
+{
+    inEveryLanguage([&] {
+        ASSERT_NO_FATAL_FAILURE(openScenes());
+        ASSERT_TRUE(eventually([&] { return scenes->estimate().has_value(); }, 60000));
+        press(Qt::Key_Period);
+        ASSERT_TRUE(eventually([&] { return scenes->estimate().has_value(); }, 60000));
+        const QString state = ScenesWindow::tr(
+            "SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · . and , go on "
+            "and back");
+        picture("scenes", {state, ScenesWindow::tr("SCENES OF A FILE")});
+        press(Qt::Key_F1);
+        QWidget* sheet = nullptr;
+        for (QWidget* other : QApplication::topLevelWidgets())
+            if (other != &window() && other->isVisible()) sheet = other;
+        ASSERT_TRUE(sheet);
+        pictureWith(*sheet, "scenes_keys", {state, ScenesWindow::tr("next scene")});
+        sheet->close();
     });
 }
 

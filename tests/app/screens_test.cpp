@@ -5,10 +5,13 @@
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "app/preconditions.h"
+#include "app/resources.h"
 #include "app/robot_words.h"
 #include "app/terrain_page.h"
 #include "tests/app/screens.h"
@@ -18,6 +21,7 @@
 #include "widgets/bin_inspector.h"
 #include "widgets/held_button.h"
 #include "widgets/probe_card.h"
+#include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
 #include "widgets/verdict_strip.h"
@@ -33,7 +37,7 @@ const std::vector<Chapter>& chapters()
     static const std::vector<Chapter> kChapters{
         {"start",
          {"no_model", "model_loading", "not_armed", "arming", "hold_to_arm_at_half", "ready",
-          "driving"}},
+          "driving", "safe_mode"}},
         {"exploring",
          {"halting", "live_preview", "estimating", "doubtful_ground", "checks_overridden",
           "press_refused_by_the_robot", "moved_meanwhile", "estimate_failed",
@@ -43,13 +47,17 @@ const std::vector<Chapter>& chapters()
           "withheld_unlike_training", "withheld_roll", "withheld_flippers", "withheld_for_all"}},
         {"probe",
          {"proposed", "draws_second_method_and_a_bin_up_close", "hold_to_approve_at_half",
-          "do_not_probe", "probing", "probed", "probe_refused_by_the_robot"}},
-        {"tooLate", {"no_answer_in_time", "probe_took_too_long"}},
+          "do_not_probe", "probing", "probed", "probe_refused_by_the_robot",
+          "question_of_another_model", "approval_void"}},
+        {"tooLate",
+         {"no_answer_in_time", "probe_took_too_long", "halt_took_too_long", "press_took_too_long",
+          "estimate_took_too_long"}},
         {"result",
          {"page_numbers", "page_alarms", "page_signals", "page_training", "page_settings",
           "page_diagnostics", "layout_drive", "layout_review", "keys", "smallest",
           "settings_down_to_the_model_card", "letters_200_percent",
           "letters_200_percent_page_robot", "ghost", "ghost_by_night", "ghost_in_high_contrast"}},
+        {"menus", {"menu_quality", "menu_terrain", "menu_needs", "menu_view"}},
         {"stop",
          {"stop_not_confirmed", "stopped", "hold_to_release_stop_at_half", "stop_not_sent"}},
         {"trouble",
@@ -60,7 +68,10 @@ const std::vector<Chapter>& chapters()
           "end_of_the_log"}},
         {"training", {"training_running", "training_compared"}},
         {"review",
-         {"review", "review_events", "what_if", "what_if_by_another_method", "review_has_no_stop"}},
+         {"review", "review_events", "what_if", "what_if_by_another_method",
+          "review_letters_200_percent_page_robot", "export", "export_written",
+          "review_has_no_stop"}},
+        {"scenes", {"scenes", "scenes_keys"}},
     };
     return kChapters;
 }
@@ -84,6 +95,11 @@ QString told(std::string_view english)
     return words::sentence(english);
 }
 
+QString notReady()
+{
+    return AtemPanel::tr("not ready");
+}
+
 QString noEstimateYet()
 {
     return Exploration::tr("No estimate yet: press M, then hold M to arm; then explore (A)");
@@ -95,11 +111,14 @@ TEST_F(Screens, start)
 {
     inEveryLanguage([&] {
         open({.model = []() -> Result<LoadedModel> {
-            return Error{"models/mine.ttm: no such file", 2};
+            return Error{"models/mine.ttm: cannot be opened: No such file or directory", 2};
         }});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         picture("no_model",
-                {MainWindow::tr("no model"), Exploration::tr("No estimate: there is no model")});
+                {MainWindow::tr("no model"), Exploration::tr("No estimate: there is no model"),
+                 QStringLiteral("models/mine.ttm: %1: %2")
+                     .arg(told("cannot be opened"), told("No such file or directory")),
+                 notReady()});
 
         std::atomic<bool> go = false;
         open({.model = [&] {
@@ -111,7 +130,8 @@ TEST_F(Screens, start)
         go = true;
         ArmingControl& arming = *console->header()->arming();
         ASSERT_TRUE(eventually([&] { return arming.armButton()->isEnabled(); }));
-        picture("not_armed", {ArmingControl::tr("DISARMED · arm (M)"), noEstimateYet()});
+        picture("not_armed",
+                {ArmingControl::tr("DISARMED · arm (M)"), noEstimateYet(), notReady()});
         press(Qt::Key_M);
         ASSERT_TRUE(eventually([&] { return arming.confirmButton()->isVisible(); }));
         picture("arming", {ArmingControl::tr("hold to arm (M)")});
@@ -123,10 +143,18 @@ TEST_F(Screens, start)
         ASSERT_NO_FATAL_FAILURE(arm());
         ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
         picture("ready", {ArmingControl::tr("ARMED · disarm (M)"),
-                          Exploration::tr("No estimate yet: explore the terrain (A)")});
+                          Exploration::tr("No estimate yet: explore the terrain (A)"),
+                          told(describe(AtemPhase::Idle)), TerrainPage::tr("< %1 s old")});
+        EXPECT_FALSE(reads(notReady()));
         QTest::keyPress(&window(), Qt::Key_W);
         picture("driving", {glance(RobotActivity::Driving)});
         QTest::keyRelease(&window(), Qt::Key_W);
+
+        open({.safeMode = true});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        picture("safe_mode",
+                {ConsoleWindow::tr("SAFE MODE: default settings, none are read or saved · to leave "
+                                   "it, start without --safe-mode")});
     });
 }
 
@@ -159,7 +187,10 @@ TEST_F(Screens, exploring)
         robot->stage({});
         ASSERT_TRUE(reaches(AtemPhase::Estimating))
             << describe(console->exploration().state().failure);
-        picture("estimating", {told(describe(AtemPhase::Estimating))});
+        picture("estimating", {told(describe(AtemPhase::Estimating)),
+                               TerrainPage::tr("The estimate is being computed"),
+                               RobotReadout::tr("%1   captured %2")});
+        EXPECT_FALSE(reads(TerrainPage::tr("The flippers still move"))) << "they have stopped";
         holdsEstimates = false;
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
         press(Qt::Key_Escape);
@@ -355,6 +386,27 @@ TEST_F(Screens, probe)
         ASSERT_TRUE(reaches(AtemPhase::Failed));
         picture("probe_refused_by_the_robot",
                 {told(describe(AtemFailure::ProbeRefused)), told(describe(Refusal::OutOfReach))});
+
+        robot->stage({});
+        const TemporaryDirectory files;
+        const auto chooseModel = [&](const std::string& name) {
+            std::filesystem::copy_file(resourcePath("models/default.ttm"), files.file(name));
+            console->preferences().change(
+                [&](Preferences& p) { p.model = QString::fromStdString(files.file(name)); });
+            ASSERT_TRUE(eventually(
+                [&] { return exploration.estimation().model().name.toStdString() == name; },
+                60000));
+        };
+        for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine
+            ASSERT_NO_FATAL_FAILURE(explore());
+            ASSERT_NO_FATAL_FAILURE(chooseModel("other" + std::to_string(attempt) + ".ttm"));
+            if (exploration.state().phase == AtemPhase::ProposingProbe) break;
+        }
+        picture("question_of_another_model",
+                {Preconditions::tr("scene, settings or model have changed since the question")});
+        approve();
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("approval_void", {told(describe(AtemFailure::ApprovalVoid))});
     });
 }
 
@@ -378,6 +430,35 @@ TEST_F(Screens, tooLate)
         }
         ASSERT_TRUE(reaches(AtemPhase::Failed));
         picture("probe_took_too_long", {told(describe(AtemFailure::ProbeTimeout))});
+
+        const auto failsWith = [&](const AtemLimits& limits, const Staging& staging,
+                                   bool holds = false) {
+            open({.limits = limits});
+            holdsEstimates = holds;
+            for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine disarms
+                ASSERT_NO_FATAL_FAILURE(arm());
+                robot->stage(staging);
+                ASSERT_TRUE(
+                    eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+                press(Qt::Key_A);
+                ASSERT_TRUE(reaches(AtemPhase::Failed));
+                if (console->exploration().state().failure != AtemFailure::Disarmed) return;
+                robot->stage({});
+            }
+        };
+        const auto impatient = [](double AtemLimits::*of) {
+            AtemLimits limits = kPatient;
+            limits.*of = 0.6;
+            return limits;
+        };
+        ASSERT_NO_FATAL_FAILURE(
+            failsWith(impatient(&AtemLimits::halt), {.says = RobotActivity::Driving}));
+        picture("halt_took_too_long", {told(describe(AtemFailure::HaltTimeout))});
+        ASSERT_NO_FATAL_FAILURE(
+            failsWith(impatient(&AtemLimits::press), {.lasts = RobotActivity::Pressing}));
+        picture("press_took_too_long", {told(describe(AtemFailure::PressTimeout))});
+        ASSERT_NO_FATAL_FAILURE(failsWith(impatient(&AtemLimits::estimate), {}, true));
+        picture("estimate_took_too_long", {told(describe(AtemFailure::EstimateTimeout))});
     });
 }
 

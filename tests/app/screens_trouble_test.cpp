@@ -41,8 +41,9 @@ TEST_F(Screens, stop)
         press(Qt::Key_F12);
         picture("stop_not_sent",
                 {StatusHeader::tr("STOP NOT SENT"),
-                 StopDisplay::tr("STOP NOT SENT for %1: %2. It is tried again; use the robot's own "
-                                 "switch")});
+                 StopDisplay::tr("STOP NOT SENT for %1, it is tried again: use the robot's own "
+                                 "switch — %2"),
+                 busWords(BusState::BusOff, "can0")});
     });
 }
 
@@ -68,10 +69,14 @@ TEST_F(Screens, trouble)
         ASSERT_TRUE(eventually([&] { return board->lit(0); }));
         board->unplug();
         picture("panel_lost", {PanelControl::tr("the operator's panel does not answer"),
+                               MainWindow::tr("PANEL LOST, which means STOP: connect the "
+                                              "operator's panel, then hold R; or start without "
+                                              "--panel"),
                                StatusHeader::tr("STOPPED (F12)")});
 
         open({.sessions = "/proc/terratact"});
         picture("not_recorded", {RecordingDisplay::tr("NOT RECORDED: %1"),
+                                 words::sentence("the directory cannot be made"),
                                  RecordingDisplay::tr("✕ NOT\nRECORDED")});
     });
 }

@@ -32,6 +32,11 @@ public:
         const std::scoped_lock lock(mutex_);
         gone_ = true;
     }
+    void plugIn()
+    {
+        const std::scoped_lock lock(mutex_);
+        gone_ = false;
+    }
     /// From now on reading it throws.
     void breakDown()
     {

@@ -23,6 +23,7 @@ struct Staging {
     std::optional<RobotActivity> says{};   ///< whatever it does
     std::optional<RobotActivity> lasts{};  ///< once it is at this it says so on and on
     std::optional<Refusal> refuses{};      ///< each command, it says
+    std::optional<bool> explores{};        ///< whatever it does
     double pitch = 0.0, roll = 0.0;        ///< [rad] added
     double twist = 0.0;                    ///< [rad] added between its left and right front flipper
     bool isMute = false;                   ///< nothing of it is heard
@@ -133,6 +134,7 @@ private:
         if (lasting_) status.activity = *staging_.lasts;
         status.activity = staging_.says.value_or(status.activity);
         status.refusal = staging_.refuses.value_or(status.refusal);
+        status.exploring = staging_.explores.value_or(status.exploring);
         return status;
     }
 

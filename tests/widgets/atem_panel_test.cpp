@@ -108,6 +108,24 @@ TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
     EXPECT_FALSE(shows("the model is being loaded"));
 }
 
+TEST_F(Atem, isReadyOnlyWhereNothingSpeaksAgainstIt)
+{
+    panel.setState({}, std::nullopt);
+    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Overridden, "roll 7°"}});
+    EXPECT_TRUE(shows("Ready"));
+    panel.setPreconditions({{Level::Missing, "not armed"}, {Level::Doubtful, "roll 7°"}});
+    EXPECT_TRUE(shows("Not ready") && !shows("Ready"));
+    panel.setState({}, std::nullopt);
+    EXPECT_TRUE(shows("Not ready"));
+    panel.setPreconditions({{Level::Doubtful, "roll 7°"}});
+    EXPECT_TRUE(shows("Not ready: doubtful"));
+    panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
+    EXPECT_TRUE(shows("Estimate stands"));
+    panel.forbidCommands();
+    panel.setState({}, std::nullopt);
+    EXPECT_TRUE(shows("Nothing is explored"));
+}
+
 TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
 {
     panel.setPreconditions({{Level::Met, "telemetry is live"}});

@@ -46,6 +46,19 @@ TEST(Readout, showsAnglesInDegreesLeftAndRight)
     EXPECT_EQ(readout.text(RobotReadout::FrontFlippers), QStringLiteral("L +28.6°   R +34.4°"));
 }
 
+TEST(Readout, thePitchThatIsDrawnStandsBesideThatOfNow)
+{
+    RobotReadout readout;
+    Measurement m;
+    m.pitch = 0.1;
+    readout.setMeasurement(m, 0.04, -0.1);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("+5.7°   captured −5.7°"));
+    readout.setMeasurement(m, 0.151, -0.1);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("--   captured −5.7°"));
+    readout.setMeasurement(m, 0.04);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("+5.7°"));
+}
+
 TEST(Readout, staleValuesAreNotShown)
 {
     RobotReadout readout;

@@ -158,6 +158,20 @@ TEST_F(TerrainView, onlyPriorOnlyBinsLieInTheAmberZone)
     EXPECT_FALSE(amber(0.57));
 }
 
+TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
+{
+    view.setEstimate(stepEstimate());
+    const auto strip = [&](int from, int to) {  // [px] below the upper edge
+        return painted(*view.canvas()).copy(0, from, view.canvas()->width(), to - from);
+    };
+    const int words = 5 + scaled(20);
+    const QImage zones = strip(0, words), below = strip(words, words + scaled(40));
+    view.setEstimate(stepEstimate(), QString(120, QLatin1Char('n')));
+    EXPECT_EQ(strip(0, words), zones);
+    EXPECT_NE(strip(words, words + scaled(40)), below);
+    EXPECT_TRUE(view.accessibleDescription().startsWith("nnnn"));
+}
+
 /// Half of the draws up on the step at +0.6 and +0.7 m, half down.
 TerrainEstimate divided()
 {
