@@ -82,6 +82,8 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
     sight.time = exploration.time();
     sight.secondsInPhase = exploration.secondsInPhase();
     sight.proposal = pointer(exploration.proposal());
+    if (!sight.proposal) sight.bestProbe = exploration.bestProbe();
+    sight.whyNotOffered = exploration.whyNotOffered();
     sight.probingBin = exploration.probingBin();
     sight.probeSeconds = exploration.options().probeSeconds;
     // A preview takes a telemetry's time: its progress would only flicker.

@@ -64,6 +64,14 @@ QString Exploration::whyNoEstimate() const
     return tr("No estimate yet: explore the terrain (A)");
 }
 
+QString Exploration::whyNotOffered() const
+{
+    const auto& estimate = estimation_.estimate();
+    if (!estimate || estimation_.advice().bin) return {};
+    return tr("Not offered: no bin in reach is less certain than ± %1 m")
+        .arg(words::number(estimate->settings.probeAbove, 2));
+}
+
 void Exploration::request()
 {
     if (following()) return;

@@ -82,6 +82,10 @@ public:
     bool ended() const { return ended_; }  ///< a log that is replayed
     QString whyNoEstimate() const;         ///< and what brings one
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
+    /// What a probe would buy by the estimate that stands, whether or not one is proposed; empty: nothing can be told.
+    std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
+    /// Why none was offered for it; empty: one was, or would be if commands left from here.
+    QString whyNotOffered() const;
     /// Fingerprint of what the proposal rests on.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
     std::optional<int> probingBin() const;

@@ -10,8 +10,9 @@ namespace {
 
 ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
 {
+    const double share = before.variance > 0.0 ? gain.varianceReduction / before.variance : 0.0;
     return {.bin = gain.bin,
-            .varianceShare = std::clamp(gain.varianceReduction / before.variance, 0.0, 1.0),
+            .varianceShare = std::clamp(share, 0.0, 1.0),
             .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2};
 }
 
@@ -23,31 +24,47 @@ ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& r
 {
 }
 
-void ProbeProposals::propose(int bin)
+ProbeProposal ProbeProposals::describe(int bin) const
 {
     const TerrainEstimate& estimate = *estimation_.estimate();
     const ProbeAdvice& advice = estimation_.advice();
     const auto i = static_cast<std::size_t>(bin);
-    current_ = ProbeProposal{.id = ++last_,
-                             .bin = bin,
-                             .height = estimate.height[i],
-                             .q10 = estimate.q10[i],
-                             .q90 = estimate.q90[i],
-                             .sd = estimate.sd[i],
-                             .limit = estimate.settings.probeAbove,
-                             .armSd = robot_.armSd,
-                             .seconds = seconds_,
-                             .stepLimit = advice.stepLimit,
-                             .bitsBefore = advice.before.entropy / std::numbers::ln2,
-                             .worth = {},
-                             .others = {}};
+    ProbeProposal probe{.id = 0,
+                        .bin = bin,
+                        .height = estimate.height[i],
+                        .q10 = estimate.q10[i],
+                        .q90 = estimate.q90[i],
+                        .sd = estimate.sd[i],
+                        .limit = estimate.settings.probeAbove,
+                        .armSd = robot_.armSd,
+                        .seconds = seconds_,
+                        .stepLimit = advice.stepLimit,
+                        .bitsBefore = advice.before.entropy / std::numbers::ln2,
+                        .worth = {},
+                        .others = {}};
     for (const ProbeGain& gain : advice.gains) {
         const ProbeWorth worth = worthOf(gain, advice.before);
         if (gain.bin == bin)
-            current_->worth = worth;
+            probe.worth = worth;
         else
-            current_->others.push_back(worth);
+            probe.others.push_back(worth);
     }
+    return probe;
+}
+
+std::optional<ProbeProposal> ProbeProposals::best() const
+{
+    if (!estimation_.estimate()) return std::nullopt;
+    const ProbeAdvice& advice = estimation_.advice();
+    if (advice.bin) return describe(*advice.bin);
+    if (advice.gains.empty()) return std::nullopt;
+    return describe(advice.gains.front().bin);
+}
+
+void ProbeProposals::propose(int bin)
+{
+    current_ = describe(bin);
+    current_->id = ++last_;
     proposedOn_ = grounds();
 }
 

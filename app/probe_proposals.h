@@ -16,6 +16,10 @@ public:
     /// seconds: a probe takes.  The others must outlive it.
     ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds);
 
+    /// What touching the bin that a probe is best spent on buys, whether or not it is asked for; its id is 0.  Empty
+    /// where nothing is estimated, or nothing can be told.
+    std::optional<ProbeProposal> best() const;
+
     /// By the estimate that stands, which there is; in place of the one before.
     void propose(int bin);
     void withdraw() { current_.reset(); }
@@ -29,6 +33,8 @@ public:
     std::string grounds() const;
 
 private:
+    ProbeProposal describe(int bin) const;  ///< with no id
+
     const Estimation& estimation_;
     const RobotModel& robot_;
     double seconds_;

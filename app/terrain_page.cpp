@@ -48,12 +48,32 @@ QString whyNoProbe(const TerrainSight& sight)
             return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
         if (state.approvalExpired)
             return TerrainPage::tr("The proposal was not answered in time, which means no.");
+        if (!sight.whyNotOffered.isEmpty()) return sight.whyNotOffered;
         if (sight.estimate && !sight.proposal)
             return TerrainPage::tr("No probe: the estimate stands without the arm.");
     }
     return TerrainPage::tr(
         "No probe is proposed. After an exploration the arm is offered where the "
         "terrain stays uncertain.");
+}
+
+/// What the estimate that stands says of a probe is told where nobody is asked and nothing is under way.
+bool tellsWorth(const TerrainSight& sight)
+{
+    if (!sight.estimate || sight.live || !sight.bestProbe) return false;
+    switch (sight.state.phase) {
+    case AtemPhase::Presenting:
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed:
+    case AtemPhase::Idle: return true;
+    case AtemPhase::Halting:
+    case AtemPhase::Pressing:
+    case AtemPhase::Estimating:
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Probing:
+    case AtemPhase::EstimatingAgain: return false;
+    }
+    return false;
 }
 
 /// The robot says of its arm where it touched last at this pose, and nothing of where it is.
@@ -451,7 +471,9 @@ void TerrainPage::showVerdict(const TerrainSight& sight)
         return verdict_->setNothing(sight.live ? tr("The flippers still move")
                                                : sight.whyNoEstimate);
     QString probe;
-    const ProbeProposal* const proposal = sight.proposal;
+    const ProbeProposal* const proposal = sight.proposal    ? sight.proposal
+                                        : tellsWorth(sight) ? &*sight.bestProbe
+                                                            : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit()) {
         const QString bin = words::binName(proposal->bin);
         const QString bits = words::number(proposal->bitsBefore, 2);
@@ -482,6 +504,8 @@ void TerrainPage::showProbe(const TerrainSight& sight)
         probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
     } else if (sight.probingBin) {
         probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);
+    } else if (tellsWorth(sight)) {
+        probe_->setWorth(*sight.bestProbe, whyNoProbe(sight));
     } else {
         probe_->setNothing(whyNoProbe(sight));
     }

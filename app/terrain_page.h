@@ -64,6 +64,9 @@ struct TerrainSight {
     std::optional<PhaseTime> time{};  ///< of the phase
     double secondsInPhase = 0.0;
     const ProbeProposal* proposal = nullptr;  ///< of the estimate, whether or not it is asked
+    std::optional<ProbeProposal>
+        bestProbe{};          ///< without one: what the best would buy all the same
+    QString whyNotOffered{};  ///< empty: it was, or would be elsewhere
     std::optional<int> probingBin{};
     double probeSeconds = 0.0;         ///< a probe takes
     std::optional<double> progress{};  ///< 0 … 1 of an estimate under way

@@ -22,6 +22,7 @@ namespace {
 enum Page { kNothing, kQuestion, kProbing };
 constexpr int kFacts = 6;       // lines
 constexpr int kLeastFacts = 4;  // seen in any case
+constexpr int kBetween = 6;     // [px] facts and answers
 
 QString percent(double share)
 {
@@ -98,14 +99,31 @@ QWidget* ProbeCard::questionPage()
     setTone(*decided_, Tone::Good);
     facts_->column()->addWidget(decided_);
     facts_->column()->addLayout(rows);
+    ranking_ = new QLabel(question);
+    ranking_->setWordWrap(true);
+    ranking_->setAccessibleName(tr("The other bins, the best first"));
+    setTone(*ranking_, Tone::Muted);
+    facts_->column()->addWidget(ranking_);
     // Room to spare goes between the lines: what is to be decided is read at a glance.
     for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
     facts_->column()->addStretch(1);
 
+    answers_ = answers();
+    auto* column = new QVBoxLayout(question);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kBetween);
+    column->addWidget(facts_, 1);
+    column->addWidget(answers_);
+    return question;
+}
+
+QWidget* ProbeCard::answers()
+{
+    auto* all = new QWidget(this);
     auto* instead = new QHBoxLayout;
-    instead->setSpacing(6);
+    instead->setSpacing(kBetween);
     for (std::size_t i = 0; i < kOthers; ++i) {
-        others_[i] = new QPushButton(question);
+        others_[i] = new QPushButton(all);
         others_[i]->setFocusPolicy(Qt::TabFocus);
         others_[i]->setProperty("role", "compact");
         instead->addWidget(others_[i], 1);
@@ -114,19 +132,18 @@ QWidget* ProbeCard::questionPage()
                 emit otherChosen(proposal_->id, proposal_->others[i].bin);
         });
     }
-    approve_ = new HoldToConfirmButton(QString(), &Theme::decide, question);
+    approve_ = new HoldToConfirmButton(QString(), &Theme::decide, all);
     setPreconditions({});
-    refuse_ = new QPushButton(question);
+    refuse_ = new QPushButton(all);
     refuse_->setFocusPolicy(Qt::TabFocus);
     refuse_->setToolTip(tr("Refuses the arm; as good an answer as any other"));
-    auto* column = new QVBoxLayout(question);
+    auto* column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(6);
-    column->addWidget(facts_, 1);
+    column->setSpacing(kBetween);
     column->addLayout(instead);
     column->addWidget(approve_);
     column->addWidget(refuse_);
-    return question;
+    return all;
 }
 
 QWidget* ProbeCard::probingPage()
@@ -151,13 +168,13 @@ void ProbeCard::setNarrow(bool narrow)
     narrow_ = narrow;
     where_->setVisible(!narrow);  // other lines say it, too
     for (QLabel* key : std::as_const(keys_)) key->setVisible(!narrow);
-    showAnswer();
-    if (proposal_) showWorth();
+    told() ? showFacts() : showAnswer();
 }
 
 int ProbeCard::leastHeight() const
 {
-    return frameHeight() + asking_->layout()->totalMinimumSize().height();
+    const QSize buttons = answers_->layout()->totalMinimumSize();  // hidden as a whole, or not
+    return frameHeight() + facts_->minimumSizeHint().height() + kBetween + buttons.height();
 }
 
 int ProbeCard::givenHeight() const
@@ -180,6 +197,16 @@ bool ProbeCard::asks() const
     return proposal_.has_value();
 }
 
+bool ProbeCard::tells() const
+{
+    return worth_.has_value();
+}
+
+const ProbeProposal* ProbeCard::told() const
+{
+    return proposal_ ? &*proposal_ : worth_ ? &*worth_ : nullptr;
+}
+
 std::optional<quint64> ProbeCard::shown() const
 {
     if (!proposal_ || painted_ != proposal_->id) return std::nullopt;
@@ -199,9 +226,8 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     // A hold begun on another question does not count for this one.
     if (!proposal_ || proposal_->id != proposal.id) approve_->letGo();
     proposal_ = proposal;
-    where_->setText(tr("bin %1").arg(words::binName(proposal.bin)));
-    showAnswer();
-    showWorth();
+    worth_.reset();
+    showFacts();
     approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));
     approve_->setAccessibleName(
         tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
@@ -209,9 +235,29 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     update();  // all of it
 }
 
+void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
+{
+    if (worth_ == probe && whyNotAsked_ == why) return;
+    proposal_.reset();
+    worth_ = probe;
+    whyNotAsked_ = why;
+    note()->setText(tr("nothing is asked"));
+    setTone(*note(), Tone::Muted);
+    showFacts();
+    showPage(kQuestion);
+}
+
+void ProbeCard::showFacts()
+{
+    where_->setText(tr("bin %1").arg(words::binName(told()->bin)));
+    answers_->setVisible(asks());
+    showAnswer();
+    showWorth();
+}
+
 void ProbeCard::showWorth()
 {
-    const ProbeProposal& p = *proposal_;
+    const ProbeProposal& p = *told();
     const QString height = words::signedNumber(p.height, 2), sd = words::number(p.sd, 2);
     const QString q10 = words::signedNumber(p.q10, 2), q90 = words::signedNumber(p.q90, 2);
     const QString seconds = words::number(p.seconds, 0);
@@ -221,18 +267,19 @@ void ProbeCard::showWorth()
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
                                   : tr("this bin to ± %1 m").arg(words::number(p.armSd, 2));
     // Where the card has more to say, cost and variance share a line.
-    const bool joined = narrow_ || p.answer != Outlook::CannotTell;
+    const bool joined = narrow_ || tells() || p.answer != Outlook::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(seconds));
     questionKey_->setText(tr("step > %1 m").arg(words::number(p.stepLimit, 2)));
     question_->setText(questionText());
     showOthers();
+    showRanking();
 }
 
 QString ProbeCard::questionText() const
 {
-    const ProbeProposal& p = *proposal_;
+    const ProbeProposal& p = *told();
     if (!p.worth)
         return narrow_ ? tr("step: not known for this method") : tr("not known for this method");
     const QString before = words::number(p.bitsBefore, 2);
@@ -249,6 +296,12 @@ QString ProbeCard::questionText() const
 
 void ProbeCard::showAnswer()
 {
+    setTone(*decided_, asks() ? Tone::Good : Tone::Muted);
+    if (tells()) {
+        decided_->setText(whyNotAsked_);
+        decided_->setVisible(!whyNotAsked_.isEmpty());
+        return;
+    }
     const bool decided = proposal_ && proposal_->answer != Outlook::CannotTell;
     const QString answer = decided ? wordOf(proposal_->answer) : QString();
     decided_->setVisible(decided && !narrow_ && proposal_->worth);
@@ -286,6 +339,19 @@ void ProbeCard::showOthers()
     }
 }
 
+void ProbeCard::showRanking()
+{
+    QStringList bins;
+    for (const ProbeWorth& other : told()->others) {
+        if (bins.size() == static_cast<qsizetype>(kOthers)) break;
+        bins << tr("%1: %2 %, %3 bit")
+                    .arg(words::binName(other.bin), percent(other.varianceShare),
+                         words::number(other.bitsAfter, 2));
+    }
+    ranking_->setText(tr("or at %1").arg(bins.join(QStringLiteral(" · "))));
+    ranking_->setVisible(tells() && !bins.isEmpty());
+}
+
 void ProbeCard::setTimeLeft(double seconds)
 {
     const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then no");
@@ -303,6 +369,7 @@ void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
 void ProbeCard::setProbing(int bin, double elapsed, double expected)
 {
     proposal_.reset();
+    worth_.reset();
     note()->clear();
     probingText_->setText(tr("The arm is probing bin %1").arg(words::binName(bin)));
     const double share =
@@ -317,6 +384,7 @@ void ProbeCard::setProbing(int bin, double elapsed, double expected)
 void ProbeCard::setNothing(const QString& why)
 {
     proposal_.reset();
+    worth_.reset();
     note()->setText(QString());  // clear() lays out anew in any case
     nothing_->setText(why);
     showPage(kNothing);

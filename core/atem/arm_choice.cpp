@@ -34,13 +34,13 @@ ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot
     ProbeAdvice advice;
     advice.stepLimit = stepLimit;
     advice.bin = proposeProbe(estimate, robot);
-    if (!advice.bin || estimate.draws.empty()) return advice;
+    if (estimate.draws.empty()) return advice;
     advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
     advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
     std::erase_if(advice.gains, [&](const ProbeGain& gain) {
         return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;
     });
-    if (!isOfPaper(estimate.settings.method)) advice.bin = advice.gains.front().bin;
+    if (advice.bin && !isOfPaper(estimate.settings.method)) advice.bin = advice.gains.front().bin;
     return advice;
 }
 

@@ -513,6 +513,9 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     EXPECT_EQ(replayed.all(), made.all());
     ASSERT_EQ(ledger.size(), 1U);
     EXPECT_EQ(listener->exploration().estimation().ledger().entries(), ledger);
+    EXPECT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+        << "what a probe would buy is known here, too";
+    EXPECT_FALSE(window->probeCard()->asks());
     EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
     EXPECT_EQ(listener->link()->view().frames.sent, 0U);
 }

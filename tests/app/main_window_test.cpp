@@ -310,6 +310,17 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
     ASSERT_TRUE(eventually([&] {
         return window->probeCard()->approveButton()->text().contains(words::binName(chosen->bin));
     }));
+
+    QTest::keyClick(window.get(), Qt::Key_N);
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+        << "what it would have bought";
+    EXPECT_FALSE(window->probeCard()->asks());
+    EXPECT_TRUE(window->verdict()->reason().contains("probe at"));
+    QTest::keyClick(window.get(), Qt::Key_PageDown);
+    EXPECT_TRUE(eventually([&] {
+        const auto best = window->exploration().bestProbe();
+        return best && best->stepLimit == window->verdict()->limit();
+    })) << "by the limit of now";
 }
 
 TEST_F(Console, aSecondMethodIsEstimatedBesideTheFirst)

@@ -105,8 +105,10 @@ TEST(ChooseProbe, asksForTheBinThatTellsMostWhereTheMethodKnowsIt)
     estimate.settings.method = Method::Local;
     estimate.sd.fill(0.01);
     EXPECT_EQ(chooseProbe(estimate, robot), std::nullopt);
-    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).bin, std::nullopt);
-    EXPECT_TRUE(adviseProbe(estimate, robot, 0.1).gains.empty());
+    const ProbeAdvice unasked = adviseProbe(estimate, robot, 0.1);
+    EXPECT_EQ(unasked.bin, std::nullopt);
+    EXPECT_EQ(unasked.before, advice.before) << "what it would buy is told all the same";
+    EXPECT_EQ(unasked.gains, advice.gains);
 }
 
 TEST(AdviseProbe, leavesOutWhatIsMeasured)
