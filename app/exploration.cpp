@@ -17,7 +17,8 @@ constexpr double kReleaseFor = 5.0;  // [s] a release of STOP is tried
 Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
                          const Options& options, CanSource* link)
     : source_(source), link_(link), robot_(std::move(robot)), options_(options),
-      estimation_(worker, robot_, options_), probes_(estimation_, robot_, options_.probeSeconds)
+      estimation_(worker, robot_, options_),
+      probes_(estimation_, robot_, options_.probeSeconds, options_.probes)
 {
     if (const QString why = whyFollowing(link); !why.isEmpty()) {
         following_ = std::make_unique<Following>(why, estimation_, options_.limits);
@@ -38,11 +39,12 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
 
 void Exploration::takeAdvice()
 {
-    const std::optional<int> bin = estimation_.advice().bin;
+    const ProbeOffer offer = probes_.offer();
     pending_.estimateReady = true;
-    pending_.probeWanted = bin.has_value();
+    pending_.probeWanted = offer.bin.has_value();
+    whyNotOffered_ = wordsOf(offer.why);
     probes_.withdraw();
-    if (bin && !following()) probes_.propose(*bin);
+    if (offer.bin && !following()) probes_.propose(*offer.bin);
 }
 
 void Exploration::askAnew()
@@ -64,12 +66,20 @@ QString Exploration::whyNoEstimate() const
     return tr("No estimate yet: explore the terrain (A)");
 }
 
-QString Exploration::whyNotOffered() const
+QString Exploration::wordsOf(NoProbe why) const
 {
-    const auto& estimate = estimation_.estimate();
-    if (!estimate || estimation_.advice().bin) return {};
-    return tr("Not offered: no bin in reach is less certain than ± %1 m")
-        .arg(words::number(estimate->settings.probeAbove, 2));
+    switch (why) {
+    case NoProbe::None: break;
+    case NoProbe::Certain:
+        return tr("Not offered: no bin in reach is less certain than ± %1 m")
+            .arg(words::number(estimation_.estimate()->settings.probeAbove, 2));
+    case NoProbe::Decided:
+        return tr("Not offered, as the settings have it: %1 stands without the arm")
+            .arg(words::sentence(name(estimation_.verdict()->outlook)));
+    case NoProbe::NoGain:
+        return tr("Not offered, as the settings have it: no bin in reach tells about the step");
+    }
+    return {};
 }
 
 void Exploration::request()

@@ -75,6 +75,8 @@ MainWindow::MainWindow(Options options)
     if (recorder_) {
         scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
         recorder_->setOn(preferences_->current().record);
+        const QString unusual = changesOf(Preferences{}, preferences_->current());
+        if (!unusual.isEmpty()) scribe_->decision("settings", unusual);
     }
     offerQualities();
     offerViews();
@@ -242,6 +244,7 @@ void MainWindow::applyPreferences(const Preferences& before)
     }
     setLook(now.theme, now.fontScale);
     exploration_->setEstimateSeconds(now.estimateSeconds);
+    exploration_->setProbePolicy(now.probes);
     if (now.robot != before.robot || now.language != before.language) reopen();
 }
 

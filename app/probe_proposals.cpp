@@ -19,9 +19,14 @@ ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
 }  // namespace
 
 ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
-                               double seconds)
-    : estimation_(estimation), robot_(robot), seconds_(seconds)
+                               double seconds, const ProbePolicy& policy)
+    : estimation_(estimation), robot_(robot), seconds_(seconds), policy_(policy)
 {
+}
+
+ProbeOffer ProbeProposals::offer() const
+{
+    return offerProbe(estimation_.advice(), estimation_.verdict()->outlook, policy_);
 }
 
 ProbeProposal ProbeProposals::describe(int bin) const
@@ -42,7 +47,7 @@ ProbeProposal ProbeProposals::describe(int bin) const
                         .bitsBefore = advice.before.entropy / std::numbers::ln2,
                         .worth = {},
                         .others = {}};
-    for (const ProbeGain& gain : advice.gains) {
+    for (const ProbeGain& gain : ranked(advice, policy_)) {
         const ProbeWorth worth = worthOf(gain, advice.before);
         if (gain.bin == bin)
             probe.worth = worth;
@@ -56,9 +61,11 @@ std::optional<ProbeProposal> ProbeProposals::best() const
 {
     if (!estimation_.estimate()) return std::nullopt;
     const ProbeAdvice& advice = estimation_.advice();
-    if (advice.bin) return describe(*advice.bin);
-    if (advice.gains.empty()) return std::nullopt;
-    return describe(advice.gains.front().bin);
+    const std::vector<ProbeGain> gains = ranked(advice, policy_);
+    if (advice.bin && (policy_ != ProbePolicy::Question || gains.empty()))
+        return describe(*advice.bin);
+    if (gains.empty()) return std::nullopt;
+    return describe(gains.front().bin);
 }
 
 void ProbeProposals::propose(int bin)

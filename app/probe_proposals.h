@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/estimation.h"
+#include "core/atem/probe_policy.h"
 #include "core/robot/robot_model.h"
 #include "widgets/probe_card.h"
 
@@ -13,8 +14,12 @@ namespace terratact {
 /// bin, what touching it buys, and what the other bins of the advice would.
 class ProbeProposals {
 public:
-    /// seconds: a probe takes.  The others must outlive it.
-    ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds);
+    /// seconds: a probe takes.  policy: as it is when it is asked for.  The others must outlive it, too.
+    ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds,
+                   const ProbePolicy& policy);
+
+    /// What is to be proposed by the estimate that stands, which there is.
+    ProbeOffer offer() const;
 
     /// What touching the bin that a probe is best spent on buys, whether or not it is asked for; its id is 0.  Empty
     /// where nothing is estimated, or nothing can be told.
@@ -38,6 +43,7 @@ private:
     const Estimation& estimation_;
     const RobotModel& robot_;
     double seconds_;
+    const ProbePolicy& policy_;
     std::optional<ProbeProposal> current_;
     std::string proposedOn_;
     quint64 last_ = 0;  ///< id

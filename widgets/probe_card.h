@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/atem/probe_gain.h"
 #include "core/infer/verdict.h"
 #include "widgets/card.h"
 #include "widgets/precondition.h"
@@ -45,7 +46,6 @@ struct ProbeProposal {
 
     /// The probe says something about the question; else, where its worth is known, only about the terrain's shape.
     bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kLeastBits; }
-    static constexpr double kLeastBits = 0.005;  ///< less reads 0.00
     bool operator==(const ProbeProposal&) const = default;
 };
 
