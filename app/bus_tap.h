@@ -63,7 +63,9 @@ public:
 
     BusLoad load() const;
     std::vector<TappedFrame>
-    frames(double now) const;                ///< in the order of identifiers, unknown ones last
+    frames(double now) const;  ///< in the order of identifiers, unknown ones last
+    /// [s] since the last frame of a kind that may be used; empty: there was none.
+    std::optional<double> age(FrameKind kind, double now) const;
     std::vector<TracedFrame> trace() const;  ///< oldest first
     void forgetExtremes();
 

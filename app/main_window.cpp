@@ -304,6 +304,8 @@ void MainWindow::connectAll()
     Exploration* exploration = exploration_.get();
     connect(header(), &StatusHeader::alarmsRequested, this,
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
+    connect(header(), &StatusHeader::busRequested, this,
+            [this] { rail()->choose(rail()->pageOf(Qt::Key_F5)); });
     connect(header(), &StatusHeader::qualityChosen, this, [this](int index) {
         preferences_->change([index](Preferences& p) {
             p.quality = kQualities.at(static_cast<std::size_t>(index));

@@ -17,7 +17,6 @@
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
-#include "widgets/robot_readout.h"
 #include "widgets/terrain_profile_view.h"
 #include "widgets/verdict_strip.h"
 #include "widgets/words.h"
@@ -402,7 +401,10 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     const bool fresh = sight.age <= kStaleAfter;
     if (sight.numbersDue || fresh != numbersFresh_) {
         numbersFresh_ = fresh;
-        readout_->setMeasurement(*sight.measurement, sight.age);
+        if (sight.ages)
+            readout_->setMeasurement(*sight.measurement, sight.age, *sight.ages);
+        else
+            readout_->setMeasurement(*sight.measurement, sight.age);
         robotAge_->setText(sight.ended ? tr("the log has ended")
                                        : tr("%1 old").arg(words::age(sight.age)));
         setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);

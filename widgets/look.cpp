@@ -89,9 +89,10 @@ QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 
 QFrame#statusHeader { background: @header; }
 QFrame#statusHeader QPushButton[role="quiet"] { background: @chipArea; color: @chipText; border-color: @chipBorder; }
-QFrame#statusHeader QPushButton[role="quiet"]:focus { border-color: @source; }
+QFrame#statusHeader QPushButton[role="quiet"]:focus, QFrame#statusHeader QPushButton[role="caution"]:focus { border-color: @source; }
 QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: @chipOffText; border-color: @chipBorder; }
 QFrame#statusHeader QPushButton[role="alarm"] { background: @chipBadArea; color: @chipBadText; border: 2px solid @stopBorder; font-weight: bold; }
+QFrame#statusHeader QPushButton[role="caution"] { background: @chipDoubtArea; color: @chipDoubtText; border-color: @chipBorder; }
 QFrame#statusHeader QPushButton[role="armed"] { background: @cautionArea; color: @cautionText; border-color: @source; font-weight: bold; }
 QFrame#statusHeader QLabel { color: @headerText; }
 QFrame#statusHeader QLabel#sourceName { color: @source; font-size: @17px; font-weight: bold; }

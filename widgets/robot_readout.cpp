@@ -1,5 +1,6 @@
 #include "widgets/robot_readout.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <cmath>
@@ -9,12 +10,18 @@
 
 namespace terratact {
 
+namespace {
+
+constexpr int kBetween = 14;  // [px] columns
+
+}  // namespace
+
 RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
 {
     setAccessibleName(tr("Robot"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(14);
+    grid->setHorizontalSpacing(kBetween);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(1, 1);
     const std::array<QString, kRows> names{tr("pitch"),          tr("roll"),
@@ -29,6 +36,11 @@ RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
         values_[i]->setTextFormat(Qt::PlainText);
         grid->addWidget(name, row, 0);
         grid->addWidget(values_[i], row, 1);
+        ages_[i] = new QLabel(this);
+        ages_[i]->setAccessibleName(tr("age: %1").arg(names[i]));
+        ages_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        ages_[i]->hide();
+        grid->addWidget(ages_[i], row, 2);
     }
     grid->setRowStretch(kRows, 1);
     clearMeasurement();
@@ -41,9 +53,60 @@ void RobotReadout::show(Row row, const QString& text, bool known)
     setTone(*label, known ? Tone::Strong : Tone::Muted);
 }
 
-void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds)
+void RobotReadout::showAge(Row row, double seconds)
 {
-    const bool fresh = ageSeconds <= kStaleAfter;
+    QLabel* label = ages_[row];
+    label->setText(words::age(seconds));
+    setTone(*label, seconds <= kStaleAfter ? Tone::Muted : Tone::Bad);
+}
+
+int RobotReadout::ageWidth() const
+{
+    return kBetween + ages_[0]->fontMetrics().horizontalAdvance(words::age(0.999));
+}
+
+QSize RobotReadout::minimumSizeHint() const
+{
+    const QSize all = QWidget::minimumSizeHint();
+    return ages_[0]->isHidden() ? all : QSize(all.width() - ageWidth(), all.height());
+}
+
+void RobotReadout::fitAges()
+{
+    const bool shown = width() >= minimumSizeHint().width() + ageWidth();
+    if (shown == !ages_[0]->isHidden()) return;
+    for (QLabel* label : ages_) {
+        label->setFixedWidth(ageWidth() - kBetween);
+        label->setVisible(shown);
+    }
+}
+
+void RobotReadout::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitAges();
+}
+
+void RobotReadout::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::StyleChange && event->type() != QEvent::FontChange) return;
+    for (QLabel* label : ages_) label->hide();  // the letters may be others
+    fitAges();
+}
+
+void RobotReadout::setMeasurement(const Measurement& m, double age)
+{
+    Ages same{};
+    same.fill(age);
+    setMeasurement(m, age, same);
+}
+
+void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& ages)
+{
+    for (int row = 0; row < kRows; ++row)
+        showAge(static_cast<Row>(row), ages[static_cast<std::size_t>(row)]);
+    const bool fresh = age <= kStaleAfter;
     const auto put = [&](Row row, const QString& text) {
         show(row, fresh ? text : words::kNothing, fresh);
     };
@@ -63,7 +126,15 @@ void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds)
 
 void RobotReadout::clearMeasurement()
 {
-    for (int row = 0; row < kRows; ++row) show(static_cast<Row>(row), words::kNothing, false);
+    for (int row = 0; row < kRows; ++row) {
+        show(static_cast<Row>(row), words::kNothing, false);
+        ages_.at(static_cast<std::size_t>(row))->clear();
+    }
+}
+
+QString RobotReadout::ageText(int row) const
+{
+    return ages_.at(static_cast<std::size_t>(row))->text();
 }
 
 QString RobotReadout::text(int row) const

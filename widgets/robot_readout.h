@@ -13,22 +13,38 @@ namespace terratact {
 /// Older telemetry than this is not shown as if it were true [s].
 inline constexpr double kStaleAfter = 0.15;
 
-/// The robot's angles and currents L left, R right.  A value older than kStaleAfter reads "--".
+/// The robot's angles and currents L left, R right, each with its age where there is room for it.  What is older than
+/// kStaleAfter reads "--".
 class RobotReadout final : public QWidget {
     Q_OBJECT
 public:
     explicit RobotReadout(QWidget* parent = nullptr);
 
-    void setMeasurement(const Measurement& measurement, double ageSeconds);
+    enum Row { Pitch, Roll, FrontFlippers, RearFlippers, FrontCurrents, RearCurrents, kRows };
+    using Ages = std::array<double, kRows>;  ///< [s]; not finite: it has never arrived
+
+    /// Values of one line of telemetry, which is of `age` [s] ago.
+    void setMeasurement(const Measurement& measurement, double age);
+    /// The values may arrive in messages of their own, which say of each whether it still comes.
+    void setMeasurement(const Measurement& measurement, double age, const Ages& ages);
     void clearMeasurement();  ///< nothing has arrived yet
 
     QString text(int row) const;  ///< value as shown; rows as in the order of Row
-    enum Row { Pitch, Roll, FrontFlippers, RearFlippers, FrontCurrents, RearCurrents, kRows };
+    QString ageText(int row) const;
+
+    QSize minimumSizeHint() const override;  ///< without the ages
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void show(Row row, const QString& text, bool known);
+    void showAge(Row row, double seconds);
+    int ageWidth() const;
+    void fitAges();
 
-    std::array<QLabel*, kRows> values_{};
+    std::array<QLabel*, kRows> values_{}, ages_{};
 };
 
 }  // namespace terratact

@@ -456,6 +456,29 @@ TEST_F(BusConsole, lostLinkIsSaidWithItsCure)
     picture("bus-down");
 }
 
+TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
+{
+    startRobot();
+    window = console(bus.join("can0"), CanSource::Mode::Listen,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    const QPushButton& chip = *window->header()->busButton();
+    ASSERT_TRUE(eventually([&] { return chip.text().startsWith("can0 ACTIVE"); }));
+    EXPECT_TRUE(chip.isVisible());
+    EXPECT_TRUE(eventually([&] { return chip.accessibleDescription().contains("frames/s"); }));
+    EXPECT_TRUE(chip.accessibleDescription().contains("0 error frames"))
+        << chip.accessibleDescription().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    window->header()->busButton()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(window->header()->busButton(), Qt::Key_Space);
+    EXPECT_TRUE(eventually([&] { return window->signalsPage()->isVisible(); }));
+    // The rows of the robot are as old as the frames that they came in.
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(eventually(
+        [&] { return window->readout()->ageText(RobotReadout::Pitch).endsWith(" ms"); }));
+    picture("bus-chip");
+}
+
 TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
 {
     open(CanSource::Mode::Listen);

@@ -46,6 +46,36 @@ TEST(Readout, showsAnglesInDegreesLeftAndRight)
     EXPECT_EQ(readout.text(RobotReadout::FrontFlippers), QStringLiteral("L +28.6°   R +34.4°"));
 }
 
+TEST(Readout, everyValueHasTheAgeOfItsOwnMessageWhereThereIsRoom)
+{
+    RobotReadout readout;
+    readout.resize(440, 200);
+    gui::showActive(readout);
+    readout.setMeasurement({}, 0.04);
+    for (int row = 0; row < RobotReadout::kRows; ++row) EXPECT_EQ(readout.ageText(row), "40 ms");
+    readout.setMeasurement({}, 0.3, {0.02, 0.02, 0.3, 0.03, 2.44, 0.03});
+    EXPECT_EQ(readout.ageText(RobotReadout::Pitch), "20 ms");
+    EXPECT_EQ(readout.ageText(RobotReadout::FrontFlippers), "300 ms");
+    EXPECT_EQ(readout.ageText(RobotReadout::FrontCurrents), "2.4 s");
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), "--") << "half a line is none";
+    const auto seen = [&] {
+        int labels = 0;
+        for (const QLabel* label : readout.findChildren<QLabel*>())
+            labels += label->isVisible() && label->accessibleName().startsWith("age") ? 1 : 0;
+        return labels;
+    };
+    const int roomy = readout.minimumSizeHint().width();
+    EXPECT_EQ(seen(), RobotReadout::kRows);
+    EXPECT_EQ(gui::cutText(readout), std::vector<std::string>());
+    readout.resize(roomy + 4, 200);
+    QApplication::processEvents();
+    EXPECT_EQ(seen(), 0);
+    EXPECT_EQ(readout.minimumSizeHint().width(), roomy) << "whether they are there or not";
+    EXPECT_EQ(gui::cutText(readout), std::vector<std::string>());
+    readout.clearMeasurement();
+    EXPECT_EQ(readout.ageText(RobotReadout::Pitch), "");
+}
+
 TEST(Readout, staleValuesAreNotShown)
 {
     RobotReadout readout;
@@ -82,6 +112,55 @@ TEST(Header, theSourcesNameIsAlwaysThere)
     header.setSource("REPLAY demo.log");
     header.setLink("LINK LOST", Tone::Bad);
     EXPECT_EQ(header.sourceName(), "REPLAY demo.log");
+}
+
+TEST(Header, theBusLeavesForWhatMattersMoreButAfterTheModel)
+{
+    StatusHeader header;
+    header.setSource("can0");
+    header.setLink("link 20 Hz", Tone::Good);
+    header.setRobot("halted", Tone::Plain);
+    header.setModel("model default.ttm", Tone::Plain);
+    header.resize(1400, 60);
+    gui::showActive(header);
+    EXPECT_FALSE(header.busButton()->isVisible()) << "the source is none";
+    const int least = header.minimumSizeHint().width();
+    header.setBus("can0 ACTIVE ≤ 9 %", Tone::Plain, "42 frames/s");
+    ASSERT_TRUE(header.busButton()->isVisible());
+    EXPECT_GE(header.busButton()->height(), 32);
+    EXPECT_EQ(header.minimumSizeHint().width(), least);
+    EXPECT_EQ(header.busButton()->accessibleName(), QString::fromUtf8("Bus: can0 ACTIVE ≤ 9 %"));
+    EXPECT_EQ(header.busButton()->accessibleDescription(), "42 frames/s");
+    const int width = header.busButton()->width();
+    header.setBus("can0 ACTIVE ≤ 87 %", Tone::Plain, "412 frames/s");
+    QApplication::processEvents();
+    EXPECT_EQ(header.busButton()->width(), width) << "the load moves nothing";
+
+    const auto modelIsSeen = [&] {
+        for (const QLabel* label : header.findChildren<QLabel*>())
+            if (label->text().startsWith("model")) return label->isVisible();
+        return false;
+    };
+    bool wasBus = true, wasModel = modelIsSeen();
+    EXPECT_TRUE(wasModel);
+    for (int pixels = 1400; pixels >= least; pixels -= 20) {
+        header.resize(pixels, 60);
+        QApplication::processEvents();
+        EXPECT_EQ(gui::cutText(header), std::vector<std::string>()) << pixels;
+        EXPECT_EQ(gui::overlaps(header), std::vector<std::string>()) << pixels;
+        wasBus = header.busButton()->isVisible();
+        wasModel = modelIsSeen();
+    }
+    EXPECT_FALSE(wasBus);
+    EXPECT_FALSE(wasModel);
+
+    int asked = 0;
+    QObject::connect(&header, &StatusHeader::busRequested, [&asked] { ++asked; });
+    header.resize(1400, 60);
+    QApplication::processEvents();
+    header.busButton()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(header.busButton(), Qt::Key_Space);
+    EXPECT_EQ(asked, 1);
 }
 
 struct Strip : testing::Test {
