@@ -7,11 +7,11 @@
 #include <QPalette>
 #include <QRegularExpression>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QToolTip>
 #include <cmath>
 
 #include "widgets/palette.h"
+#include "widgets/target_style.h"
 
 namespace terratact {
 namespace {
@@ -108,7 +108,7 @@ QLabel#banner { background: @bannerArea; color: @bannerText; font-weight: bold; 
 QLabel#reviewStrip { background: @cautionArea; color: @cautionText; font-weight: bold; padding: 5px 12px; }
 
 QMenu { background: @card; color: @text; border: 1px solid @buttonBorder; }
-QMenu::item { padding: @8px @28px; }
+QMenu::item { padding: @9px @28px; }
 QMenu::item:selected { background: @primaryArea; color: @primaryText; }
 QMenu::item:disabled { color: @offText; }
 QMenu::indicator { width: @14px; height: @14px; left: @7px; }
@@ -227,8 +227,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     current = themeOf(name);
     inForce = {name, fontScale};
     // A style sheet wraps the style and would wrap a second one, too.
-    if (application.styleSheet().isEmpty())
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (application.styleSheet().isEmpty()) QApplication::setStyle(new TargetStyle);
     QFont font = QApplication::font();
     font.setPixelSize(scaled(14));
     QApplication::setFont(font);
