@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "widgets/palette.h"
+#include "widgets/spoken.h"
 #include "widgets/target_style.h"
 
 namespace terratact {
@@ -226,6 +227,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
 {
     current = themeOf(name);
     inForce = {name, fontScale};
+    installSpokenLabels();
     // A style sheet wraps the style and would wrap a second one, too.
     if (application.styleSheet().isEmpty()) QApplication::setStyle(new TargetStyle);
     QFont font = QApplication::font();

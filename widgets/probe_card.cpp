@@ -14,6 +14,7 @@
 #include "widgets/look.h"
 #include "widgets/palette.h"
 #include "widgets/scroll_column.h"
+#include "widgets/spoken.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -224,7 +225,8 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
 {
     if (proposal_ == proposal) return;
     // A hold begun on another question does not count for this one.
-    if (!proposal_ || proposal_->id != proposal.id) approve_->letGo();
+    const bool isNew = !proposal_ || proposal_->id != proposal.id;
+    if (isNew) approve_->letGo();
     proposal_ = proposal;
     worth_.reset();
     showFacts();
@@ -233,6 +235,7 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
         tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
     showPage(kQuestion);
     update();  // all of it
+    if (isNew) announce(*this);
 }
 
 void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
@@ -253,6 +256,10 @@ void ProbeCard::showFacts()
     answers_->setVisible(asks());
     showAnswer();
     showWorth();
+    const QLabel* const lines[]{where_, predicted_, band_, variance_, question_};
+    QStringList all;
+    for (const QLabel* line : lines) all << line->text();
+    setAccessibleDescription(all.join(QStringLiteral("; ")));
 }
 
 void ProbeCard::showWorth()
@@ -370,6 +377,7 @@ void ProbeCard::setProbing(int bin, double elapsed, double expected)
 {
     proposal_.reset();
     worth_.reset();
+    setAccessibleDescription(QString());
     note()->clear();
     probingText_->setText(tr("The arm is probing bin %1").arg(words::binName(bin)));
     const double share =
@@ -385,6 +393,7 @@ void ProbeCard::setNothing(const QString& why)
 {
     proposal_.reset();
     worth_.reset();
+    setAccessibleDescription(QString());
     note()->setText(QString());  // clear() lays out anew in any case
     nothing_->setText(why);
     showPage(kNothing);

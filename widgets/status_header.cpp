@@ -14,6 +14,7 @@
 #include "widgets/arming_control.h"
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
+#include "widgets/spoken.h"
 
 namespace terratact {
 namespace {
@@ -178,7 +179,9 @@ void StatusHeader::setLink(const QString& text, Tone tone, const QString& detail
 {
     link_->setText(text);
     if (link_->toolTip() != details) link_->setToolTip(details);
+    const bool wasLost = link_->property("tone").toString() == QLatin1String("bad");
     setTone(*link_, tone);
+    if (wasLost != (tone == Tone::Bad)) announce(*link_);
 }
 
 void StatusHeader::setBus(const QString& text, Tone tone, const QString& details)
@@ -385,6 +388,7 @@ void StatusHeader::setStop(const StopSight& sight)
     stopState_ = sight.state;
     stop_->setText(stopText(sight.state));
     setRole(*stop_, stopRole(sight.state));
+    announce(*stop_);
 }
 
 QString StatusHeader::sourceName() const

@@ -1,6 +1,8 @@
 // The widgets that only show text: readout, header, strip, events.
 #include <gtest/gtest.h>
 
+#include <QAccessible>
+#include <QApplication>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -10,8 +12,10 @@
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
+#include "widgets/probe_card.h"
 #include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
+#include "widgets/verdict_strip.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -161,6 +165,81 @@ TEST(Header, theBusLeavesForWhatMattersMoreButAfterTheModel)
     header.busButton()->setFocus(Qt::TabFocusReason);
     QTest::keyClick(header.busButton(), Qt::Key_Space);
     EXPECT_EQ(asked, 1);
+}
+
+QStringList announced;
+
+/// What a screen reader is told while this lives: name and description of what sends an alert.
+struct Listener {
+    Listener()
+    {
+        announced.clear();
+        QAccessible::setActive(true);
+        before = QAccessible::installUpdateHandler([](QAccessibleEvent* event) {
+            if (event->type() != QAccessible::Alert) return;
+            const QAccessibleInterface* const says = event->accessibleInterface();
+            announced << says->text(QAccessible::Name) + QLatin1Char('|')
+                             + says->text(QAccessible::Description);
+        });
+    }
+    ~Listener() { QAccessible::installUpdateHandler(before); }
+    QAccessible::UpdateHandler before = nullptr;
+};
+
+TEST(Spoken, aLabelSaysItsNameAndItsText)
+{
+    applyLook(*qApp);
+    RobotReadout readout;
+    Measurement m;
+    m.pitch = -0.1;
+    readout.setMeasurement(m, 0.04);
+    QStringList said;
+    for (QLabel* label : readout.findChildren<QLabel*>())
+        said << QAccessible::queryAccessibleInterface(label)->text(QAccessible::Name);
+    EXPECT_TRUE(said.contains(QStringLiteral("pitch: −5.7°"))) << said.join('\n').toStdString();
+    QLabel rich(QStringLiteral("<b>bold</b> words"));
+    EXPECT_EQ(QAccessible::queryAccessibleInterface(&rich)->text(QAccessible::Name), "bold words");
+}
+
+TEST(Spoken, whatMattersIsAnnouncedOnce)
+{
+    applyLook(*qApp);
+    StatusHeader header;
+    header.setLink("link 20 Hz", Tone::Good);
+    VerdictStrip verdict;
+    const Listener listener;
+    header.setLink("link 19 Hz", Tone::Good);
+    EXPECT_EQ(announced, QStringList());
+    header.setLink("LINK LOST · 300 ms", Tone::Bad);
+    header.setLink("LINK LOST · 340 ms", Tone::Bad);
+    ASSERT_EQ(announced.size(), 1) << "not with every frame";
+    EXPECT_TRUE(announced[0].startsWith(QStringLiteral("Link: LINK LOST")));
+    header.setLink("link 20 Hz", Tone::Good);
+    EXPECT_EQ(announced.size(), 2);
+
+    announced.clear();
+    header.setStop({.state = StopSight::State::Sent});
+    header.setStop({.state = StopSight::State::Sent, .seconds = 0.3});
+    ASSERT_EQ(announced.size(), 1);
+    EXPECT_TRUE(announced[0].startsWith("STOP|") && announced[0].contains("not confirmed"))
+        << announced[0].toStdString();
+
+    announced.clear();
+    Verdict blocked;
+    blocked.outlook = Outlook::Blocked;
+    verdict.setVerdict(blocked);
+    verdict.setVerdict(blocked);
+    EXPECT_EQ(announced, QStringList{QStringLiteral("Verdict: ✘ BLOCKED|")});
+
+    announced.clear();
+    ProbeCard card;
+    ProbeProposal probe{.id = 3, .bin = 9, .height = 0.02};
+    card.setProposal(probe);
+    probe.answer = Outlook::Blocked;
+    card.setProposal(probe);
+    ASSERT_EQ(announced.size(), 1);
+    EXPECT_TRUE(announced[0].startsWith("Arm probe|bin 0.6 m; +0.02 m"))
+        << announced[0].toStdString();
 }
 
 struct Strip : testing::Test {
