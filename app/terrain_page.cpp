@@ -27,7 +27,8 @@ namespace {
 constexpr int kBetween = 10;                       // [px] cards
 constexpr int kToSpare = 10;                       // [px] before cards have to leave
 constexpr QSize kLeastTerrain{420, 230};           // [px]
-constexpr int kColumn = 404, kNarrowColumn = 300;  // [px] of the decisions, at 100 %
+constexpr int kColumn = 404, kNarrowColumn = 264;  // [px] of the decisions, at 100 %
+constexpr int kTightTerrain = 330;  // [px] the terrain is the largest part there, too
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)
@@ -303,7 +304,7 @@ void TerrainPage::setTight(bool tight)
     // A banner's line is the terrain's and the question's, where it would else make the cards leave.
     if (window_)
         terrain_->setMinimumSize(kLeastTerrain - QSize(0, tight ? 0 : window_->bannerLine()));
-    terrainCard_->setMinimumWidth(tight ? scaled(kNarrowColumn) : 0);  // it is the largest part
+    terrainCard_->setMinimumWidth(tight ? scaled(kTightTerrain) : 0);
     // Driving is needed at any time; the rest of its card is looked up.
     if (tight)
         decide_->addWidget(drive_);

@@ -23,7 +23,7 @@ namespace {
 enum Page { kNothing, kQuestion, kProbing };
 constexpr int kFacts = 6;       // lines
 constexpr int kLeastFacts = 4;  // seen in any case
-constexpr int kBetween = 6;     // [px] facts and answers
+constexpr int kProbeGap = 6;    // [px] facts and answers
 
 QString percent(double share)
 {
@@ -112,7 +112,7 @@ QWidget* ProbeCard::questionPage()
     answers_ = answers();
     auto* column = new QVBoxLayout(question);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kBetween);
+    column->setSpacing(kProbeGap);
     column->addWidget(facts_, 1);
     column->addWidget(answers_);
     return question;
@@ -122,7 +122,7 @@ QWidget* ProbeCard::answers()
 {
     auto* all = new QWidget(this);
     auto* instead = new QHBoxLayout;
-    instead->setSpacing(kBetween);
+    instead->setSpacing(kProbeGap);
     for (std::size_t i = 0; i < kOthers; ++i) {
         others_[i] = new QPushButton(all);
         others_[i]->setFocusPolicy(Qt::TabFocus);
@@ -140,7 +140,7 @@ QWidget* ProbeCard::answers()
     refuse_->setToolTip(tr("Refuses the arm; as good an answer as any other"));
     auto* column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kBetween);
+    column->setSpacing(kProbeGap);
     column->addLayout(instead);
     column->addWidget(approve_);
     column->addWidget(refuse_);
@@ -175,7 +175,7 @@ void ProbeCard::setNarrow(bool narrow)
 int ProbeCard::leastHeight() const
 {
     const QSize buttons = answers_->layout()->totalMinimumSize();  // hidden as a whole, or not
-    return frameHeight() + facts_->minimumSizeHint().height() + kBetween + buttons.height();
+    return frameHeight() + facts_->minimumSizeHint().height() + kProbeGap + buttons.height();
 }
 
 int ProbeCard::givenHeight() const
@@ -328,8 +328,7 @@ void ProbeCard::showAnswer()
 
 void ProbeCard::showOthers()
 {
-    const std::vector<ProbeWorth> offered =
-        proposal_ ? proposal_->others : std::vector<ProbeWorth>();
+    const std::vector<ProbeWorth> offered = told() ? told()->others : std::vector<ProbeWorth>();
     for (std::size_t i = 0; i < kOthers; ++i) {
         others_[i]->setVisible(i < offered.size());
         if (i >= offered.size()) continue;

@@ -12,7 +12,7 @@ namespace terratact {
 
 namespace {
 
-constexpr int kBetween = 14;  // [px] columns
+constexpr int kColumnGap = 14;  // [px] columns
 
 }  // namespace
 
@@ -21,7 +21,7 @@ RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Robot"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(kBetween);
+    grid->setHorizontalSpacing(kColumnGap);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(1, 1);
     const std::array<QString, kRows> names{tr("pitch"),          tr("roll"),
@@ -62,7 +62,7 @@ void RobotReadout::showAge(Row row, double seconds)
 
 int RobotReadout::ageWidth() const
 {
-    return kBetween + ages_[0]->fontMetrics().horizontalAdvance(words::age(0.999));
+    return kColumnGap + ages_[0]->fontMetrics().horizontalAdvance(words::age(0.999));
 }
 
 QSize RobotReadout::minimumSizeHint() const
@@ -76,7 +76,7 @@ void RobotReadout::fitAges()
     const bool shown = width() >= minimumSizeHint().width() + ageWidth();
     if (shown == !ages_[0]->isHidden()) return;
     for (QLabel* label : ages_) {
-        label->setFixedWidth(ageWidth() - kBetween);
+        label->setFixedWidth(ageWidth() - kColumnGap);
         label->setVisible(shown);
     }
 }

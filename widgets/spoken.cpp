@@ -2,6 +2,7 @@
 
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QTextDocumentFragment>
 
@@ -46,6 +47,8 @@ void announce(QWidget& widget)
         QAccessibleEvent event(&widget, what);
         QAccessible::updateAccessibility(&event);
     }
+    QEvent announced(kAnnounced);
+    QCoreApplication::sendEvent(&widget, &announced);
 }
 
 }  // namespace terratact

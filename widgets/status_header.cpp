@@ -21,6 +21,7 @@ namespace {
 
 // [px]; nothing harmless close to STOP
 constexpr int kBetween = 8, kBetweenLines = 6, kBeforeStop = 20;
+constexpr int kSourceLetters = 24;  // nobody may take one source for another
 
 /// [px] at least, of those that are not hidden.
 int widthOf(const QList<QWidget*>& row)
@@ -113,6 +114,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     source_ = new ElidedLabel(this);
     source_->setObjectName(QStringLiteral("sourceName"));
     source_->setAccessibleName(tr("Where the data come from"));
+    source_->setLeastLetters(kSourceLetters);
     const auto chip = [this](const QString& name) {
         auto* label = new ElidedLabel(this);
         label->setProperty("chip", true);

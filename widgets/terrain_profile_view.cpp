@@ -429,8 +429,7 @@ void TerrainProfileView::restyle()
     // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
     axisWidget(QwtPlot::xBottom)->setMinBorderDist(scaled(22), scaled(22));
     axisWidget(QwtPlot::yLeft)->setMinBorderDist(scaled(10), scaled(10));
-    setAxisTitle(QwtPlot::xBottom, text(tr("forward from the IMU [m]"), theme().muted, small));
-    setAxisTitle(QwtPlot::yLeft, text(tr("height [m]"), theme().muted, small));
+    nameAxes();
     grid_->setMajorPen(theme().grid, 1.0);
 
     ceilings_->setPen(QPen(theme().ceiling, 1.5, Qt::DotLine));
@@ -504,8 +503,24 @@ void TerrainProfileView::arrangeNotes()
     ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // else below the other one
 }
 
+void TerrainProfileView::nameAxes()
+{
+    // One name for both leaves a narrow picture the width of the other.
+    constexpr int kNarrow = 400;  // [px] at 100 %
+    const bool isNarrow = width() < scaled(kNarrow);
+    const QString x = isNarrow ? tr("forward, height [m]") : tr("forward from the IMU [m]");
+    const QString y = isNarrow ? QString() : tr("height [m]");
+    if (axisTitle(QwtPlot::xBottom).text() == x
+        && axisTitle(QwtPlot::xBottom).font() == sized(font(), 13)
+        && axisTitle(QwtPlot::xBottom).color() == theme().muted)
+        return;
+    for (const auto& [axis, name] : {std::pair(QwtPlot::xBottom, x), std::pair(QwtPlot::yLeft, y)})
+        setAxisTitle(axis, text(name, theme().muted, sized(font(), 13)));
+}
+
 void TerrainProfileView::resizeEvent(QResizeEvent* event)
 {
+    nameAxes();
     QwtPlot::resizeEvent(event);
     arrangeNotes();
 }

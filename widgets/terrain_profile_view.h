@@ -100,6 +100,7 @@ private:
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
     void arrangeNotes();
+    void nameAxes();
     void showTruth();
     void showArm();
     double underArm() const;
