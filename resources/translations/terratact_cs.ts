@@ -39,6 +39,34 @@
         <source>%1 takes no commands</source>
         <translation>%1 nepřijímá povely</translation>
     </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>AKTIVNÍ</translation>
+    </message>
+    <message>
+        <source>STALLED</source>
+        <translation>STOJÍ</translation>
+    </message>
+    <message>
+        <source>PASSIVE</source>
+        <translation>PASIVNÍ</translation>
+    </message>
+    <message>
+        <source>BUS-OFF</source>
+        <translation>ODPOJENA</translation>
+    </message>
+    <message>
+        <source>DOWN</source>
+        <translation>VYPNUTA</translation>
+    </message>
+    <message>
+        <source>ABSENT</source>
+        <translation>CHYBÍ</translation>
+    </message>
+    <message>
+        <source>ENDED</source>
+        <translation>KONEC</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -197,6 +225,14 @@
     <message>
         <source>not armed: %1</source>
         <translation>není aktivní: %1</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>záznam</translation>
+    </message>
+    <message>
+        <source>! %1 lost</source>
+        <translation>! %1 ztraceno</translation>
     </message>
 </context>
 <context>
@@ -2022,6 +2058,18 @@ Poslední deaktivace: %1</translation>
         <source>the override has ended: %1</source>
         <translation>přebití skončilo: %1</translation>
     </message>
+    <message>
+        <source>Not offered: no bin in reach is less certain than ± %1 m</source>
+        <translation>Nenabízí se: žádný bod v dosahu není méně jistý než ± %1 m</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: %1 stands without the arm</source>
+        <translation>Nenabízí se podle nastavení: %1 platí i bez ramene</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: no bin in reach tells about the step</source>
+        <translation>Nenabízí se podle nastavení: žádný bod v dosahu o schodu nic neřekne</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Following</name>
@@ -2629,6 +2677,22 @@ Poslední deaktivace: %1</translation>
         <source>%1 → %2 bit: %3/min</source>
         <translation>%1 → %2 bit: %3/min</translation>
     </message>
+    <message>
+        <source>The other bins, the best first</source>
+        <translation>Ostatní body, nejlepší první</translation>
+    </message>
+    <message>
+        <source>nothing is asked</source>
+        <translation>nic se nežádá</translation>
+    </message>
+    <message>
+        <source>%1: %2 %, %3 bit</source>
+        <translation>%1: %2 %, %3 bit</translation>
+    </message>
+    <message>
+        <source>or at %1</source>
+        <translation>nebo v %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Provenance</name>
@@ -2651,6 +2715,31 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>prior only</source>
         <translation>jen apriori</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>letter of a mark</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>letter of a mark</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>letter of a mark</comment>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <comment>letter of a mark</comment>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter of a mark</comment>
+        <translation>A</translation>
     </message>
 </context>
 <context>
@@ -3398,6 +3487,10 @@ Poslední deaktivace: %1</translation>
         <source>L %1   R %2</source>
         <translation>L %1   P %2</translation>
     </message>
+    <message>
+        <source>age: %1</source>
+        <translation>stáří: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScenesWindow</name>
@@ -3778,6 +3871,26 @@ Poslední deaktivace: %1</translation>
         <source>%1: %2 ms, %3 mm (± %4 mm)</source>
         <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
     </message>
+    <message>
+        <source>The arm is offered</source>
+        <translation>Rameno se nabízí</translation>
+    </message>
+    <message>
+        <source>where the terrain is uncertain</source>
+        <translation>kde je terén nejistý</translation>
+    </message>
+    <message>
+        <source>there, unless the verdict stands</source>
+        <translation>tam, pokud výrok neplatí</translation>
+    </message>
+    <message>
+        <source>where it tells about the verdict</source>
+        <translation>kde pomůže výroku</translation>
+    </message>
+    <message>
+        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
+        <translation>Nejistý: podle rozptylu, jako v článku. Výrok: podle entropie jeho otázky, ať je sd jakákoli, a jen dokud je otevřená</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalTable</name>
@@ -4035,6 +4148,14 @@ F1</translation>
         <source>STOP has no effect here: %1</source>
         <translation>STOP tu nepůsobí: %1</translation>
     </message>
+    <message>
+        <source>Bus: %1</source>
+        <translation>Sběrnice: %1</translation>
+    </message>
+    <message>
+        <source>All of it: F5</source>
+        <translation>Vše: F5</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainPage</name>
@@ -4218,10 +4339,6 @@ F1</translation>
         <translation>nad ním nic z robotu</translation>
     </message>
     <message>
-        <source>from: %1</source>
-        <translation>z: %1</translation>
-    </message>
-    <message>
         <source>either %1 m (%2 %)</source>
         <translation>buď %1 m (%2 %)</translation>
     </message>
@@ -4256,6 +4373,14 @@ F1</translation>
     <message>
         <source>arm tip</source>
         <translation>hrot ramene</translation>
+    </message>
+    <message>
+        <source>forward, height [m]</source>
+        <translation>vpřed, výška [m]</translation>
+    </message>
+    <message>
+        <source>from: %1 (%2)</source>
+        <translation>z: %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,34 @@
         <source>%1 takes no commands</source>
         <translation>%1 nimmt keine Befehle an</translation>
     </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>AKTIV</translation>
+    </message>
+    <message>
+        <source>STALLED</source>
+        <translation>STEHT</translation>
+    </message>
+    <message>
+        <source>PASSIVE</source>
+        <translation>PASSIV</translation>
+    </message>
+    <message>
+        <source>BUS-OFF</source>
+        <translation>BUS-AUS</translation>
+    </message>
+    <message>
+        <source>DOWN</source>
+        <translation>AUS</translation>
+    </message>
+    <message>
+        <source>ABSENT</source>
+        <translation>FEHLT</translation>
+    </message>
+    <message>
+        <source>ENDED</source>
+        <translation>ENDE</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -197,6 +225,14 @@
     <message>
         <source>not armed: %1</source>
         <translation>nicht freigegeben: %1</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>Mitschnitt</translation>
+    </message>
+    <message>
+        <source>! %1 lost</source>
+        <translation>! %1 verloren</translation>
     </message>
 </context>
 <context>
@@ -2022,6 +2058,18 @@ Zuletzt gesperrt: %1</translation>
         <source>the override has ended: %1</source>
         <translation>das Übergehen ist beendet: %1</translation>
     </message>
+    <message>
+        <source>Not offered: no bin in reach is less certain than ± %1 m</source>
+        <translation>Nicht angeboten: kein Feld in Reichweite ist unsicherer als ± %1 m</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: %1 stands without the arm</source>
+        <translation>Nach den Einstellungen nicht angeboten: %1 steht ohne den Arm</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: no bin in reach tells about the step</source>
+        <translation>Nach den Einstellungen nicht angeboten: kein Feld in Reichweite sagt etwas über die Stufe</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Following</name>
@@ -2629,6 +2677,22 @@ Zuletzt gesperrt: %1</translation>
         <source>%1 → %2 bit: %3/min</source>
         <translation>%1 → %2 bit: %3/min</translation>
     </message>
+    <message>
+        <source>The other bins, the best first</source>
+        <translation>Die anderen Felder, das beste zuerst</translation>
+    </message>
+    <message>
+        <source>nothing is asked</source>
+        <translation>nichts gefragt</translation>
+    </message>
+    <message>
+        <source>%1: %2 %, %3 bit</source>
+        <translation>%1: %2 %, %3 bit</translation>
+    </message>
+    <message>
+        <source>or at %1</source>
+        <translation>oder bei %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Provenance</name>
@@ -2651,6 +2715,31 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>prior only</source>
         <translation>nur Vorwissen</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>letter of a mark</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>letter of a mark</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>letter of a mark</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <comment>letter of a mark</comment>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter of a mark</comment>
+        <translation>V</translation>
     </message>
 </context>
 <context>
@@ -3398,6 +3487,10 @@ Zuletzt gesperrt: %1</translation>
         <source>L %1   R %2</source>
         <translation>L %1   R %2</translation>
     </message>
+    <message>
+        <source>age: %1</source>
+        <translation>Alter: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScenesWindow</name>
@@ -3778,6 +3871,26 @@ Zuletzt gesperrt: %1</translation>
         <source>%1: %2 ms, %3 mm (± %4 mm)</source>
         <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
     </message>
+    <message>
+        <source>The arm is offered</source>
+        <translation>Arm wird angeboten</translation>
+    </message>
+    <message>
+        <source>where the terrain is uncertain</source>
+        <translation>wo das Gelände unsicher ist</translation>
+    </message>
+    <message>
+        <source>there, unless the verdict stands</source>
+        <translation>dort, außer das Urteil steht</translation>
+    </message>
+    <message>
+        <source>where it tells about the verdict</source>
+        <translation>wo es dem Urteil hilft</translation>
+    </message>
+    <message>
+        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
+        <translation>Unsicher: nach der Varianz, wie im Artikel. Urteil: nach der Entropie seiner Frage, gleich wie groß die sd ist, und nur solange sie offen ist</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalTable</name>
@@ -4035,6 +4148,14 @@ F1</translation>
         <source>STOP has no effect here: %1</source>
         <translation>STOP wirkt hier nicht: %1</translation>
     </message>
+    <message>
+        <source>Bus: %1</source>
+        <translation>Bus: %1</translation>
+    </message>
+    <message>
+        <source>All of it: F5</source>
+        <translation>Alles: F5</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainPage</name>
@@ -4218,10 +4339,6 @@ F1</translation>
         <translation>nichts vom Roboter darüber</translation>
     </message>
     <message>
-        <source>from: %1</source>
-        <translation>aus: %1</translation>
-    </message>
-    <message>
         <source>either %1 m (%2 %)</source>
         <translation>entweder %1 m (%2 %)</translation>
     </message>
@@ -4256,6 +4373,14 @@ F1</translation>
     <message>
         <source>arm tip</source>
         <translation>Armspitze</translation>
+    </message>
+    <message>
+        <source>forward, height [m]</source>
+        <translation>vorwärts, Höhe [m]</translation>
+    </message>
+    <message>
+        <source>from: %1 (%2)</source>
+        <translation>aus: %1 (%2)</translation>
     </message>
 </context>
 <context>
