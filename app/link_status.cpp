@@ -63,7 +63,10 @@ void LinkStatus::showBus(double now)
     const std::uint64_t lost = view.frames.dropped + view.frames.errorFrames;
     // Of a log the state says only whether it goes on.
     const bool isLog = link_->mode() == CanSource::Mode::Replay;
-    QStringList parts{isLog ? tr("log") : QString::fromStdString(link_->busName())};
+    const bool isOurs = link_->bitrate().nominal;  // a robot in this program
+    QStringList parts{isLog    ? tr("log")
+                      : isOurs ? tr("bus")
+                               : QString::fromStdString(link_->busName())};
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
     parts << loadGlance(load, link_->bitrate());
     if (lost > 0) parts << tr("! %1 lost").arg(lost);

@@ -18,6 +18,42 @@ ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
 
 }  // namespace
 
+ProbeProposal describeProbe(const ProbeBasis& basis, int bin)
+{
+    const auto& [estimate, advice, robot, seconds, policy] = basis;
+    const auto i = static_cast<std::size_t>(bin);
+    ProbeProposal probe{.id = 0,
+                        .bin = bin,
+                        .height = estimate.height[i],
+                        .q10 = estimate.q10[i],
+                        .q90 = estimate.q90[i],
+                        .sd = estimate.sd[i],
+                        .limit = estimate.settings.probeAbove,
+                        .armSd = robot.armSd,
+                        .seconds = seconds,
+                        .stepLimit = advice.stepLimit,
+                        .bitsBefore = advice.before.entropy / std::numbers::ln2,
+                        .worth = {},
+                        .others = {}};
+    for (const ProbeGain& gain : ranked(advice, policy)) {
+        const ProbeWorth worth = worthOf(gain, advice.before);
+        if (gain.bin == bin)
+            probe.worth = worth;
+        else
+            probe.others.push_back(worth);
+    }
+    return probe;
+}
+
+std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis)
+{
+    const std::vector<ProbeGain> gains = ranked(basis.advice, basis.policy);
+    const bool isRanked = basis.policy == ProbePolicy::Question && !gains.empty();
+    if (basis.advice.bin && !isRanked) return describeProbe(basis, *basis.advice.bin);
+    if (gains.empty()) return std::nullopt;
+    return describeProbe(basis, gains.front().bin);
+}
+
 ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
                                double seconds, const ProbePolicy& policy)
     : estimation_(estimation), robot_(robot), seconds_(seconds), policy_(policy)
@@ -29,48 +65,19 @@ ProbeOffer ProbeProposals::offer() const
     return offerProbe(estimation_.advice(), estimation_.verdict()->outlook, policy_);
 }
 
-ProbeProposal ProbeProposals::describe(int bin) const
+ProbeBasis ProbeProposals::basis() const
 {
-    const TerrainEstimate& estimate = *estimation_.estimate();
-    const ProbeAdvice& advice = estimation_.advice();
-    const auto i = static_cast<std::size_t>(bin);
-    ProbeProposal probe{.id = 0,
-                        .bin = bin,
-                        .height = estimate.height[i],
-                        .q10 = estimate.q10[i],
-                        .q90 = estimate.q90[i],
-                        .sd = estimate.sd[i],
-                        .limit = estimate.settings.probeAbove,
-                        .armSd = robot_.armSd,
-                        .seconds = seconds_,
-                        .stepLimit = advice.stepLimit,
-                        .bitsBefore = advice.before.entropy / std::numbers::ln2,
-                        .worth = {},
-                        .others = {}};
-    for (const ProbeGain& gain : ranked(advice, policy_)) {
-        const ProbeWorth worth = worthOf(gain, advice.before);
-        if (gain.bin == bin)
-            probe.worth = worth;
-        else
-            probe.others.push_back(worth);
-    }
-    return probe;
+    return {*estimation_.estimate(), estimation_.advice(), robot_, seconds_, policy_};
 }
 
 std::optional<ProbeProposal> ProbeProposals::best() const
 {
-    if (!estimation_.estimate()) return std::nullopt;
-    const ProbeAdvice& advice = estimation_.advice();
-    const std::vector<ProbeGain> gains = ranked(advice, policy_);
-    if (advice.bin && (policy_ != ProbePolicy::Question || gains.empty()))
-        return describe(*advice.bin);
-    if (gains.empty()) return std::nullopt;
-    return describe(gains.front().bin);
+    return estimation_.estimate() ? bestProbe(basis()) : std::nullopt;
 }
 
 void ProbeProposals::propose(int bin)
 {
-    current_ = describe(bin);
+    current_ = describeProbe(basis(), bin);
     current_->id = ++last_;
     proposedOn_ = grounds();
 }

@@ -10,6 +10,18 @@
 
 namespace terratact {
 
+/// What touching a bin buys, and what it rests on.
+struct ProbeBasis {
+    const TerrainEstimate& estimate;
+    const ProbeAdvice& advice;  ///< of it
+    const RobotModel& robot;
+    double seconds;  ///< a probe takes
+    ProbePolicy policy;
+};
+ProbeProposal describeProbe(const ProbeBasis& basis, int bin);  ///< its id is 0
+/// Of the bin that a probe is best spent on, whether or not it is asked for; empty where nothing can be told.
+std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
+
 /// The probes that are put to the operator, one at a time, each with an id of its own: what the estimate says of a
 /// bin, what touching it buys, and what the other bins of the advice would.
 class ProbeProposals {
@@ -21,9 +33,8 @@ public:
     /// What is to be proposed by the estimate that stands, which there is.
     ProbeOffer offer() const;
 
-    /// What touching the bin that a probe is best spent on buys, whether or not it is asked for; its id is 0.  Empty
-    /// where nothing is estimated, or nothing can be told.
-    std::optional<ProbeProposal> best() const;
+    std::optional<ProbeProposal>
+    best() const;  ///< bestProbe() of the estimate that stands, if one does
 
     /// By the estimate that stands, which there is; in place of the one before.
     void propose(int bin);
@@ -38,7 +49,7 @@ public:
     std::string grounds() const;
 
 private:
-    ProbeProposal describe(int bin) const;  ///< with no id
+    ProbeBasis basis() const;  ///< the estimate that stands, which there is
 
     const Estimation& estimation_;
     const RobotModel& robot_;

@@ -3,6 +3,18 @@
 #include "core/infer/obstacle.h"
 
 namespace terratact {
+namespace {
+
+bool reachesOpenBin(const TerrainEstimate& estimate, const RobotModel& robot)
+{
+    for (int bin = 0; bin < kBins; ++bin)
+        if (robot.armReaches(bin)
+            && estimate.origin[static_cast<std::size_t>(bin)] == Origin::Sampled)
+            return true;
+    return false;
+}
+
+}  // namespace
 
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot)
 {
@@ -36,6 +48,7 @@ ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot
     advice.bin = proposeProbe(estimate, robot);
     if (estimate.draws.empty()) return advice;
     advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
+    if (!reachesOpenBin(estimate, robot)) return advice;  // it may have no arm
     advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
     std::erase_if(advice.gains, [&](const ProbeGain& gain) {
         return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;

@@ -32,6 +32,7 @@ struct Bench : testing::Test {
         RobotModel robot;
         robot.armReachBegin = 0.35;
         robot.armReachEnd = 0.75;
+        robot.armSd = 0.03;
         worker = std::make_unique<EstimatorWorker>([this]() -> Result<LoadedModel> {
             return LoadedModel{.estimate = [this](const EstimateRequest& r,
                                                   const Watch& w) { return estimate(r, w); },

@@ -164,6 +164,18 @@ TEST(OfferProbe, asksForTheQuestionWhateverTheSdButNotForNothing)
               (ProbeOffer{kBin05, NoProbe::None}));
 }
 
+TEST(AdviseProbe, hasNothingToSayOfARobotWithoutAnArm)
+{
+    TerrainEstimate estimate;
+    estimate.draws = {Heights{}, Heights{}, Heights{}};
+    estimate.draws[0][9] = 0.3;
+    estimate.sd[9] = 0.2;
+    const ProbeAdvice advice = adviseProbe(estimate, RobotModel{}, 0.1);  // whose armSd is 0
+    EXPECT_FALSE(advice.bin);
+    EXPECT_TRUE(advice.gains.empty());
+    EXPECT_GT(advice.before.variance, 0.0);
+}
+
 TEST(AdviseProbe, leavesOutWhatIsMeasured)
 {
     const RobotModel robot = absolem();
