@@ -77,7 +77,7 @@ MarkCurve::MarkCurve(Provenance provenance)
 QwtGraphic MarkCurve::legendIcon(int /*index*/, const QSizeF& /*size*/) const
 {
     if (!symbol()) return {};  // not styled yet
-    const QSizeF size(scaled(34), scaled(16));
+    const QSizeF size(scaled(26), scaled(16));
     QwtGraphic icon;
     icon.setDefaultSize(size);
     QPainter painter(&icon);

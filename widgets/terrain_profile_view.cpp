@@ -125,10 +125,10 @@ public:
     QwtGraphic legendIcon(int /*index*/, const QSizeF& /*size*/) const override
     {
         QwtGraphic icon;
-        icon.setDefaultSize(QSizeF(26, 14));
+        icon.setDefaultSize(QSizeF(20, 14));
         QPainter painter(&icon);
         painter.setPen(pen());
-        painter.drawLine(QPointF(0, 7), QPointF(26, 7));
+        painter.drawLine(QPointF(0, 7), QPointF(20, 7));
         return icon;
     }
 };
@@ -173,14 +173,14 @@ public:
     QwtGraphic legendIcon(int /*index*/, const QSizeF& /*size*/) const override
     {
         QwtGraphic icon;
-        icon.setDefaultSize(QSizeF(26, 16));
+        icon.setDefaultSize(QSizeF(16, 16));
         QPainter painter(&icon);
         painter.setPen(QPen(theme().sampled, 3.0));
-        painter.drawLine(QPointF(1, 8), QPointF(25, 8));
+        painter.drawLine(QPointF(1, 8), QPointF(15, 8));
         painter.setPen(QPen(theme().sampled, 2.0));
-        painter.drawLine(QPointF(13, 1), QPointF(13, 15));
-        painter.drawLine(QPointF(8, 1), QPointF(18, 1));
-        painter.drawLine(QPointF(8, 15), QPointF(18, 15));
+        painter.drawLine(QPointF(8, 1), QPointF(8, 15));
+        painter.drawLine(QPointF(3, 1), QPointF(13, 1));
+        painter.drawLine(QPointF(3, 15), QPointF(13, 15));
         return icon;
     }
 };
