@@ -7,6 +7,7 @@ namespace {
 
 bool reachesOpenBin(const TerrainEstimate& estimate, const RobotModel& robot)
 {
+    if (!(robot.armSd > 0.0)) return false;  // it has no arm
     for (int bin = 0; bin < kBins; ++bin)
         if (robot.armReaches(bin)
             && estimate.origin[static_cast<std::size_t>(bin)] == Origin::Sampled)
@@ -48,7 +49,7 @@ ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot
     advice.bin = proposeProbe(estimate, robot);
     if (estimate.draws.empty()) return advice;
     advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
-    if (!reachesOpenBin(estimate, robot)) return advice;  // it may have no arm
+    if (!reachesOpenBin(estimate, robot)) return advice;
     advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
     std::erase_if(advice.gains, [&](const ProbeGain& gain) {
         return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;

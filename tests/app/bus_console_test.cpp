@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/main_window.h"
+#include "app/signals_page.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
 #include "app/steady_now.h"

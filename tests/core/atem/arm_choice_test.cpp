@@ -170,8 +170,9 @@ TEST(AdviseProbe, hasNothingToSayOfARobotWithoutAnArm)
     estimate.draws = {Heights{}, Heights{}, Heights{}};
     estimate.draws[0][9] = 0.3;
     estimate.sd[9] = 0.2;
-    const ProbeAdvice advice = adviseProbe(estimate, RobotModel{}, 0.1);  // whose armSd is 0
-    EXPECT_FALSE(advice.bin);
+    RobotModel robot = absolem();
+    robot.armSd = 0.0;
+    const ProbeAdvice advice = adviseProbe(estimate, robot, 0.1);
     EXPECT_TRUE(advice.gains.empty());
     EXPECT_GT(advice.before.variance, 0.0);
 }
