@@ -62,37 +62,38 @@ void RobotReadout::showAge(Row row, double seconds)
 
 int RobotReadout::ageWidth() const
 {
-    return kColumnGap + ages_[0]->fontMetrics().horizontalAdvance(words::age(0.999));
+    QFont bold = font();
+    bold.setBold(true);
+    return kColumnGap + QFontMetrics(bold).horizontalAdvance(words::age(0.999));
 }
 
 QSize RobotReadout::minimumSizeHint() const
 {
     const QSize all = QWidget::minimumSizeHint();
-    return ages_[0]->isHidden() ? all : QSize(all.width() - ageWidth(), all.height());
+    const int ages = ages_[0]->isHidden() ? 0 : ages_[0]->minimumWidth() + kColumnGap;
+    return {all.width() - ages, all.height()};
 }
 
 void RobotReadout::fitAges()
 {
     const bool shown = width() >= minimumSizeHint().width() + ageWidth();
-    if (shown == !ages_[0]->isHidden()) return;
     for (QLabel* label : ages_) {
-        label->setFixedWidth(ageWidth() - kColumnGap);
         label->setVisible(shown);
+        if (const int wide = ageWidth() - kColumnGap; label->minimumWidth() != wide)
+            label->setFixedWidth(wide);
     }
 }
 
-void RobotReadout::resizeEvent(QResizeEvent* event)
+bool RobotReadout::event(QEvent* event)
 {
-    QWidget::resizeEvent(event);
-    fitAges();
-}
-
-void RobotReadout::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() != QEvent::StyleChange && event->type() != QEvent::FontChange) return;
-    for (QLabel* label : ages_) label->hide();  // the letters may be others
-    fitAges();
+    const bool done = QWidget::event(event);
+    switch (event->type()) {
+    case QEvent::Resize:
+    case QEvent::LayoutRequest:  // the letters may be others
+    case QEvent::FontChange: fitAges(); break;
+    default: break;
+    }
+    return done;
 }
 
 void RobotReadout::setMeasurement(const Measurement& m, double age)

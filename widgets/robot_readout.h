@@ -35,8 +35,7 @@ public:
     QSize minimumSizeHint() const override;  ///< without the ages
 
 protected:
-    void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void show(Row row, const QString& text, bool known);

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/main_window.h"
-#include "app/signals_page.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
+#include "app/signals_page.h"
 #include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/candump_log.h"

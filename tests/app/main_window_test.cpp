@@ -313,6 +313,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
         return window->probeCard()->approveButton()->text().contains(words::binName(chosen->bin));
     }));
 
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->shown() == chosen->id; }));
     QTest::keyClick(window.get(), Qt::Key_N);
     ASSERT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
         << "what it would have bought";
