@@ -143,6 +143,13 @@ std::vector<TappedFrame> BusTap::frames(double now) const
     return frames;
 }
 
+std::optional<double> BusTap::age(FrameKind kind, double now) const
+{
+    const std::scoped_lock lock(mutex_);
+    const auto& usedAt = known_[static_cast<std::size_t>(kind)].usedAt;
+    return usedAt ? std::optional(std::max(0.0, now - *usedAt)) : std::nullopt;
+}
+
 std::vector<TracedFrame> BusTap::trace() const
 {
     const std::scoped_lock lock(mutex_);

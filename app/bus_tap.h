@@ -44,7 +44,9 @@ public:
 
     BusLoad load() const;
     std::vector<TappedFrame> frames(double now) const;  ///< the robot's, then ForeignFrames
-    std::vector<TracedFrame> trace() const;             ///< oldest first
+    /// [s] since the last frame of a kind that may be used; empty: there was none.
+    std::optional<double> age(FrameKind kind, double now) const;
+    std::vector<TracedFrame> trace() const;  ///< oldest first
     void forgetExtremes();
 
 private:

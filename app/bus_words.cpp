@@ -44,6 +44,27 @@ QString busWords(BusState state, const std::string& bus)
                            : sentence + QStringLiteral(" (%1)").arg(words::text(command));
 }
 
+QString glance(BusState state)
+{
+    switch (state) {
+    case BusState::Up: return BusWords::tr("ACTIVE");
+    case BusState::Stalled: return BusWords::tr("STALLED");
+    case BusState::ErrorPassive: return BusWords::tr("PASSIVE");
+    case BusState::BusOff: return BusWords::tr("BUS-OFF");
+    case BusState::Down: return BusWords::tr("DOWN");
+    case BusState::Absent: return BusWords::tr("ABSENT");
+    case BusState::Ended: return BusWords::tr("ENDED");
+    }
+    return {};
+}
+
+QString loadGlance(const BusLoad& load, const BitRate& bitrate)
+{
+    const double rate = bitrate.bitsPerSecond.value_or(0.0);
+    if (!(rate > 0.0)) return QStringLiteral("--- %");
+    return QStringLiteral("≤ %1 %").arg(words::percent(load.mostBits / rate));
+}
+
 QString troubleWords(const CanSource* link, const std::string& said)
 {
     if (said.empty() || !link) return words::sentence(said);

@@ -12,6 +12,12 @@ namespace terratact {
 /// What is the matter with a bus, and the command that mends it.
 QString busWords(BusState state, const std::string& bus);
 
+/// One word for it: "ACTIVE", "BUS-OFF".
+QString glance(BusState state);
+
+/// "≤ 14 %": the load with all the stuff bits that there can be; "--- %" where the bit rate is not known.
+QString loadGlance(const BusLoad& load, const BitRate& bitrate);
+
 /// Why nothing arrives from a robot, or leaves for it: of its bus where there is one that does not work, else what its
 /// source said.
 QString troubleWords(const CanSource* link, const std::string& said);

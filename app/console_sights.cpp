@@ -1,5 +1,8 @@
 #include "app/console_sights.h"
 
+#include <array>
+#include <limits>
+
 #include "app/bus_words.h"
 #include "widgets/words.h"
 
@@ -26,6 +29,19 @@ void addEstimation(TerrainSight& sight, const Estimation& estimation)
     sight.ghost = estimation.ghost();
     sight.whyNoGhost = estimation.whyNoGhost();
     sight.verdict = estimation.verdict();
+}
+
+/// Of the frames that the readout's rows come in.
+RobotReadout::Ages agesOf(const BusTap& tap, double now)
+{
+    using enum FrameKind;
+    RobotReadout::Ages ages{};
+    constexpr std::array kFrames{Attitude,   Attitude,      FrontAngles,
+                                 RearAngles, FrontCurrents, RearCurrents};
+    static_assert(kFrames.size() == RobotReadout::kRows);
+    for (std::size_t row = 0; row < ages.size(); ++row)
+        ages[row] = tap.age(kFrames[row], now).value_or(std::numeric_limits<double>::infinity());
+    return ages;
 }
 
 }  // namespace
@@ -70,6 +86,7 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
     if (newest) {
         sight.measurement = &newest->sample.measurement;
         sight.age = now - secondsOf(newest->arrived);
+        if (parts_.link && !sight.ended) sight.ages = agesOf(parts_.link->tap(), now);
         sight.count = newest->count;
         sight.forces = &forcesOf(*newest);
         sight.truth = &newest->sample.truth;
@@ -81,6 +98,8 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
     sight.time = exploration.time();
     sight.secondsInPhase = exploration.secondsInPhase();
     sight.proposal = pointer(exploration.proposal());
+    if (!sight.proposal) sight.bestProbe = exploration.bestProbe();
+    sight.whyNotOffered = exploration.whyNotOffered();
     sight.probingBin = exploration.probingBin();
     sight.probeSeconds = exploration.options().probeSeconds;
     // A preview takes a telemetry's time: its progress would only flicker.

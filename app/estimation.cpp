@@ -109,7 +109,7 @@ void Estimation::cancel()
 
 void Estimation::adviseAnew()
 {
-    if (estimate_ && advice_.bin && advice_.stepLimit != options_.stepLimit)
+    if (estimate_ && advice_.stepLimit != options_.stepLimit)
         worker_.advise(*estimate_, robot_, options_.stepLimit);
 }
 

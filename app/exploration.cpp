@@ -18,7 +18,8 @@ constexpr double kEndsWithin = 1.0;  // [s] a robot ends an exploration, once to
 Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
                          const Options& options, CanSource* link)
     : source_(source), link_(link), robot_(std::move(robot)), options_(options),
-      estimation_(worker, robot_, options_), probes_(estimation_, robot_, options_.probeSeconds)
+      estimation_(worker, robot_, options_),
+      probes_(estimation_, robot_, options_.probeSeconds, options_.probes)
 {
     if (const QString why = whyFollowing(link); !why.isEmpty()) {
         following_ = std::make_unique<Following>(why, estimation_, options_.limits);
@@ -39,11 +40,12 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
 
 void Exploration::takeAdvice()
 {
-    const std::optional<int> bin = estimation_.advice().bin;
+    const ProbeOffer offer = probes_.offer();
     pending_.estimateReady = true;
-    pending_.probeWanted = bin.has_value();
+    pending_.probeWanted = offer.bin.has_value();
+    whyNotOffered_ = wordsOf(offer.why);
     probes_.withdraw();
-    if (bin && !following()) probes_.propose(*bin);
+    if (offer.bin && !following()) probes_.propose(*offer.bin);
 }
 
 void Exploration::askAnew()
@@ -63,6 +65,22 @@ QString Exploration::whyNoEstimate() const
     if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");
     if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
     return tr("No estimate yet: explore the terrain (A)");
+}
+
+QString Exploration::wordsOf(NoProbe why) const
+{
+    switch (why) {
+    case NoProbe::None: break;
+    case NoProbe::Certain:
+        return tr("Not offered: no bin in reach is less certain than ± %1 m")
+            .arg(words::number(estimation_.estimate()->settings.probeAbove, 2));
+    case NoProbe::Decided:
+        return tr("Not offered, as the settings have it: %1 stands without the arm")
+            .arg(words::sentence(name(estimation_.verdict()->outlook)));
+    case NoProbe::NoGain:
+        return tr("Not offered, as the settings have it: no bin in reach tells about the step");
+    }
+    return {};
 }
 
 void Exploration::request()

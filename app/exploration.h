@@ -31,6 +31,7 @@ class Exploration final : public QObject {
 public:
     struct Options : Estimation::Options {
         AtemLimits limits;
+        ProbePolicy probes = ProbePolicy::Variance;
         double pressTorque = 18.0;    ///< [N m] sum of both front flippers
         double driveSpeed = 0.2;      ///< [m/s]
         double linkLostAfter = 0.25;  ///< [s] without telemetry
@@ -52,6 +53,10 @@ public:
     void refuse(quint64 proposal);
     void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
     void setStepLimit(double metres);        ///< what counts as an obstacle
+    void setProbePolicy(ProbePolicy policy)
+    {
+        options_.probes = policy;
+    }  ///< from the next estimate on
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
     /// Estimated beside the first; empty: none.
     void setSecondMethod(std::optional<Method> method);
@@ -85,6 +90,10 @@ public:
     bool ended() const { return ended_; }  ///< a log that is replayed
     QString whyNoEstimate() const;         ///< and what brings one
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
+    /// What a probe would buy by the estimate that stands, whether or not one is proposed; empty: nothing can be told.
+    std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
+    /// Why none was offered for it; empty: one was, or would be where commands leave.
+    QString whyNotOffered() const { return whyNotOffered_; }
     /// Fingerprint of what the proposal rests on.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
     std::optional<int> probingBin() const;
@@ -106,6 +115,7 @@ signals:
 
 private:
     void takeAdvice();
+    QString wordsOf(NoProbe why) const;
     /// The same probe by the newest advice: another question, with an id of its own.
     void askAnew();
 
@@ -137,6 +147,7 @@ private:
     Options options_;
     Estimation estimation_;
     ProbeProposals probes_;
+    QString whyNotOffered_;
     std::unique_ptr<Following> following_;  ///< null: commands leave
 
     AtemState state_;

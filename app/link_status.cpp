@@ -34,6 +34,7 @@ void LinkStatus::show(const LinkSight& sight)
     const double age = sight.newest ? sight.now - secondsOf(sight.newest->arrived) : 0.0;
     worstAge_ = std::max(worstAge_, age);
     showLink(sight, age);
+    showBus(sight.now);
     showBanner(sight, age);
     tellChange(sight);
     showRobot(sight.newest, age);
@@ -51,6 +52,30 @@ void LinkStatus::showLink(const LinkSight& sight, double age)
                                  : tr("no telemetry yet"),
                     Tone::Bad, bus);
     rateShownAt_ = 0.0;
+}
+
+void LinkStatus::showBus(double now)
+{
+    if (!link_ || now - busShownAt_ < kRateEvery) return;
+    busShownAt_ = now;
+    const CanView view = link_->view();
+    const BusLoad load = link_->tap().load();
+    const std::uint64_t lost = view.frames.dropped + view.frames.errorFrames;
+    // Of a log the state says only whether it goes on.
+    const bool isLog = link_->mode() == CanSource::Mode::Replay;
+    const bool isOurs = link_->bitrate().nominal;  // a robot in this program
+    QStringList parts{isLog    ? tr("log")
+                      : isOurs ? tr("bus")
+                               : QString::fromStdString(link_->busName())};
+    if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
+    parts << loadGlance(load, link_->bitrate());
+    if (lost > 0) parts << tr("! %1 lost").arg(lost);
+    const bool works = view.bus == BusState::Up || view.bus == BusState::Ended;
+    header_.setBus(parts.join(QLatin1Char(' ')),
+                   !works     ? Tone::Bad
+                   : lost > 0 ? Tone::Doubt
+                              : Tone::Plain,
+                   details(view));
 }
 
 void LinkStatus::showRate(double now)

@@ -40,6 +40,7 @@ public:
 private:
     void showLink(const LinkSight& sight, double age);
     void showRate(double now);
+    void showBus(double now);
     void showBanner(const LinkSight& sight, double age);
     void tellChange(const LinkSight& sight);
     void showRobot(const Received* newest, double age);
@@ -53,6 +54,7 @@ private:
     bool wasAlive_ = false;
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     double rateShownAt_ = 0.0;  ///< [s]; 0: the link was lost since
+    double busShownAt_ = 0.0;   ///< [s]
     double worstAge_ = 0.0;     ///< [s] of telemetry, since then
 };
 

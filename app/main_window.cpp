@@ -75,6 +75,8 @@ MainWindow::MainWindow(Options options)
     if (recorder_) {
         scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
         recorder_->setOn(preferences_->current().record);
+        const QString unusual = changesOf(Preferences{}, preferences_->current());
+        if (!unusual.isEmpty()) scribe_->decision("settings", unusual);
     }
     offerQualities();
     offerViews();
@@ -250,6 +252,7 @@ void MainWindow::applyPreferences(const Preferences& before)
     }
     setLook(now.theme, now.fontScale);
     exploration_->setEstimateSeconds(now.estimateSeconds);
+    exploration_->setProbePolicy(now.probes);
     if (now.robot != before.robot || now.language != before.language) reopen();
 }
 
@@ -309,6 +312,8 @@ void MainWindow::connectAll()
     Exploration* exploration = exploration_.get();
     connect(header(), &StatusHeader::alarmsRequested, this,
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
+    connect(header(), &StatusHeader::busRequested, this,
+            [this] { rail()->choose(rail()->pageOf(Qt::Key_F5)); });
     connect(header(), &StatusHeader::qualityChosen, this, [this](int index) {
         preferences_->change([index](Preferences& p) {
             p.quality = kQualities.at(static_cast<std::size_t>(index));

@@ -94,6 +94,7 @@ Exploration::Options explorationFor(const ConsoleOptions& options, const Prefere
     exploration.settings = withPreferences(exploration.settings, preferences);
     exploration.settings.seed = options.seed;
     exploration.stepLimit = preferences.obstacleLimit;
+    exploration.probes = preferences.probes;
     exploration.seconds = preferences.estimateSeconds;
     if (options.isPicture())  // must not fail on a busy machine
         exploration.linkLostAfter = exploration.staleAfter = 5.0;

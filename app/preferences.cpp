@@ -169,6 +169,7 @@ void visit(Visitor visitor, Values& p)
     visitor.oneOf("quality", p.quality, kQualities);
     visitor.number("estimate-seconds", p.estimateSeconds, 0, kMostEstimateSeconds);
     visitor.number("force-threshold", p.forceThreshold, 0.1, 500.0);
+    visitor.oneOf("probe-policy", p.probes, kProbePolicies);
     visitor.number("probe-above", p.probeAbove, 0.001, 1.0);
     visitor.number("roll-limit", p.rollLimit, 0.01, kRight);
     visitor.number("asymmetry-limit", p.asymmetryLimit, 0.01, kRight);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/atem/probe_policy.h"
 #include "core/infer/quality.h"
 #include "core/result.h"
 #include "widgets/palette.h"
@@ -27,6 +28,7 @@ struct Preferences {
     Quality quality = Quality::Balanced;
     int estimateSeconds = 0;  ///< [s] after which sampling ends with what there is; 0: no limit
     double forceThreshold = Settings{}.forceThreshold;  ///< [N]
+    ProbePolicy probes = ProbePolicy::Variance;
     double probeAbove = Settings{}.probeAbove;          ///< [m]
     double rollLimit = Settings{}.rollLimit;            ///< [rad]
     double asymmetryLimit = Settings{}.asymmetryLimit;  ///< [rad]

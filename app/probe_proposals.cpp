@@ -10,44 +10,75 @@ namespace {
 
 ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
 {
+    const double share = before.variance > 0.0 ? gain.varianceReduction / before.variance : 0.0;
     return {.bin = gain.bin,
-            .varianceShare = std::clamp(gain.varianceReduction / before.variance, 0.0, 1.0),
+            .varianceShare = std::clamp(share, 0.0, 1.0),
             .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2};
 }
 
 }  // namespace
 
-ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
-                               double seconds)
-    : estimation_(estimation), robot_(robot), seconds_(seconds)
+ProbeProposal describeProbe(const ProbeBasis& basis, int bin)
 {
+    const auto& [estimate, advice, robot, seconds, policy] = basis;
+    const auto i = static_cast<std::size_t>(bin);
+    ProbeProposal probe{.id = 0,
+                        .bin = bin,
+                        .height = estimate.height[i],
+                        .q10 = estimate.q10[i],
+                        .q90 = estimate.q90[i],
+                        .sd = estimate.sd[i],
+                        .limit = estimate.settings.probeAbove,
+                        .armSd = robot.armSd,
+                        .seconds = seconds,
+                        .stepLimit = advice.stepLimit,
+                        .bitsBefore = advice.before.entropy / std::numbers::ln2,
+                        .worth = {},
+                        .others = {}};
+    for (const ProbeGain& gain : ranked(advice, policy)) {
+        const ProbeWorth worth = worthOf(gain, advice.before);
+        if (gain.bin == bin)
+            probe.worth = worth;
+        else
+            probe.others.push_back(worth);
+    }
+    return probe;
+}
+
+std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis)
+{
+    const std::vector<ProbeGain> gains = ranked(basis.advice, basis.policy);
+    const bool isRanked = basis.policy == ProbePolicy::Question && !gains.empty();
+    if (basis.advice.bin && !isRanked) return describeProbe(basis, *basis.advice.bin);
+    if (gains.empty()) return std::nullopt;
+    return describeProbe(basis, gains.front().bin);
+}
+
+ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
+                               double seconds, const ProbePolicy& policy)
+    : estimation_(estimation), robot_(robot), seconds_(seconds), policy_(policy)
+{
+}
+
+ProbeOffer ProbeProposals::offer() const
+{
+    return offerProbe(estimation_.advice(), estimation_.verdict()->outlook, policy_);
+}
+
+ProbeBasis ProbeProposals::basis() const
+{
+    return {*estimation_.estimate(), estimation_.advice(), robot_, seconds_, policy_};
+}
+
+std::optional<ProbeProposal> ProbeProposals::best() const
+{
+    return estimation_.estimate() ? bestProbe(basis()) : std::nullopt;
 }
 
 void ProbeProposals::propose(int bin)
 {
-    const TerrainEstimate& estimate = *estimation_.estimate();
-    const ProbeAdvice& advice = estimation_.advice();
-    const auto i = static_cast<std::size_t>(bin);
-    current_ = ProbeProposal{.id = ++last_,
-                             .bin = bin,
-                             .height = estimate.height[i],
-                             .q10 = estimate.q10[i],
-                             .q90 = estimate.q90[i],
-                             .sd = estimate.sd[i],
-                             .limit = estimate.settings.probeAbove,
-                             .armSd = robot_.armSd,
-                             .seconds = seconds_,
-                             .stepLimit = advice.stepLimit,
-                             .bitsBefore = advice.before.entropy / std::numbers::ln2,
-                             .worth = {},
-                             .others = {}};
-    for (const ProbeGain& gain : advice.gains) {
-        const ProbeWorth worth = worthOf(gain, advice.before);
-        if (gain.bin == bin)
-            current_->worth = worth;
-        else
-            current_->others.push_back(worth);
-    }
+    current_ = describeProbe(basis(), bin);
+    current_->id = ++last_;
     proposedOn_ = grounds();
 }
 

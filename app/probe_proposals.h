@@ -4,17 +4,37 @@
 #include <string>
 
 #include "app/estimation.h"
+#include "core/atem/probe_policy.h"
 #include "core/robot/robot_model.h"
 #include "widgets/probe_card.h"
 
 namespace terratact {
 
+/// What touching a bin buys, and what it rests on.
+struct ProbeBasis {
+    const TerrainEstimate& estimate;
+    const ProbeAdvice& advice;  ///< of it
+    const RobotModel& robot;
+    double seconds;  ///< a probe takes
+    ProbePolicy policy;
+};
+ProbeProposal describeProbe(const ProbeBasis& basis, int bin);  ///< its id is 0
+/// Of the bin that a probe is best spent on, whether or not it is asked for; empty where nothing can be told.
+std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
+
 /// The probes that are put to the operator, one at a time, each with an id of its own: what the estimate says of a
 /// bin, what touching it buys, and what the other bins of the advice would.
 class ProbeProposals {
 public:
-    /// seconds: a probe takes.  The others must outlive it.
-    ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds);
+    /// seconds: a probe takes.  policy: as it is when it is asked for.  The others must outlive it, too.
+    ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds,
+                   const ProbePolicy& policy);
+
+    /// What is to be proposed by the estimate that stands, which there is.
+    ProbeOffer offer() const;
+
+    std::optional<ProbeProposal>
+    best() const;  ///< bestProbe() of the estimate that stands, if one does
 
     /// By the estimate that stands, which there is; in place of the one before.
     void propose(int bin);
@@ -29,9 +49,12 @@ public:
     std::string grounds() const;
 
 private:
+    ProbeBasis basis() const;  ///< the estimate that stands, which there is
+
     const Estimation& estimation_;
     const RobotModel& robot_;
     double seconds_;
+    const ProbePolicy& policy_;
     std::optional<ProbeProposal> current_;
     std::string proposedOn_;
     quint64 last_ = 0;  ///< id

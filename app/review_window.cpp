@@ -18,6 +18,7 @@
 #include "app/force_arrays.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
+#include "app/probe_proposals.h"
 #include "app/review_events_page.h"
 #include "app/review_export.h"
 #include "app/review_export_dialog.h"
@@ -345,12 +346,24 @@ void ReviewWindow::showTerrain()
         sight.probeSeconds = moment_.proposal->seconds;
         if (moment_.state.phase == AtemPhase::Probing) sight.probingBin = moment_.proposal->bin;
     }
+    if (row && !proposal)
+        sight.bestProbe = bestProbe({row->estimate, adviceAt(limit), robot_,
+                                     ProbeProposal{}.seconds, preferences_->current().probes});
     const QString why = tr("A review commands no robot");
     sight.preconditions << Precondition{Precondition::Level::Missing, why};
     sight.driving = sight.preconditions;
     terrain_->setThreshold(threshold);
     terrain_->setSight(sight);
     forbidCommands();
+}
+
+const ProbeAdvice& ReviewWindow::adviceAt(double limit)
+{
+    if (advised_ != moment_.estimate || advice_.stepLimit != limit) {
+        advised_ = moment_.estimate;
+        advice_ = adviseProbe(advised_->estimate, robot_, limit);
+    }
+    return advice_;
 }
 
 /// Nothing listens to these; the card says why they are not there.

@@ -11,6 +11,7 @@
 #include "app/review_notes.h"
 #include "app/review_player_bar.h"
 #include "app/session_surveyor.h"
+#include "core/atem/arm_choice.h"
 #include "core/log/review_moment.h"
 #include "core/robot/robot_model.h"
 
@@ -83,6 +84,7 @@ private:
     void showEvents();
     void place();  ///< what finds no room beside the terrain on the robot's page
     void forbidCommands();
+    const ProbeAdvice& adviceAt(double limit);  ///< of the estimate of the moment, which there is
     void applyPreferences(const Preferences& before);
     void loadTimeline();
     void followSession();
@@ -98,6 +100,8 @@ private:
     ReviewMoments moments_;
     ReviewForces forces_;
     ReviewMoment moment_;
+    std::shared_ptr<const EstimateRow> advised_;  ///< what advice_ is of
+    ProbeAdvice advice_;
     SessionSurveyor surveyor_;
     std::uint64_t surveyVersion_ = 0;
     bool surveyedAll_ = false;

@@ -225,6 +225,14 @@ void SettingsPage::buildEstimate(QFormLayout* form)
                        tr("The verdict's question (PgUp, PgDown)"), &Preferences::obstacleLimit);
     threshold_ = number(form, tr("An element is a contact above"), 0.1, 50.0, 1, tr("N"),
                         tr("Weaker forces are noise"), &Preferences::forceThreshold);
+    probes_ = choice(
+        form, tr("The arm is offered"),
+        {tr("where the terrain is uncertain"), tr("there, unless the verdict stands"),
+         tr("where it tells about the verdict")},
+        tr("Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its "
+           "question, whatever the sd, and only while it is open"),
+        [](const Preferences& p) { return indexOf(kProbePolicies, p.probes); },
+        [](Preferences& p, std::size_t i) { p.probes = kProbePolicies.at(i); });
     number(form, tr("The arm is offered above a sd of"), 0.01, 0.50, 2, tr("m"),
            tr("A bin less certain than this asks for a probe"), &Preferences::probeAbove);
     number(form, tr("The verdict is withheld above a roll of"), 1.0, 45.0, 1, tr("°"),

@@ -36,6 +36,7 @@ public:
     QComboBox* methodBox() const { return method_; }
     QComboBox* qualityBox() const { return quality_; }
     QComboBox* themeBox() const { return theme_; }
+    QComboBox* probesBox() const { return probes_; }
     QDoubleSpinBox* thresholdBox() const { return threshold_; }
     QDoubleSpinBox* obstacleBox() const { return obstacle_; }
     QLabel* lettersNote() const { return lettersNote_; }
@@ -79,6 +80,7 @@ private:
     QComboBox* method_ = nullptr;
     QComboBox* quality_ = nullptr;
     QSpinBox* seconds_ = nullptr;
+    QComboBox* probes_ = nullptr;
     QDoubleSpinBox* threshold_ = nullptr;
     QDoubleSpinBox* obstacle_ = nullptr;
     QComboBox* theme_ = nullptr;

@@ -2,6 +2,8 @@
 
 #include <QLabel>
 
+#include "widgets/spoken.h"
+
 namespace terratact {
 
 ShortNotice::ShortNotice(QLabel& banner) : banner_(banner)
@@ -13,6 +15,7 @@ void ShortNotice::say(const QString& text, double now)
 {
     banner_.setText(text);
     until_ = now + kFor;
+    announce(banner_);
 }
 
 void ShortNotice::look(double now, bool hasRoom)

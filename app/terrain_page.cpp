@@ -18,7 +18,6 @@
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
-#include "widgets/robot_readout.h"
 #include "widgets/terrain_profile_view.h"
 #include "widgets/verdict_strip.h"
 #include "widgets/words.h"
@@ -29,7 +28,8 @@ namespace {
 constexpr int kBetween = 10;                       // [px] cards
 constexpr int kToSpare = 10;                       // [px] before cards have to leave
 constexpr QSize kLeastTerrain{420, 230};           // [px]
-constexpr int kColumn = 404, kNarrowColumn = 300;  // [px] of the decisions, at 100 %
+constexpr int kColumn = 404, kNarrowColumn = 276;  // [px] of the decisions, at 100 %
+constexpr int kTightTerrain = 330;  // [px] the terrain is the largest part there, too
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)
@@ -49,12 +49,32 @@ QString whyNoProbe(const TerrainSight& sight)
             return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
         if (state.approvalExpired)
             return TerrainPage::tr("The proposal was not answered in time, which means no.");
+        if (!sight.whyNotOffered.isEmpty()) return sight.whyNotOffered;
         if (sight.estimate && !sight.proposal)
             return TerrainPage::tr("No probe: the estimate stands without the arm.");
     }
     return TerrainPage::tr(
         "No probe is proposed. After an exploration the arm is offered where the "
         "terrain stays uncertain.");
+}
+
+/// What the estimate that stands says of a probe is told where nobody is asked and nothing is under way.
+bool tellsWorth(const TerrainSight& sight)
+{
+    if (!sight.estimate || sight.live || !sight.bestProbe) return false;
+    switch (sight.state.phase) {
+    case AtemPhase::Presenting:
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed:
+    case AtemPhase::Idle: return true;
+    case AtemPhase::Halting:
+    case AtemPhase::Pressing:
+    case AtemPhase::Estimating:
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Probing:
+    case AtemPhase::EstimatingAgain: return false;
+    }
+    return false;
 }
 
 /// The robot says of its arm where it touched last at this pose, and nothing of where it is.
@@ -302,7 +322,7 @@ void TerrainPage::setTight(bool tight)
     // A banner's line is the terrain's and the question's, where it would else make the cards leave.
     if (window_)
         terrain_->setMinimumSize(kLeastTerrain - QSize(0, tight ? 0 : window_->bannerLine()));
-    terrainCard_->setMinimumWidth(tight ? scaled(kNarrowColumn) : 0);  // it is the largest part
+    terrainCard_->setMinimumWidth(tight ? scaled(kTightTerrain) : 0);
     // Driving is needed at any time; the rest of its card is looked up.
     if (tight)
         decide_->addWidget(drive_);
@@ -403,8 +423,11 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     if (sight.numbersDue || fresh != numbersFresh_) {
         numbersFresh_ = fresh;
         const bool isDrawn = !sight.scene || sight.scene == sight.measurement;
-        readout_->setMeasurement(*sight.measurement, sight.age,
-                                 isDrawn ? std::nullopt : std::optional(sight.scene->pitch));
+        const auto captured = isDrawn ? std::nullopt : std::optional(sight.scene->pitch);
+        if (sight.ages)
+            readout_->setMeasurement(*sight.measurement, sight.age, *sight.ages, captured);
+        else
+            readout_->setMeasurement(*sight.measurement, sight.age, captured);
         showAge(sight);
     }
     if (!fresh) {
@@ -500,7 +523,9 @@ void TerrainPage::showVerdict(const TerrainSight& sight)
                                     : flippersMove(sight) ? tr("The flippers still move")
                                                           : tr("The estimate is being computed"));
     QString probe;
-    const ProbeProposal* const proposal = sight.proposal;
+    const ProbeProposal* const proposal = sight.proposal    ? sight.proposal
+                                        : tellsWorth(sight) ? &*sight.bestProbe
+                                                            : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit()) {
         const QString bin = words::binName(proposal->bin);
         const QString bits = words::number(proposal->bitsBefore, 2);
@@ -531,6 +556,8 @@ void TerrainPage::showProbe(const TerrainSight& sight)
         probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
     } else if (sight.probingBin) {
         probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);
+    } else if (tellsWorth(sight)) {
+        probe_->setWorth(*sight.bestProbe, whyNoProbe(sight));
     } else {
         probe_->setNothing(whyNoProbe(sight));
     }

@@ -14,6 +14,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/force_bars.h"
 #include "widgets/probe_card.h"
+#include "widgets/robot_readout.h"
 
 class QBoxLayout;
 class QLabel;
@@ -28,7 +29,6 @@ class DrivePad;
 class ElidedLabel;
 class EstimateStrip;
 class EventList;
-class RobotReadout;
 class TerrainProfileView;
 class VerdictStrip;
 
@@ -40,6 +40,7 @@ struct TerrainSight {
 
     const Measurement* measurement = nullptr;  ///< the newest
     double age = 0.0;                          ///< [s] of it
+    std::optional<RobotReadout::Ages> ages{};  ///< of its values; empty: all are of that age
     bool numbersDue = true;                    ///< its numbers are to be shown, not only drawn
     double numbersFor = 0.0;                   ///< [s] at most, until they are shown anew
     std::uint64_t count = 0;                   ///< another for another measurement
@@ -65,6 +66,9 @@ struct TerrainSight {
     std::optional<PhaseTime> time{};  ///< of the phase
     double secondsInPhase = 0.0;
     const ProbeProposal* proposal = nullptr;  ///< of the estimate, whether or not it is asked
+    std::optional<ProbeProposal>
+        bestProbe{};          ///< without one: what the best would buy all the same
+    QString whyNotOffered{};  ///< empty: it was, or would be elsewhere
     std::optional<int> probingBin{};
     double probeSeconds = 0.0;         ///< a probe takes
     std::optional<double> progress{};  ///< 0 … 1 of an estimate under way

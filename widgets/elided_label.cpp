@@ -15,6 +15,12 @@ void ElidedLabel::setUsual(const QStringList& texts)
     updateGeometry();
 }
 
+void ElidedLabel::setLeastLetters(int letters)
+{
+    leastLetters_ = letters;
+    updateGeometry();
+}
+
 int ElidedLabel::widthOf(const QString& text) const
 {
     const int frame = QLabel::sizeHint().width() - fontMetrics().size(0, this->text()).width();
@@ -40,8 +46,7 @@ QSize ElidedLabel::sizeHint() const
 
 QSize ElidedLabel::minimumSizeHint() const
 {
-    constexpr int kLetters = 9;  // with fewer, nobody knows what it is about
-    const int least = widthOf(QString(kLetters, QLatin1Char('n')));
+    const int least = widthOf(QString(leastLetters_, QLatin1Char('n')));
     return {std::min(sizeHint().width(), least), QLabel::sizeHint().height()};
 }
 

@@ -13,6 +13,8 @@ public:
 
     /// Room for each of these is wanted, whatever is shown.
     void setUsual(const QStringList& texts);
+    /// So many letters of a text are seen in any case.
+    void setLeastLetters(int letters);
     int usualWidth() const;  ///< [px] that all of them need; of the text where there are none
     bool isElided() const;
 
@@ -27,6 +29,7 @@ private:
     int widthOf(const QString& text) const;
 
     QStringList usual_;
+    int leastLetters_ = 9;  ///< with fewer, nobody knows what it is about
 };
 
 }  // namespace terratact

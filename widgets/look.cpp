@@ -7,11 +7,12 @@
 #include <QPalette>
 #include <QRegularExpression>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QToolTip>
 #include <cmath>
 
 #include "widgets/palette.h"
+#include "widgets/spoken.h"
+#include "widgets/target_style.h"
 
 namespace terratact {
 namespace {
@@ -90,9 +91,10 @@ QFrame#navigationRail QPushButton:focus { border: 2px solid @source; }
 
 QFrame#statusHeader { background: @header; }
 QFrame#statusHeader QPushButton[role="quiet"] { background: @chipArea; color: @chipText; border-color: @chipBorder; }
-QFrame#statusHeader QPushButton[role="quiet"]:focus { border-color: @source; }
+QFrame#statusHeader QPushButton[role="quiet"]:focus, QFrame#statusHeader QPushButton[role="caution"]:focus { border-color: @source; }
 QFrame#statusHeader QPushButton[role="quiet"]:disabled { color: @chipOffText; border-color: @chipBorder; }
 QFrame#statusHeader QPushButton[role="alarm"] { background: @chipBadArea; color: @chipBadText; border: 2px solid @stopBorder; font-weight: bold; }
+QFrame#statusHeader QPushButton[role="caution"] { background: @chipDoubtArea; color: @chipDoubtText; border-color: @chipBorder; }
 QFrame#statusHeader QPushButton[role="armed"] { background: @cautionArea; color: @cautionText; border-color: @source; font-weight: bold; }
 QFrame#statusHeader QLabel { color: @headerText; }
 QFrame#statusHeader QLabel#sourceName { color: @source; font-size: @17px; font-weight: bold; }
@@ -110,7 +112,7 @@ QLabel#safeStrip { background: @cautionArea; color: @cautionText; font-size: @13
 QLabel#reviewStrip { background: @cautionArea; color: @cautionText; font-weight: bold; padding: 5px 12px; }
 
 QMenu { background: @card; color: @text; border: 1px solid @buttonBorder; }
-QMenu::item { padding: @8px @28px; }
+QMenu::item { padding: @9px @28px; }
 QMenu::item:selected { background: @primaryArea; color: @primaryText; }
 QMenu::item:disabled { color: @offText; }
 QMenu::indicator { width: @14px; height: @14px; left: @7px; }
@@ -228,9 +230,9 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
 {
     current = themeOf(name);
     inForce = {name, fontScale};
+    installSpokenLabels();
     // A style sheet wraps the style and would wrap a second one, too.
-    if (application.styleSheet().isEmpty())
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (application.styleSheet().isEmpty()) QApplication::setStyle(new TargetStyle);
     QFont font = QApplication::font();
     font.setPixelSize(scaled(14));
     QApplication::setFont(font);

@@ -14,6 +14,7 @@
 #include "widgets/look.h"
 #include "widgets/palette.h"
 #include "widgets/scroll_column.h"
+#include "widgets/spoken.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -22,6 +23,7 @@ namespace {
 enum Page { kNothing, kQuestion, kProbing };
 constexpr int kFacts = 6;       // lines
 constexpr int kLeastFacts = 4;  // seen in any case
+constexpr int kProbeGap = 6;    // [px] facts and answers
 
 QString percent(double share)
 {
@@ -98,14 +100,31 @@ QWidget* ProbeCard::questionPage()
     setTone(*decided_, Tone::Good);
     facts_->column()->addWidget(decided_);
     facts_->column()->addLayout(rows);
+    ranking_ = new QLabel(question);
+    ranking_->setWordWrap(true);
+    ranking_->setAccessibleName(tr("The other bins, the best first"));
+    setTone(*ranking_, Tone::Muted);
+    facts_->column()->addWidget(ranking_);
     // Room to spare goes between the lines: what is to be decided is read at a glance.
     for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
     facts_->column()->addStretch(1);
 
+    answers_ = answers();
+    auto* column = new QVBoxLayout(question);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kProbeGap);
+    column->addWidget(facts_, 1);
+    column->addWidget(answers_);
+    return question;
+}
+
+QWidget* ProbeCard::answers()
+{
+    auto* all = new QWidget(this);
     auto* instead = new QHBoxLayout;
-    instead->setSpacing(6);
+    instead->setSpacing(kProbeGap);
     for (std::size_t i = 0; i < kOthers; ++i) {
-        others_[i] = new QPushButton(question);
+        others_[i] = new QPushButton(all);
         others_[i]->setFocusPolicy(Qt::TabFocus);
         others_[i]->setProperty("role", "compact");
         instead->addWidget(others_[i], 1);
@@ -114,19 +133,18 @@ QWidget* ProbeCard::questionPage()
                 emit otherChosen(proposal_->id, proposal_->others[i].bin);
         });
     }
-    approve_ = new HoldToConfirmButton(QString(), &Theme::decide, question);
+    approve_ = new HoldToConfirmButton(QString(), &Theme::decide, all);
     setPreconditions({});
-    refuse_ = new QPushButton(question);
+    refuse_ = new QPushButton(all);
     refuse_->setFocusPolicy(Qt::TabFocus);
     refuse_->setToolTip(tr("Refuses the arm; as good an answer as any other"));
-    auto* column = new QVBoxLayout(question);
+    auto* column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(6);
-    column->addWidget(facts_, 1);
+    column->setSpacing(kProbeGap);
     column->addLayout(instead);
     column->addWidget(approve_);
     column->addWidget(refuse_);
-    return question;
+    return all;
 }
 
 QWidget* ProbeCard::probingPage()
@@ -151,13 +169,13 @@ void ProbeCard::setNarrow(bool narrow)
     narrow_ = narrow;
     where_->setVisible(!narrow);  // other lines say it, too
     for (QLabel* key : std::as_const(keys_)) key->setVisible(!narrow);
-    showAnswer();
-    if (proposal_) showWorth();
+    told() ? showFacts() : showAnswer();
 }
 
 int ProbeCard::leastHeight() const
 {
-    return frameHeight() + asking_->layout()->totalMinimumSize().height();
+    const QSize buttons = answers_->layout()->totalMinimumSize();  // hidden as a whole, or not
+    return frameHeight() + facts_->minimumSizeHint().height() + kProbeGap + buttons.height();
 }
 
 int ProbeCard::givenHeight() const
@@ -180,6 +198,16 @@ bool ProbeCard::asks() const
     return proposal_.has_value();
 }
 
+bool ProbeCard::tells() const
+{
+    return worth_.has_value();
+}
+
+const ProbeProposal* ProbeCard::told() const
+{
+    return proposal_ ? &*proposal_ : worth_ ? &*worth_ : nullptr;
+}
+
 std::optional<quint64> ProbeCard::shown() const
 {
     if (!proposal_ || painted_ != proposal_->id) return std::nullopt;
@@ -197,21 +225,46 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
 {
     if (proposal_ == proposal) return;
     // A hold begun on another question does not count for this one.
-    if (!proposal_ || proposal_->id != proposal.id) approve_->letGo();
+    const bool isNew = !proposal_ || proposal_->id != proposal.id;
+    if (isNew) approve_->letGo();
     proposal_ = proposal;
-    where_->setText(tr("bin %1").arg(words::binName(proposal.bin)));
-    showAnswer();
-    showWorth();
+    worth_.reset();
+    showFacts();
     approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));
     approve_->setAccessibleName(
         tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
     showPage(kQuestion);
     update();  // all of it
+    if (isNew) announce(*this);
+}
+
+void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
+{
+    if (worth_ == probe && whyNotAsked_ == why) return;
+    proposal_.reset();
+    worth_ = probe;
+    whyNotAsked_ = why;
+    note()->setText(tr("nothing is asked"));
+    setTone(*note(), Tone::Muted);
+    showFacts();
+    showPage(kQuestion);
+}
+
+void ProbeCard::showFacts()
+{
+    where_->setText(tr("bin %1").arg(words::binName(told()->bin)));
+    answers_->setVisible(asks());
+    showAnswer();
+    showWorth();
+    const QLabel* const lines[]{where_, predicted_, band_, variance_, question_};
+    QStringList all;
+    for (const QLabel* line : lines) all << line->text();
+    setAccessibleDescription(all.join(QStringLiteral("; ")));
 }
 
 void ProbeCard::showWorth()
 {
-    const ProbeProposal& p = *proposal_;
+    const ProbeProposal& p = *told();
     const QString height = words::signedNumber(p.height, 2), sd = words::number(p.sd, 2);
     const QString q10 = words::signedNumber(p.q10, 2), q90 = words::signedNumber(p.q90, 2);
     const QString seconds = words::number(p.seconds, 0);
@@ -221,18 +274,19 @@ void ProbeCard::showWorth()
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
                                   : tr("this bin to ± %1 m").arg(words::number(p.armSd, 2));
     // Where the card has more to say, cost and variance share a line.
-    const bool joined = narrow_ || p.answer != Outlook::CannotTell;
+    const bool joined = narrow_ || tells() || p.answer != Outlook::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(seconds));
     questionKey_->setText(tr("step > %1 m").arg(words::number(p.stepLimit, 2)));
     question_->setText(questionText());
     showOthers();
+    showRanking();
 }
 
 QString ProbeCard::questionText() const
 {
-    const ProbeProposal& p = *proposal_;
+    const ProbeProposal& p = *told();
     if (!p.worth)
         return narrow_ ? tr("step: not known for this method") : tr("not known for this method");
     const QString before = words::number(p.bitsBefore, 2);
@@ -249,6 +303,12 @@ QString ProbeCard::questionText() const
 
 void ProbeCard::showAnswer()
 {
+    setTone(*decided_, asks() ? Tone::Good : Tone::Muted);
+    if (tells()) {
+        decided_->setText(whyNotAsked_);
+        decided_->setVisible(!whyNotAsked_.isEmpty());
+        return;
+    }
     const bool decided = proposal_ && proposal_->answer != Outlook::CannotTell;
     const QString answer = decided ? wordOf(proposal_->answer) : QString();
     decided_->setVisible(decided && !narrow_ && proposal_->worth);
@@ -268,8 +328,7 @@ void ProbeCard::showAnswer()
 
 void ProbeCard::showOthers()
 {
-    const std::vector<ProbeWorth> offered =
-        proposal_ ? proposal_->others : std::vector<ProbeWorth>();
+    const std::vector<ProbeWorth> offered = told() ? told()->others : std::vector<ProbeWorth>();
     for (std::size_t i = 0; i < kOthers; ++i) {
         others_[i]->setVisible(i < offered.size());
         if (i >= offered.size()) continue;
@@ -284,6 +343,19 @@ void ProbeCard::showOthers()
         others_[i]->setToolTip(all);
         others_[i]->setAccessibleName(all);
     }
+}
+
+void ProbeCard::showRanking()
+{
+    QStringList bins;
+    for (const ProbeWorth& other : told()->others) {
+        if (bins.size() == static_cast<qsizetype>(kOthers)) break;
+        bins << tr("%1: %2 %, %3 bit")
+                    .arg(words::binName(other.bin), percent(other.varianceShare),
+                         words::number(other.bitsAfter, 2));
+    }
+    ranking_->setText(tr("or at %1").arg(bins.join(QStringLiteral(" · "))));
+    ranking_->setVisible(tells() && !bins.isEmpty());
 }
 
 void ProbeCard::setTimeLeft(double seconds)
@@ -303,6 +375,8 @@ void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
 void ProbeCard::setProbing(int bin, double elapsed, double expected)
 {
     proposal_.reset();
+    worth_.reset();
+    setAccessibleDescription(QString());
     note()->clear();
     probingText_->setText(tr("The arm is probing bin %1").arg(words::binName(bin)));
     const double share =
@@ -317,6 +391,8 @@ void ProbeCard::setProbing(int bin, double elapsed, double expected)
 void ProbeCard::setNothing(const QString& why)
 {
     proposal_.reset();
+    worth_.reset();
+    setAccessibleDescription(QString());
     note()->setText(QString());  // clear() lays out anew in any case
     nothing_->setText(why);
     showPage(kNothing);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/atem/probe_gain.h"
 #include "core/infer/verdict.h"
 #include "widgets/card.h"
 #include "widgets/precondition.h"
@@ -45,13 +46,13 @@ struct ProbeProposal {
 
     /// The probe says something about the question; else, where its worth is known, only about the terrain's shape.
     bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kLeastBits; }
-    static constexpr double kLeastBits = 0.005;  ///< less reads 0.00
     bool operator==(const ProbeProposal&) const = default;
 };
 
 /// The card that asks for the arm: where, what is expected there, what it buys and costs, what else could be
 /// touched, and how long the question stands.  Approving takes a hold of 1.5 s; refusing a click; no answer means no.
-/// Where the estimate has an answer without the arm, the card says so, and not to probe is what stands out.
+/// Where the estimate has an answer without the arm, the card says so, and not to probe is what stands out.  Where
+/// nobody is asked it says the same to be read only, below why that is.
 class ProbeCard final : public Card {
     Q_OBJECT
 public:
@@ -62,6 +63,8 @@ public:
     void setPreconditions(const QList<Precondition>& preconditions);  ///< of approving, as its tip
     /// The arm is on its way to `bin` for `elapsed` of about `expected` seconds.
     void setProbing(int bin, double elapsed, double expected);
+    /// What the probe would buy that nobody is asked for here, and why not; its id and answer do not matter.
+    void setWorth(const ProbeProposal& probe, const QString& why);
     void setNothing(const QString& why);
 
     /// Little room: the same in fewer words.
@@ -69,7 +72,8 @@ public:
     int leastHeight() const;  ///< [px] of a question, asked or not
     int givenHeight() const;  ///< [px] more, and all its lines are seen
 
-    bool asks() const;  ///< a proposal is on the card
+    bool asks() const;   ///< a proposal is on the card
+    bool tells() const;  ///< what a probe would buy, without asking for it
     /// The proposal that the operator has before him, by its id: the card is seen and was painted with it.
     std::optional<quint64> shown() const;
     HoldToConfirmButton* approveButton() const { return approve_; }
@@ -88,14 +92,20 @@ signals:
 private:
     QLabel* fact(QGridLayout& rows, const QString& name, Tone tone);
     QWidget* questionPage();
+    QWidget* answers();
     QWidget* probingPage();
+    const ProbeProposal* told() const;  ///< what the facts are of; null: of nothing
+    void showFacts();
     void showWorth();
     QString questionText() const;
     void showAnswer();
     void showOthers();
+    void showRanking();
     void showPage(int page);
 
-    std::optional<ProbeProposal> proposal_;
+    std::optional<ProbeProposal> proposal_,
+        worth_;            ///< asked for; only told.  One of them, or neither
+    QString whyNotAsked_;  ///< of worth_
     quint64 painted_ = 0;  ///< id of the proposal that was painted last
     QStackedLayout* pages_ = nullptr;
     QLabel* nothing_ = nullptr;
@@ -105,10 +115,12 @@ private:
     QLabel* variance_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* questionKey_ = nullptr;
-    QLabel* decided_ = nullptr;  ///< that there is an answer already
+    QLabel* decided_ = nullptr;  ///< that there is an answer already, or why nobody is asked
+    QLabel* ranking_ = nullptr;  ///< the other bins, where they cannot be chosen
     QList<QLabel*> keys_;
     ScrollColumn* facts_ = nullptr;
     QWidget* asking_ = nullptr;
+    QWidget* answers_ = nullptr;  ///< of it
     bool narrow_ = false;
     QLabel* cost_ = nullptr;
     QLabel* costKey_ = nullptr;

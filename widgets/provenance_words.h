@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <utility>
 
 #include "core/infer/provenance.h"
 
@@ -21,6 +22,27 @@ inline QString provenanceWord(Provenance provenance)
     case Provenance::Sampled: return word(QT_TRANSLATE_NOOP("terratact::Provenance", "sampled"));
     case Provenance::PriorOnly:
         return word(QT_TRANSLATE_NOOP("terratact::Provenance", "prior only"));
+    }
+    return {};
+}
+
+/// One letter for it, each another one in every language.
+inline QString provenanceLetter(Provenance provenance)
+{
+    const auto letter = [](const std::pair<const char*, const char*>& source) {
+        return QCoreApplication::translate("terratact::Provenance", source.first, source.second);
+    };
+    switch (provenance) {
+    case Provenance::Arm:
+        return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "A", "letter of a mark"));
+    case Provenance::Contact:
+        return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "C", "letter of a mark"));
+    case Provenance::Constrained:
+        return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "R", "letter of a mark"));
+    case Provenance::Sampled:
+        return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "S", "letter of a mark"));
+    case Provenance::PriorOnly:
+        return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "P", "letter of a mark"));
     }
     return {};
 }

@@ -1,5 +1,6 @@
 #include "widgets/robot_readout.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <cmath>
@@ -9,12 +10,18 @@
 
 namespace terratact {
 
+namespace {
+
+constexpr int kColumnGap = 14;  // [px] columns
+
+}  // namespace
+
 RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
 {
     setAccessibleName(tr("Robot"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(14);
+    grid->setHorizontalSpacing(kColumnGap);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(1, 1);
     const std::array<QString, kRows> names{tr("pitch"),          tr("roll"),
@@ -29,6 +36,11 @@ RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
         values_[i]->setTextFormat(Qt::PlainText);
         grid->addWidget(name, row, 0);
         grid->addWidget(values_[i], row, 1);
+        ages_[i] = new QLabel(this);
+        ages_[i]->setAccessibleName(tr("age: %1").arg(names[i]));
+        ages_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        ages_[i]->hide();
+        grid->addWidget(ages_[i], row, 2);
     }
     grid->setRowStretch(kRows, 1);
     clearMeasurement();
@@ -41,10 +53,62 @@ void RobotReadout::show(Row row, const QString& text, bool known)
     setTone(*label, known ? Tone::Strong : Tone::Muted);
 }
 
-void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds,
+void RobotReadout::showAge(Row row, double seconds)
+{
+    QLabel* label = ages_[row];
+    label->setText(words::age(seconds));
+    setTone(*label, seconds <= kStaleAfter ? Tone::Muted : Tone::Bad);
+}
+
+int RobotReadout::ageWidth() const
+{
+    QFont bold = font();
+    bold.setBold(true);
+    return kColumnGap + QFontMetrics(bold).horizontalAdvance(words::age(0.999));
+}
+
+QSize RobotReadout::minimumSizeHint() const
+{
+    const QSize all = QWidget::minimumSizeHint();
+    const int ages = ages_[0]->isHidden() ? 0 : ages_[0]->minimumWidth() + kColumnGap;
+    return {all.width() - ages, all.height()};
+}
+
+void RobotReadout::fitAges()
+{
+    const bool shown = width() >= minimumSizeHint().width() + ageWidth();
+    for (QLabel* label : ages_) {
+        label->setVisible(shown);
+        if (const int wide = ageWidth() - kColumnGap; label->minimumWidth() != wide)
+            label->setFixedWidth(wide);
+    }
+}
+
+bool RobotReadout::event(QEvent* event)
+{
+    const bool done = QWidget::event(event);
+    switch (event->type()) {
+    case QEvent::Resize:
+    case QEvent::LayoutRequest:  // the letters may be others
+    case QEvent::FontChange: fitAges(); break;
+    default: break;
+    }
+    return done;
+}
+
+void RobotReadout::setMeasurement(const Measurement& m, double age, std::optional<double> captured)
+{
+    Ages same{};
+    same.fill(age);
+    setMeasurement(m, age, same, captured);
+}
+
+void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& ages,
                                   std::optional<double> captured)
 {
-    const bool fresh = ageSeconds <= kStaleAfter;
+    for (int row = 0; row < kRows; ++row)
+        showAge(static_cast<Row>(row), ages[static_cast<std::size_t>(row)]);
+    const bool fresh = age <= kStaleAfter;
     const auto put = [&](Row row, const QString& text) {
         show(row, fresh ? text : words::kNothing, fresh);
     };
@@ -70,8 +134,16 @@ void RobotReadout::setMeasurement(const Measurement& m, double ageSeconds,
 
 void RobotReadout::clearMeasurement()
 {
-    for (int row = 0; row < kRows; ++row) show(static_cast<Row>(row), words::kNothing, false);
+    for (int row = 0; row < kRows; ++row) {
+        show(static_cast<Row>(row), words::kNothing, false);
+        ages_.at(static_cast<std::size_t>(row))->clear();
+    }
     values_[Pitch]->setToolTip({});
+}
+
+QString RobotReadout::ageText(int row) const
+{
+    return ages_.at(static_cast<std::size_t>(row))->text();
 }
 
 QString RobotReadout::text(int row) const

@@ -14,25 +14,40 @@ namespace terratact {
 /// Older telemetry than this is not shown as if it were true [s].
 inline constexpr double kStaleAfter = 0.15;
 
-/// The robot's angles and currents L left, R right.  A value older than kStaleAfter reads "--".  Beside the pitch
-/// stands that of the scene which is drawn.
+/// The robot's angles and currents L left, R right, each with its age where there is room for it.  What is older than
+/// kStaleAfter reads "--".  Beside the pitch stands that of the scene which is drawn.
 class RobotReadout final : public QWidget {
     Q_OBJECT
 public:
     explicit RobotReadout(QWidget* parent = nullptr);
 
-    /// captured: pitch of the scene that is drawn [rad]; empty: what is drawn is the measurement.
-    void setMeasurement(const Measurement& measurement, double ageSeconds,
+    enum Row { Pitch, Roll, FrontFlippers, RearFlippers, FrontCurrents, RearCurrents, kRows };
+    using Ages = std::array<double, kRows>;  ///< [s]; not finite: it has never arrived
+
+    /// Values of one line of telemetry, which is of `age` [s] ago.  captured: pitch of the scene that is drawn [rad];
+    /// empty: what is drawn is the measurement.
+    void setMeasurement(const Measurement& measurement, double age,
+                        std::optional<double> captured = {});
+    /// The values may arrive in messages of their own, which say of each whether it still comes.
+    void setMeasurement(const Measurement& measurement, double age, const Ages& ages,
                         std::optional<double> captured = {});
     void clearMeasurement();  ///< nothing has arrived yet
 
     QString text(int row) const;  ///< value as shown; rows as in the order of Row
-    enum Row { Pitch, Roll, FrontFlippers, RearFlippers, FrontCurrents, RearCurrents, kRows };
+    QString ageText(int row) const;
+
+    QSize minimumSizeHint() const override;  ///< without the ages
+
+protected:
+    bool event(QEvent* event) override;
 
 private:
     void show(Row row, const QString& text, bool known);
+    void showAge(Row row, double seconds);
+    int ageWidth() const;
+    void fitAges();
 
-    std::array<QLabel*, kRows> values_{};
+    std::array<QLabel*, kRows> values_{}, ages_{};
 };
 
 }  // namespace terratact

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,12 +14,14 @@
 #include "widgets/arming_control.h"
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
+#include "widgets/spoken.h"
 
 namespace terratact {
 namespace {
 
 // [px]; nothing harmless close to STOP
 constexpr int kBetween = 8, kBetweenLines = 6, kBeforeStop = 20;
+constexpr int kSourceLetters = 24;  // nobody may take one source for another
 
 /// [px] at least, of those that are not hidden.
 int widthOf(const QList<QWidget*>& row)
@@ -88,6 +91,15 @@ QString stopRole(StopSight::State state)
     return {};
 }
 
+/// Its look, see the style sheet.
+void setRole(QPushButton& button, const QString& role)
+{
+    if (button.property("role").toString() == role) return;
+    button.setProperty("role", role);
+    button.style()->unpolish(&button);
+    button.style()->polish(&button);
+}
+
 QString alarmsText(int count)
 {
     return count == 0 ? StatusHeader::tr("no alarms") : StatusHeader::tr("alarms: %1").arg(count);
@@ -102,6 +114,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     source_ = new ElidedLabel(this);
     source_->setObjectName(QStringLiteral("sourceName"));
     source_->setAccessibleName(tr("Where the data come from"));
+    source_->setLeastLetters(kSourceLetters);
     const auto chip = [this](const QString& name) {
         auto* label = new ElidedLabel(this);
         label->setProperty("chip", true);
@@ -115,6 +128,10 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     overridden_->setText(tr("! CHECK OVERRIDDEN"));
     setTone(*overridden_, Tone::Doubt);
     overridden_->hide();
+    bus_ = new QPushButton(this);
+    bus_->setFocusPolicy(Qt::TabFocus);
+    bus_->hide();
+    connect(bus_, &QPushButton::clicked, this, &StatusHeader::busRequested);
     alarms_ = new QPushButton(this);
     alarms_->setProperty("role", "quiet");
     alarms_->setFocusPolicy(Qt::TabFocus);
@@ -164,7 +181,27 @@ void StatusHeader::setLink(const QString& text, Tone tone, const QString& detail
 {
     link_->setText(text);
     if (link_->toolTip() != details) link_->setToolTip(details);
+    const bool wasLost = link_->property("tone").toString() == QLatin1String("bad");
     setTone(*link_, tone);
+    if (wasLost != (tone == Tone::Bad)) announce(*link_);
+}
+
+void StatusHeader::setBus(const QString& text, Tone tone, const QString& details)
+{
+    if (bus_->text() != text) {
+        bus_->setText(text);
+        bus_->setAccessibleName(tr("Bus: %1").arg(text));
+        keepBusRoom();
+        fit();
+    }
+    const QString tip = details + QLatin1Char('\n') + tr("All of it: F5");
+    if (bus_->toolTip() != tip) {
+        bus_->setToolTip(tip);
+        bus_->setAccessibleDescription(details);
+    }
+    setRole(*bus_, tone == Tone::Bad     ? QStringLiteral("alarm")
+                   : tone == Tone::Doubt ? QStringLiteral("caution")
+                                         : QStringLiteral("quiet"));
 }
 
 void StatusHeader::setAlarms(int unseen, int all)
@@ -174,9 +211,7 @@ void StatusHeader::setAlarms(int unseen, int all)
     if (alarms_->text() == text) return;
     alarms_->setText(text);
     alarms_->setAccessibleName(tr("%1, %2 not acknowledged").arg(count).arg(unseen));
-    alarms_->setProperty("role", unseen > 0 ? "alarm" : "quiet");
-    alarms_->style()->unpolish(alarms_);
-    alarms_->style()->polish(alarms_);
+    setRole(*alarms_, unseen > 0 ? QStringLiteral("alarm") : QStringLiteral("quiet"));
 }
 
 void StatusHeader::setRobot(const QString& text, Tone tone)
@@ -201,7 +236,7 @@ void StatusHeader::setModel(const QString& text, Tone tone, const QString& detai
 
 QList<QWidget*> StatusHeader::upper() const
 {
-    return {source_, link_, robot_};
+    return {source_, link_, bus_, robot_};
 }
 
 QList<QWidget*> StatusHeader::lower() const
@@ -234,8 +269,16 @@ void StatusHeader::setLines(int lines)
     layout()->activate();
 }
 
+void StatusHeader::keepBusRoom()
+{
+    static const QRegularExpression kLoad(QStringLiteral("[0-9]+ %"));
+    const QString most = bus_->text().replace(kLoad, QStringLiteral("100 %"));
+    bus_->setMinimumWidth(widthWith(*bus_, most));
+}
+
 void StatusHeader::keepRoom()
 {
+    keepBusRoom();
     link_->setUsual({tr("link %1 Hz · ≤ %2").arg(QStringLiteral("20"), QStringLiteral("100 ms"))});
     robot_->setUsual({QString(14, QLatin1Char('n'))});
     int width = 0;
@@ -253,10 +296,18 @@ int StatusHeader::oneLine() const
 {
     const QMargins margins = layout()->contentsMargins();
     int width = widthOf(last() << arming_);
-    for (const ElidedLabel* label : {source_, overridden_, link_, robot_})
-        if (!label->isHidden()) width += label->usualWidth() + kBetween;
+    width += usualUpper();
+    if (!overridden_->isHidden()) width += overridden_->usualWidth() + kBetween;
     const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
     return margins.left() + margins.right() + width + stop;
+}
+
+int StatusHeader::usualUpper() const
+{
+    int width = 0;
+    for (const ElidedLabel* label : {source_, link_, robot_})
+        if (!label->isHidden()) width += label->usualWidth() + kBetween;
+    return width;
 }
 
 int StatusHeader::heightFor(int width) const
@@ -271,7 +322,8 @@ int StatusHeader::heightFor(int width) const
 QSize StatusHeader::minimumSizeHint() const
 {
     const QMargins margins = layout()->contentsMargins();
-    const int lines = std::max(widthOf(upper()), widthOf(last() << overridden_ << arming_));
+    const int lines =
+        std::max(widthOf({source_, link_, robot_}), widthOf(last() << overridden_ << arming_));
     const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
     return {margins.left() + margins.right() + lines + stop, QFrame::minimumSizeHint().height()};
 }
@@ -280,8 +332,15 @@ void StatusHeader::fit()
 {
     const int wide = oneLine();
     setLines(wide > width() ? 2 : 1);
+    const QMargins margins = layout()->contentsMargins();
+    const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
+    int room = width() - (lines_ > 1 ? minimumSizeHint().width() : wide);
+    const int above = width() - margins.left() - margins.right() - stop - usualUpper();
+    const int bus = bus_->minimumWidth() + kBetween;
+    const bool isBus = !bus_->text().isEmpty() && (lines_ > 1 ? above : room) >= bus;
+    bus_->setVisible(isBus);
+    if (isBus && lines_ == 1) room -= bus;
     const bool trouble = model_->property("tone").toString() == QLatin1String("bad");
-    const int room = width() - (lines_ > 1 ? minimumSizeHint().width() : wide);
     model_->setVisible(trouble || room >= model_->sizeHint().width() + kBetween);
 }
 
@@ -330,9 +389,8 @@ void StatusHeader::setStop(const StopSight& sight)
     if (stopState_ == sight.state && !stop_->text().isEmpty()) return;
     stopState_ = sight.state;
     stop_->setText(stopText(sight.state));
-    stop_->setProperty("role", stopRole(sight.state));
-    stop_->style()->unpolish(stop_);
-    stop_->style()->polish(stop_);
+    setRole(*stop_, stopRole(sight.state));
+    announce(*stop_);
 }
 
 QString StatusHeader::sourceName() const

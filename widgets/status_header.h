@@ -35,6 +35,8 @@ public:
 
     void setSource(const QString& name);
     void setLink(const QString& text, Tone tone, const QString& details = {});
+    /// The bus: its state and load; empty: the source is none.
+    void setBus(const QString& text, Tone tone, const QString& details);
     /// unseen: how many of all nobody has acknowledged.
     void setAlarms(int unseen, int all);
     void
@@ -55,6 +57,7 @@ public:
     QPushButton* helpButton() const { return help_; }
     QPushButton* qualityButton() const { return quality_; }
     QPushButton* alarmsButton() const { return alarms_; }
+    QPushButton* busButton() const { return bus_; }
 
     QSize minimumSizeHint() const override;  ///< on two lines
     int heightFor(int width) const;          ///< [px] it needs
@@ -67,16 +70,20 @@ signals:
     void stopPressed();
     void helpRequested();
     void alarmsRequested();
+    void busRequested();
     void qualityChosen(int index);
 
 private:
-    void fit();  ///< leaves the model out where STOP needs its room; a missing one stays
+    /// Leaves the model out where STOP needs its room, then the bus; a missing model stays.
+    void fit();
+    int usualUpper() const;  ///< [px] of source, link and robot, without the bus
     void setLines(int lines);
-    int oneLine() const;  ///< [px] wide, without the model
+    int oneLine() const;  ///< [px] wide, without model and bus
     QList<QWidget*> upper() const;
     QList<QWidget*> lower() const;
     QList<QWidget*> last() const;
-    void keepRoom();  ///< for every text there may be
+    void keepRoom();     ///< for every text there may be
+    void keepBusRoom();  ///< for every load
 
     int lines_ = 0;
     StopSight::State stopState_ = StopSight::State::Ready;
@@ -88,6 +95,7 @@ private:
     ElidedLabel* overridden_ = nullptr;
     ElidedLabel* model_ = nullptr;
     QPushButton* alarms_ = nullptr;
+    QPushButton* bus_ = nullptr;
     QPushButton* quality_ = nullptr;
     ArmingControl* arming_ = nullptr;
     QPushButton* help_ = nullptr;

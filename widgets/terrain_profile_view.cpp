@@ -30,6 +30,7 @@
 #include "widgets/drawable.h"
 #include "widgets/palette.h"
 #include "widgets/profile_layers.h"
+#include "widgets/provenance_marks.h"
 #include "widgets/provenance_words.h"
 #include "widgets/words.h"
 
@@ -124,10 +125,10 @@ public:
     QwtGraphic legendIcon(int /*index*/, const QSizeF& /*size*/) const override
     {
         QwtGraphic icon;
-        icon.setDefaultSize(QSizeF(26, 14));
+        icon.setDefaultSize(QSizeF(20, 14));
         QPainter painter(&icon);
         painter.setPen(pen());
-        painter.drawLine(QPointF(0, 7), QPointF(26, 7));
+        painter.drawLine(QPointF(0, 7), QPointF(20, 7));
         return icon;
     }
 };
@@ -172,14 +173,14 @@ public:
     QwtGraphic legendIcon(int /*index*/, const QSizeF& /*size*/) const override
     {
         QwtGraphic icon;
-        icon.setDefaultSize(QSizeF(26, 16));
+        icon.setDefaultSize(QSizeF(16, 16));
         QPainter painter(&icon);
         painter.setPen(QPen(theme().sampled, 3.0));
-        painter.drawLine(QPointF(1, 8), QPointF(25, 8));
+        painter.drawLine(QPointF(1, 8), QPointF(15, 8));
         painter.setPen(QPen(theme().sampled, 2.0));
-        painter.drawLine(QPointF(13, 1), QPointF(13, 15));
-        painter.drawLine(QPointF(8, 1), QPointF(18, 1));
-        painter.drawLine(QPointF(8, 15), QPointF(18, 15));
+        painter.drawLine(QPointF(8, 1), QPointF(8, 15));
+        painter.drawLine(QPointF(3, 1), QPointF(13, 1));
+        painter.drawLine(QPointF(3, 15), QPointF(13, 15));
         return icon;
     }
 };
@@ -361,14 +362,14 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
         bar->attach(this);
         bars_[kind] = bar;
 
-        auto* points = new QwtPlotCurve(provenanceWord(from));
-        points->setStyle(QwtPlotCurve::NoCurve);
-        points->setRenderHint(QwtPlotItem::RenderAntialiased);
-        points->setLegendAttribute(QwtPlotCurve::LegendShowSymbol);
+        auto* points = new MarkCurve(from);
         points->setZ(26.0);
         points->attach(this);
         points_[kind] = points;
     }
+
+    letters_ = new MarkLetters;
+    letters_->attach(this);
 
     imu_ = new QwtPlotMarker;
     imu_->setValue(0.0, 0.0);
@@ -428,8 +429,7 @@ void TerrainProfileView::restyle()
     // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
     axisWidget(QwtPlot::xBottom)->setMinBorderDist(scaled(22), scaled(22));
     axisWidget(QwtPlot::yLeft)->setMinBorderDist(scaled(10), scaled(10));
-    setAxisTitle(QwtPlot::xBottom, text(tr("forward from the IMU [m]"), theme().muted, small));
-    setAxisTitle(QwtPlot::yLeft, text(tr("height [m]"), theme().muted, small));
+    nameAxes();
     grid_->setMajorPen(theme().grid, 1.0);
 
     ceilings_->setPen(QPen(theme().ceiling, 1.5, Qt::DotLine));
@@ -439,32 +439,11 @@ void TerrainProfileView::restyle()
     mean_->setPen(QPen(theme().sampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     truthLine_->setPen(QPen(theme().truth, 1.2));
 
-    struct Look {
-        QwtSymbol::Style shape;
-        QColor line, fill;
-        int size;
-    };
-    const auto lookOf = [](Provenance from) -> Look {
-        const Theme& t = theme();
-        switch (from) {
-        case Provenance::Arm: return {QwtSymbol::Triangle, t.arm, t.arm, 13};
-        case Provenance::Contact: return {QwtSymbol::Rect, t.contact, t.contact, 11};
-        case Provenance::Constrained: return {QwtSymbol::DTriangle, t.sampled, t.sampled, 11};
-        case Provenance::Sampled: return {QwtSymbol::Ellipse, t.sampled, t.sampled, 10};
-        case Provenance::PriorOnly: break;
-        }
-        return {QwtSymbol::Diamond, t.prior, t.card, 14};
-    };
     for (const Provenance from : kProvenances) {
         const auto kind = static_cast<std::size_t>(from);
-        const Look look = lookOf(from);
-        auto* cap = new QwtIntervalSymbol(QwtIntervalSymbol::Bar);
-        cap->setWidth(scaled(13));
-        cap->setPen(QPen(look.line, 2.0));
-        bars_[kind]->setSymbol(cap);
-        QwtSymbol* mark = symbol(look.shape, look.line, look.fill, scaled(look.size));
-        points_[kind]->setSymbol(mark);
-        points_[kind]->setLegendIconSize(mark->size() + QSize(3, 3));
+        const ProvenanceMark mark = markOf(from);
+        bars_[kind]->setSymbol(new PatternBar(mark.bar));
+        points_[kind]->setSymbol(symbol(mark.shape, mark.line, mark.fill, scaled(mark.size)));
     }
     imu_->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, scaled(7)));
     imu_->setLabel(text(tr("IMU"), theme().muted, sized(font(), 12)));
@@ -525,8 +504,24 @@ void TerrainProfileView::arrangeNotes()
     ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));         // else below the other one
 }
 
+void TerrainProfileView::nameAxes()
+{
+    // One name for both leaves a narrow picture the width of the other.
+    constexpr int kNarrow = 400;  // [px] at 100 %
+    const bool isNarrow = width() < scaled(kNarrow);
+    const QString x = isNarrow ? tr("forward, height [m]") : tr("forward from the IMU [m]");
+    const QString y = isNarrow ? QString() : tr("height [m]");
+    if (axisTitle(QwtPlot::xBottom).text() == x
+        && axisTitle(QwtPlot::xBottom).font() == sized(font(), 13)
+        && axisTitle(QwtPlot::xBottom).color() == theme().muted)
+        return;
+    for (const auto& [axis, name] : {std::pair(QwtPlot::xBottom, x), std::pair(QwtPlot::yLeft, y)})
+        setAxisTitle(axis, text(name, theme().muted, sized(font(), 13)));
+}
+
 void TerrainProfileView::resizeEvent(QResizeEvent* event)
 {
+    nameAxes();
     QwtPlot::resizeEvent(event);
     arrangeNotes();
 }
@@ -563,6 +558,7 @@ void TerrainProfileView::showEstimate()
     std::vector<QPointF> known, prior;
     QPainterPath ceilings;
     zones_->shown.fill(false);
+    letters_->shown.fill(std::nullopt);
     if (estimate_) {
         const TerrainEstimate& e = *estimate_;
         constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
@@ -571,7 +567,10 @@ void TerrainProfileView::showEstimate()
             const Provenance from = provenance(e, bin);
             const auto kind = static_cast<std::size_t>(from);
             const QPointF point(binCentre(bin), e.height[i]);
-            if (drawable(point)) points[kind].append(point);
+            if (drawable(point)) {
+                points[kind].append(point);
+                letters_->shown[i] = from;
+            }
             if (drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
                 bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
             if (drawable(e.ceiling[i])) {
@@ -654,15 +653,16 @@ QStringList TerrainProfileView::closeUp(int bin) const
 {
     const TerrainEstimate& e = *estimate_;
     const auto i = static_cast<std::size_t>(bin);
-    QStringList lines{tr("bin %1").arg(words::binName(bin)),
-                      tr("height %1 m ± %2 m")
-                          .arg(words::signedNumber(e.height[i], 3), words::number(e.sd[i], 3)),
-                      tr("80 % in %1 … %2 m")
-                          .arg(words::signedNumber(e.q10[i], 3), words::signedNumber(e.q90[i], 3)),
-                      e.ceiling[i] < kDrawableLimit
-                          ? tr("ceiling %1 m").arg(words::signedNumber(e.ceiling[i], 3))
-                          : tr("nothing of the robot above it"),
-                      tr("from: %1").arg(provenanceWord(provenance(e, bin)))};
+    QStringList lines{
+        tr("bin %1").arg(words::binName(bin)),
+        tr("height %1 m ± %2 m")
+            .arg(words::signedNumber(e.height[i], 3), words::number(e.sd[i], 3)),
+        tr("80 % in %1 … %2 m")
+            .arg(words::signedNumber(e.q10[i], 3), words::signedNumber(e.q90[i], 3)),
+        e.ceiling[i] < kDrawableLimit ? tr("ceiling %1 m").arg(words::signedNumber(e.ceiling[i], 3))
+                                      : tr("nothing of the robot above it"),
+        tr("from: %1 (%2)")
+            .arg(provenanceWord(provenance(e, bin)), provenanceLetter(provenance(e, bin)))};
     if (const auto& two = twoHeights_->modes[i])
         lines << tr("either %1 m (%2 %)")
                      .arg(words::signedNumber(two->lowMean, 2),

@@ -24,6 +24,7 @@ class ArmMark;
 class BinInspector;
 class BinZones;
 class GhostLayer;
+class MarkLetters;
 class SampleLines;
 class SecondEstimate;
 class TwoHeights;
@@ -39,7 +40,8 @@ struct ArmTip {
 };
 
 /// Draws one TerrainEstimate under the robot: mean line, bars from the 0.1 to the 0.9 quantile, ceilings,
-/// the robot's side view with the IMU at the origin.  Bins are told apart by shape and colour:
+/// the robot's side view with the IMU at the origin.  Bins are told apart by shape, by the pattern of their bars, by
+/// colour and, where there is no room for the legend, by a letter each (provenance_marks.h):
 /// contact = square, arm = triangle, constrained = triangle upside down, sampled = circle, prior only = open
 /// diamond in an amber zone.  A bin whose draws fall into two heaps shows both heights.
 /// The bin under the mouse, or chosen with the arrow keys, is shown up close.
@@ -98,6 +100,7 @@ private:
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
     void arrangeNotes();
+    void nameAxes();
     void showTruth();
     void showArm();
     double underArm() const;
@@ -123,6 +126,7 @@ private:
     QwtPlotShapeItem* truthLine_ = nullptr;
     std::vector<QwtPlotShapeItem*> robot_;
     BinZones* zones_ = nullptr;
+    MarkLetters* letters_ = nullptr;
     ArmMark* armMark_ = nullptr;
     SampleLines* draws_ = nullptr;
     SecondEstimate* second_ = nullptr;

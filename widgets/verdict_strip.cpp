@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "widgets/look.h"
+#include "widgets/spoken.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -182,6 +183,7 @@ void VerdictStrip::setBadge(const QString& text, const QString& outlook)
     badge_->setProperty("outlook", outlook);
     badge_->style()->unpolish(badge_);
     badge_->style()->polish(badge_);
+    announce(*badge_);
 }
 
 void VerdictStrip::setLimit(double metres)

@@ -3,6 +3,19 @@
 #include "core/infer/obstacle.h"
 
 namespace terratact {
+namespace {
+
+bool reachesOpenBin(const TerrainEstimate& estimate, const RobotModel& robot)
+{
+    if (!(robot.armSd > 0.0)) return false;  // it has no arm
+    for (int bin = 0; bin < kBins; ++bin)
+        if (robot.armReaches(bin)
+            && estimate.origin[static_cast<std::size_t>(bin)] == Origin::Sampled)
+            return true;
+    return false;
+}
+
+}  // namespace
 
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot)
 {
@@ -34,13 +47,14 @@ ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot
     ProbeAdvice advice;
     advice.stepLimit = stepLimit;
     advice.bin = proposeProbe(estimate, robot);
-    if (!advice.bin || estimate.draws.empty()) return advice;
+    if (estimate.draws.empty()) return advice;
     advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
+    if (!reachesOpenBin(estimate, robot)) return advice;
     advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
     std::erase_if(advice.gains, [&](const ProbeGain& gain) {
         return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;
     });
-    if (!isOfPaper(estimate.settings.method)) advice.bin = advice.gains.front().bin;
+    if (advice.bin && !isOfPaper(estimate.settings.method)) advice.bin = advice.gains.front().bin;
     return advice;
 }
 

@@ -19,12 +19,12 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
 /// (probe_gain.h): the rule that settles scenes with fewer probes, see docs/evaluation.md.
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
-/// What a probe would buy, for the operator to decide on.
+/// What a probe would buy, for the operator to decide on, or to know where nobody asks him.
 struct ProbeAdvice {
-    std::optional<int> bin;  ///< chooseProbe(); without it the rest is empty
-    Uncertainty before;      ///< of a step ahead of more than stepLimit
-    std::vector<ProbeGain>
-        gains;               ///< of the sampled bins in reach, the best first; empty without draws
+    std::optional<int> bin;  ///< chooseProbe()
+    Uncertainty before;      ///< of a step ahead of more than stepLimit; 0 without draws
+    /// Of the sampled bins in reach, whether or not one is asked for, the best first; empty without draws.
+    std::vector<ProbeGain> gains;
     double stepLimit = 0.0;  ///< [m]
     bool operator==(const ProbeAdvice&) const = default;
 };

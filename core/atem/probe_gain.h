@@ -17,6 +17,9 @@ struct ProbeGain {
     bool operator==(const ProbeGain&) const = default;
 };
 
+/// [bit] of entropyReduction: less reads 0.00, and is no gain.
+inline constexpr double kLeastBits = 0.005;
+
 /// What an estimate leaves open, in the units of ProbeGain: V and H below with equal weights.
 struct Uncertainty {
     double variance = 0.0;  ///< [m²]

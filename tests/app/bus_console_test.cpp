@@ -13,6 +13,7 @@
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_in_process.h"
+#include "app/signals_page.h"
 #include "app/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/candump_log.h"
@@ -522,6 +523,29 @@ TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
         << "neither is the robot's";
 }
 
+TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
+{
+    startRobot();
+    window = console(bus.join("can0"), CanSource::Mode::Listen,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    const QPushButton& chip = *window->header()->busButton();
+    ASSERT_TRUE(eventually([&] { return chip.text().startsWith("can0 ACTIVE"); }));
+    EXPECT_TRUE(chip.isVisible());
+    EXPECT_TRUE(eventually([&] { return chip.accessibleDescription().contains("frames/s"); }));
+    EXPECT_TRUE(chip.accessibleDescription().contains("0 error frames"))
+        << chip.accessibleDescription().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    window->header()->busButton()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(window->header()->busButton(), Qt::Key_Space);
+    EXPECT_TRUE(eventually([&] { return window->signalsPage()->isVisible(); }));
+    // The rows of the robot are as old as the frames that they came in.
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(eventually(
+        [&] { return window->readout()->ageText(RobotReadout::Pitch).endsWith(" ms"); }));
+    picture("bus-chip");
+}
+
 TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
 {
     open(CanSource::Mode::Listen);
@@ -579,6 +603,9 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     EXPECT_EQ(replayed.all(), made.all());
     ASSERT_EQ(ledger.size(), 1U);
     EXPECT_EQ(listener->exploration().estimation().ledger().entries(), ledger);
+    EXPECT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+        << "what a probe would buy is known here, too";
+    EXPECT_FALSE(window->probeCard()->asks());
     EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
     EXPECT_EQ(listener->link()->view().frames.sent, 0U);
 }

@@ -294,6 +294,31 @@ TEST_F(Bench, aLimitChangedDuringAnEstimateIsThatOfItsQuestion)
     EXPECT_TRUE(gui::eventually([this] { return exploration->proposal()->stepLimit == 0.2; }));
 }
 
+TEST_F(Bench, aVerdictThatStandsIsAskedForNoProbeWhereThePolicyHasItSo)
+{
+    withDraws = true;
+    propose();
+    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+    EXPECT_EQ(exploration->whyNotOffered(), "");
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+
+    exploration->setProbePolicy(ProbePolicy::VarianceOpen);
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_FALSE(exploration->proposal());
+    EXPECT_TRUE(exploration->whyNotOffered().contains("BLOCKED stands"))
+        << exploration->whyNotOffered().toStdString();
+    EXPECT_TRUE(exploration->bestProbe()) << "it can still be read what it would buy";
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+
+    exploration->setStepLimit(0.3);  // higher than the step: CLEAR
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(exploration->whyNotOffered().contains("CLEAR stands"));
+}
+
 TEST_F(Bench, aRefusedProbeLeavesTheEstimate)
 {
     propose();

@@ -48,6 +48,10 @@ TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
     EXPECT_TRUE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->estimation().live());
     EXPECT_FALSE(exploration->proposal()) << "nobody here may approve it";
+    ASSERT_TRUE(exploration->bestProbe()) << "but what it would buy is known";
+    EXPECT_EQ(exploration->bestProbe()->bin, kBin06);
+    EXPECT_EQ(exploration->bestProbe()->sd, stepEstimate().sd[kBin06]);
+    EXPECT_EQ(exploration->whyNotOffered(), "");
     const int once = estimates;
     tick(50);
     ASSERT_TRUE(settles());

@@ -3,10 +3,15 @@
 #include <qwt_plot_curve.h>
 #include <qwt_symbol.h>
 
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QFocusEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QStyleOptionSpinBox>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -451,8 +456,39 @@ QList<QWidget*> controls(const MainWindow& window)
     return found;
 }
 
+/// Parts of a control that are pressed on their own: the arrows of a spin box, the entries of its menu or list; [px].
+QList<QSize> partsOf(const QWidget& control)
+{
+    QList<QSize> parts;
+    if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&control)) {
+        QStyleOptionSpinBox option;
+        option.initFrom(box);
+        option.subControls = QStyle::SC_All;
+        option.buttonSymbols = box->buttonSymbols();
+        option.frame = box->hasFrame();
+        const auto rect = [&](QStyle::SubControl part) {
+            return box->style()->subControlRect(QStyle::CC_SpinBox, &option, part, box);
+        };
+        const QRect up = rect(QStyle::SC_SpinBoxUp), down = rect(QStyle::SC_SpinBoxDown);
+        EXPECT_FALSE(up.intersects(down));
+        EXPECT_FALSE(rect(QStyle::SC_SpinBoxEditField).intersects(down));
+        if (box->buttonSymbols() != QAbstractSpinBox::NoButtons) parts << up.size() << down.size();
+    }
+    const auto* button = qobject_cast<const QPushButton*>(&control);
+    if (QMenu* menu = button ? button->menu() : nullptr; menu) {
+        menu->ensurePolished();
+        for (QAction* action : menu->actions())
+            if (!action->isSeparator()) parts << menu->actionGeometry(action).size();
+    }
+    if (const auto* combo = qobject_cast<const QComboBox*>(&control))
+        for (int row = 0; row < combo->count(); ++row)
+            parts << QSize(combo->width(), combo->view()->sizeHintForRow(row));
+    return parts;
+}
+
 TEST_F(Look, everyControlHasANameAndASize)
 {
+    int parts = 0;
     explore();
     eachPage([&] {
         const auto all = controls(*window);
@@ -466,10 +502,16 @@ TEST_F(Look, everyControlHasANameAndASize)
                          && (!button || button->text().isEmpty()))
                 << what;
             EXPECT_GE(control->height(), 32) << what;
+            for (const QSize part : partsOf(*control)) {
+                ++parts;
+                EXPECT_TRUE(part.width() >= 32 && part.height() >= 32)
+                    << what << ": a part of " << part.width() << " × " << part.height();
+            }
             EXPECT_FALSE(button && button->toolTip().isEmpty())
                 << what << " says neither what it does nor why not";
         }
     });
+    EXPECT_GE(parts, 30);
 }
 
 TEST_F(Look, aButtonThatCannotBePressedSaysWhyNot)

@@ -196,7 +196,9 @@ struct Console : testing::Test {
                 EXPECT_TRUE(stop.isVisible() && window->header()->rect().contains(stop.geometry()))
                     << what;
                 const QWidget& terrain = *window->terrain()->parentWidget();
-                EXPECT_GE(terrain.width(), window->atemPanel()->width()) << what;
+                EXPECT_GE(5 * terrain.width(), 6 * window->atemPanel()->width()) << what;
+                for (const std::string& text : gui::elidedText(*window))
+                    EXPECT_NE(text, window->header()->sourceName().toStdString()) << what;
                 const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
                 if (!folder.isEmpty())
                     window->grab().save(QStringLiteral("%1/letters_%2_%3_%4.png")
@@ -374,6 +376,18 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
     ASSERT_TRUE(eventually([&] {
         return window->probeCard()->approveButton()->text().contains(words::binName(chosen->bin));
     }));
+
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->shown() == chosen->id; }));
+    QTest::keyClick(window.get(), Qt::Key_N);
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+        << "what it would have bought";
+    EXPECT_FALSE(window->probeCard()->asks());
+    EXPECT_TRUE(window->verdict()->reason().contains("probe at"));
+    QTest::keyClick(window.get(), Qt::Key_PageDown);
+    EXPECT_TRUE(eventually([&] {
+        const auto best = window->exploration().bestProbe();
+        return best && best->stepLimit == window->verdict()->limit();
+    })) << "by the limit of now";
 }
 
 TEST_F(Console, aSecondMethodIsEstimatedBesideTheFirst)

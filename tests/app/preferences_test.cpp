@@ -38,6 +38,7 @@ Preferences unlikeTheDefaults()
     p.quality = Quality::Accurate;
     p.estimateSeconds = 5;
     p.forceThreshold = 3.5;
+    p.probes = ProbePolicy::Question;
     p.probeAbove = 0.05;
     p.rollLimit = 0.2;
     p.asymmetryLimit = 0.3;
@@ -81,11 +82,26 @@ TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
     now.sound = false;
     EXPECT_EQ(changesOf(kDefaults, now).section("; ", 0, 0), "sound: true → false");
     const QString all = changesOf(kDefaults, unlikeTheDefaults());
-    for (const char* key :
-         {"theme", "font-scale", "language", "layout", "sound", "obstacle-limit", "method",
-          "quality", "estimate-seconds", "force-threshold", "probe-above", "roll-limit",
-          "asymmetry-limit", "record", "keep-days", "keep-gigabytes", "model", "robot",
-          "dbc"})
+    for (const char* key : {"theme",
+                            "font-scale",
+                            "language",
+                            "layout",
+                            "sound",
+                            "obstacle-limit",
+                            "method",
+                            "quality",
+                            "estimate-seconds",
+                            "force-threshold",
+                            "probe-policy",
+                            "probe-above",
+                            "roll-limit",
+                            "asymmetry-limit",
+                            "record",
+                            "keep-days",
+                            "keep-gigabytes",
+                            "model",
+                            "robot",
+                            "dbc"})
         EXPECT_TRUE(all.contains(QLatin1String(key) + ": ")) << key;
     EXPECT_TRUE(changesOf(kDefaults, now).contains("quality: balanced → fast; ")
                 && changesOf(kDefaults, now).endsWith(" → 0.125"));

@@ -251,6 +251,15 @@ TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
                                         "layout: probe → drive; roll-limit: 0.1 → 0.125"}));
 }
 
+TEST_F(SettingsInForce, whenTheArmIsOfferedIsChosenAndOnRecord)
+{
+    EXPECT_EQ(window->exploration().options().probes, ProbePolicy::Variance) << "as in the paper";
+    page().probesBox()->setCurrentIndex(2);
+    EXPECT_EQ(window->exploration().options().probes, ProbePolicy::Question);
+    EXPECT_EQ(decisions("settings"),
+              (std::vector<std::string>{"probe-policy: variance → question"}));
+}
+
 TEST_F(SettingsInForce, aMarkThatIsNotKeptIsSaid)
 {
     const auto newest = [&] { return window->events()->item(0)->text(); };

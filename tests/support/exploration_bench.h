@@ -32,6 +32,7 @@ struct Bench : testing::Test {
         RobotModel robot;
         robot.armReachBegin = 0.35;
         robot.armReachEnd = 0.75;
+        robot.armSd = 0.03;
         worker = std::make_unique<EstimatorWorker>([this]() -> Result<LoadedModel> {
             return LoadedModel{.estimate = [this](const EstimateRequest& r,
                                                   const Watch& w) { return estimate(r, w); },
@@ -59,6 +60,7 @@ struct Bench : testing::Test {
         if (watch.cancelled()) throw Cancelled{};
         if (broken) throw std::runtime_error("the covariance is not positive definite");
         TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
+        if (withDraws) e.draws.assign(200, e.height);  // all of them with the step
         e.settings = request.settings;
         return e;
     }
@@ -148,7 +150,7 @@ struct Bench : testing::Test {
     }
 
     std::atomic<int> estimates = 0;
-    std::atomic<bool> blocked = false, broken = false;
+    std::atomic<bool> blocked = false, broken = false, withDraws = false;
     ScriptedSource source;
     std::unique_ptr<EstimatorWorker> worker;
     std::unique_ptr<Exploration> exploration;

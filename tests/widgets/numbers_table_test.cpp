@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
 
@@ -46,6 +47,29 @@ TEST(NumbersTable, knowsStepsAndTwoHeights)
     EXPECT_EQ(cell(table, 9, NumbersTable::TwoHeaps),
               QStringLiteral("−0.05 (60 %) or +0.20 (40 %)"));
     EXPECT_EQ(cell(table, 3, NumbersTable::TwoHeaps), QStringLiteral("--"));
+}
+
+TEST(NumbersTable, isReadCellByCell)
+{
+    NumbersTable table;
+    table.setEstimate(stepEstimate(), 0.1);
+    gui::showActive(table);
+    QAccessibleInterface* whole = QAccessible::queryAccessibleInterface(&table);
+    ASSERT_TRUE(whole && whole->tableInterface());
+    EXPECT_EQ(whole->text(QAccessible::Name), table.accessibleName());
+    EXPECT_FALSE(table.accessibleName().isEmpty());
+    QAccessibleTableInterface& cells = *whole->tableInterface();
+    ASSERT_EQ(cells.rowCount(), kBins);
+    ASSERT_EQ(cells.columnCount(), NumbersTable::kColumns);
+    const auto said = [&](int row, int column) {
+        return cells.cellAt(row, column)->text(QAccessible::Name);
+    };
+    for (int row = 0; row < kBins; ++row)
+        for (int column = 0; column < NumbersTable::kColumns; ++column)
+            EXPECT_EQ(said(row, column), table.item(row, column)->text());
+    EXPECT_EQ(said(8, NumbersTable::From), "contact");
+    for (int column = 0; column < NumbersTable::kColumns; ++column)
+        EXPECT_EQ(cells.columnDescription(column), table.horizontalHeaderItem(column)->text());
 }
 
 TEST(NumbersTable, isCopiedWithItsHeadings)

@@ -131,6 +131,40 @@ TEST_F(Probe, offersTheOtherBinsAndTheirWorth)
     for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
 }
 
+TEST_F(Probe, saysTheSameWhereNobodyIsAsked)
+{
+    for (const bool narrow : {false, true}) {
+        card.setNarrow(narrow);
+        card.setProposal(kProposal);
+        card.setTimeLeft(23.4);
+        card.setWorth(kProposal, "approved elsewhere");
+        EXPECT_TRUE(card.tells());
+        EXPECT_FALSE(card.asks());
+        EXPECT_FALSE(card.shown());
+        const QString text = allText();
+        for (const char* words : {"approved elsewhere", "0.6 m", "+0.02", "−0.05 … +0.09 m",
+                                  "total variance −71 %", "45 s", "0.98 → 0.31 bit", "0.89/min",
+                                  "0.7 m: −58 %, 0.52 bit · 0.5 m: −20 %, 0.90 bit"})
+            EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
+                                                                 << text.toStdString();
+        EXPECT_FALSE(text.contains("left")) << "no question runs out";
+        EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }, 2000));
+        for (const std::string& trouble : gui::cramped(card)) ADD_FAILURE() << trouble;
+    }
+    for (const QPushButton* button : card.findChildren<QPushButton*>())
+        EXPECT_FALSE(button->isVisible()) << button->text().toStdString();
+    const int least = card.leastHeight();
+    card.setProposal(kProposal);
+    EXPECT_FALSE(card.tells());
+    EXPECT_TRUE(card.approveButton()->isVisible());
+    EXPECT_EQ(card.leastHeight(), least) << "the question has its room before it comes";
+    EXPECT_FALSE(allText().contains("approved elsewhere"));
+    card.setWorth(kProposal, "approved elsewhere");
+    card.setNothing("no estimate");
+    EXPECT_FALSE(card.tells());
+    EXPECT_FALSE(allText().contains("bit"));
+}
+
 TEST_F(Probe, claimsNothingForAMethodThatKnowsNothing)
 {
     ProbeProposal plain = kProposal;
@@ -210,6 +244,8 @@ TEST_F(Probe, hostileNumbersReadAsNothing)
                         .others = {{10, bad, bad}}};
         card.setProposal(p);
         card.setTimeLeft(bad);
+        ASSERT_FALSE(gui::painted(card).isNull());
+        card.setWorth(p, {});
         ASSERT_FALSE(gui::painted(card).isNull());
         card.setProbing(9, bad, bad);
         ASSERT_FALSE(gui::painted(card).isNull());

@@ -1,6 +1,8 @@
 // The widgets that only show text: readout, header, strip, events.
 #include <gtest/gtest.h>
 
+#include <QAccessible>
+#include <QApplication>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -10,8 +12,11 @@
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
+#include "widgets/probe_card.h"
 #include "widgets/robot_readout.h"
+#include "widgets/spoken.h"
 #include "widgets/status_header.h"
+#include "widgets/verdict_strip.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -59,6 +64,37 @@ TEST(Readout, thePitchThatIsDrawnStandsBesideThatOfNow)
     EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("+5.7°"));
 }
 
+TEST(Readout, everyValueHasTheAgeOfItsOwnMessageWhereThereIsRoom)
+{
+    QWidget card;  // as a window of its own it could not be narrower than what is in it
+    RobotReadout readout(&card);
+    readout.resize(440, 200);
+    gui::showActive(card);
+    readout.setMeasurement({}, 0.04);
+    for (int row = 0; row < RobotReadout::kRows; ++row) EXPECT_EQ(readout.ageText(row), "40 ms");
+    readout.setMeasurement({}, 0.3, {0.02, 0.02, 0.3, 0.03, 2.44, 0.03});
+    EXPECT_EQ(readout.ageText(RobotReadout::Pitch), "20 ms");
+    EXPECT_EQ(readout.ageText(RobotReadout::FrontFlippers), "300 ms");
+    EXPECT_EQ(readout.ageText(RobotReadout::FrontCurrents), "2.4 s");
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), "--") << "half a line is none";
+    const auto seen = [&] {
+        int labels = 0;
+        for (const QLabel* label : readout.findChildren<QLabel*>())
+            labels += label->isVisible() && label->accessibleName().startsWith("age") ? 1 : 0;
+        return labels;
+    };
+    const int roomy = readout.minimumSizeHint().width();
+    EXPECT_EQ(seen(), RobotReadout::kRows);
+    EXPECT_EQ(gui::cutText(readout), std::vector<std::string>());
+    readout.resize(roomy + 4, 200);
+    QApplication::processEvents();
+    EXPECT_EQ(seen(), 0);
+    EXPECT_EQ(readout.minimumSizeHint().width(), roomy) << "whether they are there or not";
+    EXPECT_EQ(gui::cutText(readout), std::vector<std::string>());
+    readout.clearMeasurement();
+    EXPECT_EQ(readout.ageText(RobotReadout::Pitch), "");
+}
+
 TEST(Readout, staleValuesAreNotShown)
 {
     RobotReadout readout;
@@ -95,6 +131,127 @@ TEST(Header, theSourcesNameIsAlwaysThere)
     header.setSource("REPLAY demo.log");
     header.setLink("LINK LOST", Tone::Bad);
     EXPECT_EQ(header.sourceName(), "REPLAY demo.log");
+}
+
+TEST(Header, theBusLeavesForWhatMattersMoreButAfterTheModel)
+{
+    applyLook(*qApp);
+    StatusHeader header;
+    header.helpButton()->hide();  // it stands elsewhere
+    header.setSource("can0");
+    header.setLink("link 20 Hz", Tone::Good);
+    header.setRobot("halted", Tone::Plain);
+    header.setModel("model default.ttm", Tone::Plain);
+    header.resize(1400, 60);
+    gui::showActive(header);
+    EXPECT_FALSE(header.busButton()->isVisible()) << "the source is none";
+    const int least = header.minimumSizeHint().width();
+    header.setBus("can0 ACTIVE ≤ 9 %", Tone::Plain, "42 frames/s");
+    ASSERT_TRUE(header.busButton()->isVisible());
+    EXPECT_GE(header.busButton()->height(), 32);
+    EXPECT_EQ(header.minimumSizeHint().width(), least);
+    EXPECT_EQ(header.busButton()->accessibleName(), QString::fromUtf8("Bus: can0 ACTIVE ≤ 9 %"));
+    EXPECT_EQ(header.busButton()->accessibleDescription(), "42 frames/s");
+    const int width = header.busButton()->width();
+    header.setBus("can0 ACTIVE ≤ 87 %", Tone::Plain, "412 frames/s");
+    QApplication::processEvents();
+    EXPECT_EQ(header.busButton()->width(), width) << "the load moves nothing";
+
+    const auto modelIsSeen = [&] {
+        for (const QLabel* label : header.findChildren<QLabel*>())
+            if (label->text().startsWith("model")) return label->isVisible();
+        return false;
+    };
+    bool wasBus = true, wasModel = modelIsSeen();
+    EXPECT_TRUE(wasModel);
+    for (int pixels = 1400; pixels >= least; pixels -= 20) {
+        header.resize(pixels, header.heightFor(pixels));
+        QApplication::processEvents();
+        EXPECT_EQ(gui::cutText(header), std::vector<std::string>()) << pixels;
+        EXPECT_EQ(gui::overlaps(header), std::vector<std::string>()) << pixels;
+        wasBus = header.busButton()->isVisible();
+        wasModel = modelIsSeen();
+    }
+    EXPECT_FALSE(wasBus);
+    EXPECT_FALSE(wasModel);
+
+    int asked = 0;
+    QObject::connect(&header, &StatusHeader::busRequested, [&asked] { ++asked; });
+    header.resize(1400, 60);
+    QApplication::processEvents();
+    header.busButton()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(header.busButton(), Qt::Key_Space);
+    EXPECT_EQ(asked, 1);
+}
+
+/// What a screen reader is told while this lives: name and description of what is announced.
+struct Listener final : QObject {
+    Listener() { qApp->installEventFilter(this); }
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() != kAnnounced) return false;
+        const QAccessibleInterface* const says = QAccessible::queryAccessibleInterface(object);
+        heard << says->text(QAccessible::Name) + QLatin1Char('|')
+                     + says->text(QAccessible::Description);
+        return false;
+    }
+    QStringList take() { return std::exchange(heard, {}); }
+    QStringList heard;
+};
+
+TEST(Spoken, aLabelSaysItsNameAndItsText)
+{
+    applyLook(*qApp);
+    RobotReadout readout;
+    Measurement m;
+    m.pitch = -0.1;
+    readout.setMeasurement(m, 0.04);
+    QStringList said;
+    for (QLabel* label : readout.findChildren<QLabel*>())
+        said << QAccessible::queryAccessibleInterface(label)->text(QAccessible::Name);
+    EXPECT_TRUE(said.contains(QStringLiteral("pitch: −5.7°"))) << said.join('\n').toStdString();
+    QLabel rich(QStringLiteral("<b>bold</b> words"));
+    EXPECT_EQ(QAccessible::queryAccessibleInterface(&rich)->text(QAccessible::Name), "bold words");
+}
+
+TEST(Spoken, whatMattersIsAnnouncedOnce)
+{
+    applyLook(*qApp);
+    StatusHeader header;
+    header.setLink("link 20 Hz", Tone::Good);
+    VerdictStrip verdict;
+    Listener listener;
+    header.setLink("link 19 Hz", Tone::Good);
+    EXPECT_EQ(listener.take(), QStringList());
+    header.setLink("LINK LOST · 300 ms", Tone::Bad);
+    header.setLink("LINK LOST · 340 ms", Tone::Bad);
+    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Link: LINK LOST · 300 ms|")})
+        << "once, not with every picture";
+    header.setLink("link 20 Hz", Tone::Good);
+    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Link: link 20 Hz|")});
+
+    header.setStop({.state = StopSight::State::Sent});
+    header.setStop({.state = StopSight::State::Sent, .seconds = 0.3});
+    const QStringList stop = listener.take();
+    ASSERT_EQ(stop.size(), 1);
+    EXPECT_TRUE(stop[0].startsWith("STOP|") && stop[0].contains("not confirmed"))
+        << stop[0].toStdString();
+
+    Verdict blocked;
+    blocked.outlook = Outlook::Blocked;
+    verdict.setVerdict(blocked);
+    verdict.setVerdict(blocked);
+    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Verdict: ✘ BLOCKED|")});
+
+    ProbeCard card;
+    ProbeProposal probe{.id = 3, .bin = 9, .height = 0.02, .worth = {}, .others = {}};
+    card.setProposal(probe);
+    probe.answer = Outlook::Blocked;
+    card.setProposal(probe);
+    const QStringList question = listener.take();
+    ASSERT_EQ(question.size(), 1);
+    EXPECT_TRUE(question[0].startsWith("Arm probe|bin 0.6 m; +0.02 m"))
+        << question[0].toStdString();
 }
 
 struct Strip : testing::Test {

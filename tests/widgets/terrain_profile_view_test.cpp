@@ -1,12 +1,16 @@
 #include "widgets/terrain_profile_view.h"
 
 #include <gtest/gtest.h>
+#include <qwt_abstract_legend.h>
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "widgets/bin_inspector.h"
 #include "widgets/drawable.h"
+#include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/provenance_marks.h"
+#include "widgets/provenance_words.h"
 
 namespace terratact {
 namespace {
@@ -100,6 +104,78 @@ TEST_F(TerrainView, pixelsAndMetresMapBothWays)
         EXPECT_NEAR(back.x(), x, 1e-9);
         EXPECT_NEAR(back.y(), -0.2, 1e-9);
     }
+}
+
+/// Bins 3 to 7 in the order of kProvenances, each with a band of 0.3 m.
+TerrainEstimate oneOfEachKind()
+{
+    TerrainEstimate e = stepEstimate();
+    for (std::size_t kind = 0; kind < kProvenances.size(); ++kind) {
+        const std::size_t i = 3 + kind;
+        e.height[i] = -0.1;
+        e.q10[i] = -0.25;
+        e.q90[i] = 0.05;
+        e.origin[i] = Origin::Sampled;
+        e.ceiling[i] = 0.15;
+        switch (kProvenances[kind]) {
+        case Provenance::Arm: e.origin[i] = Origin::Arm; break;
+        case Provenance::Contact: e.origin[i] = Origin::Contact; break;
+        case Provenance::Constrained: e.ceiling[i] = e.q90[i]; break;
+        case Provenance::Sampled: break;
+        case Provenance::PriorOnly: e.ceiling[i] = std::numeric_limits<double>::infinity(); break;
+        }
+    }
+    return e;
+}
+
+/// Of the upper half of a bin's bar in greys: how many pieces of ink lie one below the other, how long they are in all
+/// [% of the bar] and how wide [px].
+std::array<int, 3> inkOfBar(const TerrainProfileView& view, const QImage& image, int bin)
+{
+    const QPointF top = view.pixelOf(binCentre(bin), 0.04), bottom = view.pixelOf(0.0, -0.06);
+    const int x = qRound(top.x()), height = qRound(bottom.y() - top.y());
+    const auto isInk = [&](int dx, int y) {
+        const int ground = qGray(image.pixel(x + 14, y));
+        return std::abs(qGray(image.pixel(x + dx, y)) - ground) > 40;
+    };
+    int pieces = 0, length = 0, width = 0;
+    for (int y = qRound(top.y()); y < qRound(bottom.y()); ++y) {
+        const bool ink = isInk(0, y) || isInk(-1, y);
+        const bool before = isInk(0, y - 1) || isInk(-1, y - 1);
+        pieces += ink && !before ? 1 : 0;
+        length += ink ? 1 : 0;
+        int across = 0;
+        for (int dx = -7; dx <= 7; ++dx) across += isInk(dx, y) ? 1 : 0;
+        width = std::max(width, across);
+    }
+    return {pieces, 100 * length / height, width};
+}
+
+TEST_F(TerrainView, aLetterSaysOfEveryBinWhatTheLegendWouldWhereThatHasNoRoom)
+{
+    const MarkLetters* letters = nullptr;
+    for (const QwtPlotItem* item : view.itemList())
+        if (const auto* found = dynamic_cast<const MarkLetters*>(item)) letters = found;
+    ASSERT_TRUE(letters);
+    view.setEstimate(oneOfEachKind());
+    QApplication::processEvents();
+    EXPECT_TRUE(view.legend()->isVisible());
+    EXPECT_FALSE(letters->areSeen()) << "the legend says it";
+    view.resize(500, 150);
+    QApplication::processEvents();
+    EXPECT_TRUE(letters->areSeen());
+    for (int bin = 0; bin < kBins; ++bin)
+        EXPECT_EQ(letters->shown[static_cast<std::size_t>(bin)], provenance(oneOfEachKind(), bin));
+    const QImage with = painted(*view.canvas());
+    view.clearEstimate("none");
+    for (const auto& shown : letters->shown) EXPECT_FALSE(shown);
+    // The lowest row of a letter's place has its ink.
+    const QPointF at = view.pixelOf(binCentre(2), 0.0);
+    int ink = 0;
+    for (int dx = -6; dx <= 6; ++dx)
+        for (int up = 2; up < 14; ++up)
+            ink += qGray(with.pixel(qRound(at.x()) + dx, with.height() - up)) < 110 ? 1 : 0;
+    EXPECT_GT(ink, 10);
 }
 
 TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
@@ -226,11 +302,13 @@ TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
         const QImage image = painted(*view.canvas());
         const int y = static_cast<int>(std::lround(view.pixelOf(0.0, z).y()));
         int count = 0, all = 0;
-        for (double x = -0.25; x < 0.2; x += 0.002, ++all)
-            count += alike(image.pixelColor(static_cast<int>(view.pixelOf(x, 0.0).x()), y),
-                           theme().sampled)
-                       ? 1
-                       : 0;
+        for (double x = -0.25; x < 0.2; x += 0.002, ++all) {
+            const auto isGreen = [&](int row) {  // it may lie between two
+                const int column = static_cast<int>(view.pixelOf(x, 0.0).x());
+                return alike(image.pixelColor(column, row), theme().sampled);
+            };
+            count += isGreen(y - 1) || isGreen(y) || isGreen(y + 1) ? 1 : 0;
+        }
         return static_cast<double>(count) / all;
     };
     EXPECT_GT(greens(-0.25), 0.3);
@@ -434,6 +512,44 @@ TEST(Drawable, aPathBreaksWhereANumberIsMissing)
     ASSERT_EQ(path.elementCount(), 4);
     EXPECT_TRUE(path.elementAt(2).isMoveTo());
     EXPECT_EQ(path.boundingRect(), QRectF(0, 0, 4, 4));
+}
+
+TEST_F(TerrainView, noTwoKindsOfBinsHaveAShapeAPatternOrAWordInCommon)
+{
+    view.resize(1200, 800);
+    for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
+        applyLook(*qApp, name);
+        view.restyle();
+        view.setEstimate(oneOfEachKind());
+        QApplication::processEvents();
+        const QImage image = painted(*view.canvas());
+        std::set<QString> words, letters;
+        std::set<int> shapes;
+        for (std::size_t a = 0; a < kProvenances.size(); ++a) {
+            const Provenance one = kProvenances[a];
+            ASSERT_EQ(provenance(oneOfEachKind(), 3 + static_cast<int>(a)), one);
+            words.insert(provenanceWord(one));
+            letters.insert(provenanceLetter(one));
+            shapes.insert(markOf(one).shape);
+            const auto inkOfOne = inkOfBar(view, image, 3 + static_cast<int>(a));
+            EXPECT_GT(inkOfOne[1], 0) << terratact::name(one);
+            for (std::size_t b = 0; b < a; ++b) {
+                const auto other = inkOfBar(view, image, 3 + static_cast<int>(b));
+                const bool differ = std::abs(inkOfOne[0] - other[0]) >= 2
+                                 || std::abs(inkOfOne[1] - other[1]) >= 15
+                                 || std::abs(inkOfOne[2] - other[2]) >= 2;
+                EXPECT_TRUE(differ)
+                    << "theme " << static_cast<int>(name) << ": " << terratact::name(one) << " ("
+                    << inkOfOne[0] << " pieces, " << inkOfOne[1] << " %, " << inkOfOne[2]
+                    << " px) and " << terratact::name(kProvenances[b]) << " (" << other[0] << ", "
+                    << other[1] << " %, " << other[2] << " px)";
+            }
+        }
+        EXPECT_EQ(words.size(), kProvenances.size());
+        EXPECT_EQ(letters.size(), kProvenances.size());
+        EXPECT_EQ(shapes.size(), kProvenances.size());
+    }
+    applyLook(*qApp);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "core/atem/arm_choice.h"
 
+#include "core/atem/probe_policy.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -105,8 +107,74 @@ TEST(ChooseProbe, asksForTheBinThatTellsMostWhereTheMethodKnowsIt)
     estimate.settings.method = Method::Local;
     estimate.sd.fill(0.01);
     EXPECT_EQ(chooseProbe(estimate, robot), std::nullopt);
-    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).bin, std::nullopt);
-    EXPECT_TRUE(adviseProbe(estimate, robot, 0.1).gains.empty());
+    const ProbeAdvice unasked = adviseProbe(estimate, robot, 0.1);
+    EXPECT_EQ(unasked.bin, std::nullopt);
+    EXPECT_EQ(unasked.before, advice.before) << "what it would buy is told all the same";
+    EXPECT_EQ(unasked.gains, advice.gains);
+}
+
+/// Bin 0.6 tells most about the terrain, bin 0.7 about the step.
+const ProbeAdvice kTwoAims{
+    .bin = kBin06,
+    .before = {.variance = 0.02, .entropy = 0.6},
+    .gains = {{kBin06, 0.01, 0.1}, {kBin05, 0.006, 0.0}, {kBin07, 0.005, 0.4}},
+    .stepLimit = 0.1};
+
+TEST(OfferProbe, asksByThePolicyAndSaysWhyNot)
+{
+    struct Case {
+        ProbePolicy policy;
+        Outlook verdict;
+        ProbeOffer offer;
+    };
+    using enum Outlook;
+    using enum ProbePolicy;
+    for (const auto& [policy, verdict, offer] :
+         {Case{Variance, CannotTell, {kBin06, NoProbe::None}},
+          Case{Variance, Blocked, {kBin06, NoProbe::None}},
+          Case{VarianceOpen, CannotTell, {kBin06, NoProbe::None}},
+          Case{VarianceOpen, Blocked, {{}, NoProbe::Decided}},
+          Case{VarianceOpen, Clear, {{}, NoProbe::Decided}},
+          Case{Question, CannotTell, {kBin07, NoProbe::None}},
+          Case{Question, Clear, {{}, NoProbe::Decided}}})
+        EXPECT_EQ(offerProbe(kTwoAims, verdict, policy), offer)
+            << name(policy) << ", " << name(verdict);
+    EXPECT_EQ(ranked(kTwoAims, VarianceOpen), kTwoAims.gains);
+    EXPECT_EQ(ranked(kTwoAims, Question).front().bin, kBin07);
+    EXPECT_EQ(ranked(kTwoAims, Question).back().bin, kBin05);
+}
+
+TEST(OfferProbe, asksForTheQuestionWhateverTheSdButNotForNothing)
+{
+    using enum ProbePolicy;
+    ProbeAdvice certain = kTwoAims;
+    certain.bin.reset();
+    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Variance),
+              (ProbeOffer{{}, NoProbe::Certain}));
+    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+              (ProbeOffer{kBin07, NoProbe::None}));
+    for (ProbeGain& gain : certain.gains) gain.entropyReduction = 0.9 * kLeastBits * std::log(2.0);
+    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+              (ProbeOffer{{}, NoProbe::NoGain}));
+    certain.gains.clear();  // no draws: what the question would gain is not known
+    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+              (ProbeOffer{{}, NoProbe::Certain}));
+    certain.bin = kBin05;
+    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+              (ProbeOffer{kBin05, NoProbe::None}));
+}
+
+TEST(AdviseProbe, hasNothingToSayOfARobotWithoutAnArm)
+{
+    TerrainEstimate estimate;
+    estimate.draws = {Heights{}, Heights{}, Heights{}};
+    estimate.draws[0][9] = 0.3;
+    estimate.sd[9] = 0.2;
+    RobotModel robot = absolem();
+    robot.armSd = 0.0;
+    const ProbeAdvice advice = adviseProbe(estimate, robot, 0.1);
+    EXPECT_TRUE(advice.gains.empty());
+    EXPECT_GT(advice.before.variance, 0.0);
 }
 
 TEST(AdviseProbe, leavesOutWhatIsMeasured)

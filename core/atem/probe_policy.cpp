@@ -1,0 +1,40 @@
+#include "core/atem/probe_policy.h"
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
+namespace terratact {
+
+std::string_view name(ProbePolicy policy)
+{
+    switch (policy) {
+    case ProbePolicy::Variance: return "variance";
+    case ProbePolicy::VarianceOpen: return "variance-if-open";
+    case ProbePolicy::Question: return "question";
+    }
+    return {};
+}
+
+std::vector<ProbeGain> ranked(const ProbeAdvice& advice, ProbePolicy policy)
+{
+    std::vector<ProbeGain> gains = advice.gains;
+    if (policy == ProbePolicy::Question)
+        std::ranges::stable_sort(gains, std::greater{}, &ProbeGain::entropyReduction);
+    return gains;
+}
+
+ProbeOffer offerProbe(const ProbeAdvice& advice, Outlook verdict, ProbePolicy policy)
+{
+    if (policy != ProbePolicy::Variance && verdict != Outlook::CannotTell)
+        return {.bin = {}, .why = NoProbe::Decided};
+    if (policy == ProbePolicy::Question && !advice.gains.empty()) {
+        const ProbeGain best = ranked(advice, policy).front();
+        if (best.entropyReduction < kLeastBits * std::numbers::ln2)
+            return {.bin = {}, .why = NoProbe::NoGain};
+        return {.bin = best.bin, .why = NoProbe::None};
+    }
+    return {.bin = advice.bin, .why = advice.bin ? NoProbe::None : NoProbe::Certain};
+}
+
+}  // namespace terratact

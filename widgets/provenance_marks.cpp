@@ -1,0 +1,126 @@
+#include "widgets/provenance_marks.h"
+
+#include <qwt_abstract_legend.h>
+#include <qwt_graphic.h>
+#include <qwt_plot.h>
+#include <qwt_scale_map.h>
+
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/palette.h"
+#include "widgets/provenance_words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kThin = 2.0, kWide = 5.0;  // [px]
+constexpr double kFarthest = 1e4;           // [px] beyond every screen
+
+QPen patterned(const QColor& colour, const QList<qreal>& dashes)
+{
+    QPen pen(colour, kThin, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern(dashes);  // in widths
+    return pen;
+}
+
+}  // namespace
+
+ProvenanceMark markOf(Provenance provenance)
+{
+    const Theme& t = theme();
+    const auto solid = [](const QColor& colour, double width) {
+        return QPen(colour, width, Qt::SolidLine, Qt::FlatCap);
+    };
+    switch (provenance) {
+    case Provenance::Arm: return {QwtSymbol::Triangle, t.arm, t.arm, 13, solid(t.arm, kWide)};
+    case Provenance::Contact:
+        return {QwtSymbol::Rect, t.contact, t.contact, 11, solid(t.contact, kThin)};
+    case Provenance::Constrained:
+        return {QwtSymbol::DTriangle, t.sampled, t.sampled, 11,
+                patterned(t.sampled, {3.0, 1.5, 1.0, 1.5})};
+    case Provenance::Sampled:
+        return {QwtSymbol::Ellipse, t.sampled, t.sampled, 10, patterned(t.sampled, {6.0, 2.0})};
+    case Provenance::PriorOnly: break;
+    }
+    return {QwtSymbol::Diamond, t.prior, t.card, 14, patterned(t.prior, {1.0, 1.0})};
+}
+
+PatternBar::PatternBar(const QPen& pen) : QwtIntervalSymbol(QwtIntervalSymbol::Bar)
+{
+    setPen(pen);
+    setWidth(scaled(13));
+}
+
+void PatternBar::draw(QPainter* painter, Qt::Orientation /*orientation*/, const QPointF& from,
+                      const QPointF& to) const
+{
+    const auto near = [](QPointF point) {
+        point.setY(std::clamp(point.y(), -kFarthest, kFarthest));
+        return point;
+    };
+    const QPointF ends[]{near(from), near(to)};
+    painter->setPen(pen());
+    painter->drawLine(ends[0], ends[1]);
+    painter->setPen(QPen(pen().color(), kThin));
+    const QPointF half(width() / 2.0, 0.0);
+    for (const QPointF& end : ends) painter->drawLine(end - half, end + half);
+}
+
+MarkCurve::MarkCurve(Provenance provenance)
+    : QwtPlotCurve(provenanceWord(provenance)), provenance_(provenance)
+{
+    setStyle(QwtPlotCurve::NoCurve);
+    setRenderHint(QwtPlotItem::RenderAntialiased);
+}
+
+QwtGraphic MarkCurve::legendIcon(int /*index*/, const QSizeF& /*size*/) const
+{
+    if (!symbol()) return {};  // not styled yet
+    const QSizeF size(scaled(26), scaled(16));
+    QwtGraphic icon;
+    icon.setDefaultSize(size);
+    QPainter painter(&icon);
+    const double middle = size.height() / 2.0;
+    painter.setPen(markOf(provenance_).bar);
+    painter.drawLine(QPointF(0.0, middle), QPointF(size.width(), middle));
+    painter.setRenderHint(QPainter::Antialiasing);
+    symbol()->drawSymbol(&painter, QPointF(size.width() / 2.0, middle));
+    return icon;
+}
+
+MarkLetters::MarkLetters()
+{
+    setZ(30.0);
+    setItemAttribute(QwtPlotItem::Legend, false);
+}
+
+bool MarkLetters::areSeen() const
+{
+    return plot()->legend()->isEmpty();
+}
+
+void MarkLetters::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
+                       const QRectF& canvas) const
+{
+    if (!areSeen()) return;
+    constexpr int kLeast = 10;  // [px]
+    const double width = x.transform(binEnd(0)) - x.transform(binBegin(0));
+    QFont font = plot()->font();
+    font.setPixelSize(std::clamp(static_cast<int>(width), kLeast, scaled(14)));
+    font.setBold(true);
+    painter->setFont(font);
+    const double height = painter->fontMetrics().height();
+    QColor behind = theme().card;
+    behind.setAlpha(0xd0);
+    for (std::size_t i = 0; i < kBins; ++i) {
+        if (!shown[i]) continue;
+        const QRectF place(x.transform(binBegin(static_cast<int>(i))), canvas.bottom() - height,
+                           width, height);
+        painter->fillRect(place, behind);
+        painter->setPen(theme().text);
+        painter->drawText(place, Qt::AlignCenter, provenanceLetter(*shown[i]));
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <qwt_interval_symbol.h>
+#include <qwt_plot_curve.h>
+#include <qwt_symbol.h>
+
+#include <QPen>
+#include <array>
+#include <optional>
+
+#include "core/infer/provenance.h"
+
+namespace terratact {
+
+/// How a bin is drawn for what speaks for its height: no two alike in shape, in the pattern of the bar or in letter,
+/// so that they are told apart without colours, too.
+struct ProvenanceMark {
+    QwtSymbol::Style shape;
+    QColor line, fill;
+    int size = 0;  ///< [px] at 100 %
+    QPen bar;      ///< solid and wide, solid, dashed, dash and dot, dotted
+};
+ProvenanceMark markOf(Provenance provenance);  ///< in the theme in force
+
+/// A bar whose stem has the pen's pattern and whose ends are solid and of one width.
+class PatternBar final : public QwtIntervalSymbol {
+public:
+    explicit PatternBar(const QPen& pen);
+    void draw(QPainter* painter, Qt::Orientation orientation, const QPointF& from,
+              const QPointF& to) const override;
+};
+
+/// The marks of one kind of bins; the legend shows one upon a piece of its bar.
+class MarkCurve final : public QwtPlotCurve {
+public:
+    explicit MarkCurve(Provenance provenance);
+    QwtGraphic legendIcon(int index, const QSizeF& size) const override;
+
+private:
+    Provenance provenance_;
+};
+
+/// A letter for each bin at the lower edge, where there is no legend that says what the marks mean.
+class MarkLetters final : public QwtPlotItem {
+public:
+    MarkLetters();
+    std::array<std::optional<Provenance>, kBins> shown{};
+    bool areSeen() const;
+
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+};
+
+}  // namespace terratact

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QProxyStyle>
+
+namespace terratact {
+
+/// Fusion with targets that a gloved hand hits: the arrows of a spin box side by side, each as large as a button, and
+/// entries of menus and combo boxes of that height.
+class TargetStyle final : public QProxyStyle {
+public:
+    TargetStyle();
+
+    QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                         const QWidget* widget) const override;
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override;
+};
+
+}  // namespace terratact
