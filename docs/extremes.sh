@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes docs/extremes.md: every test of the extremes and their long forms, some ten minutes.
+# Writes docs/extremes.md: every test of the extremes and their long forms, some twenty minutes.
 # Usage: docs/extremes.sh [build directory]       default: build/headless
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -7,6 +7,9 @@ build=${1:-build/headless}
 export OPENBLAS_NUM_THREADS=1
 ran=$(mktemp)
 trap 'rm -f "$ran"' EXIT
+
+# Plain, doubled, collinear rows and a constant column, the exact process and those through few rows.
+many='*Sizes.*/plain:*Sizes.*/doubledRows:*Sizes.*/collinear:*Sizes.*/constantColumn:*ofAModelsSize*'
 
 # What a command says, below the command itself; a failure ends all.
 show() {
@@ -28,7 +31,9 @@ draws() {
   TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.truncated_normal_test" --gtest_filter='*EveryOneOfManyDraws' | results
 }
 rows() {
-  TERRATACT_ROWS=5600 "$build/tests/core.learn.gaussian_process_extremes_test" --gtest_filter='*ofAModel*/plain:*ofAModel*/doubledRows' | results
+  for test in gaussian_process_extremes_test projected_process_test; do
+    TERRATACT_ROWS=5600 "$build/tests/core.learn.$test" --gtest_filter="$many" | results || return 1
+  done
 }
 per_draw() {
   "$build/tests/terratact-bench" --benchmark_filter=^draws 2>/dev/null | awk '/^draws/ { printf "%-40s %6.1f ns\n", $1, $4; if ($4 > most) most = $4 }
@@ -46,7 +51,7 @@ cancelling() {
 show "ctest --test-dir $build -L extremes" tests
 show "TERRATACT_DRAWS=1000000000 truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'" draws
 show "terratact-bench --benchmark_filter=^draws" per_draw
-show "TERRATACT_ROWS=5600 gaussian_process_extremes_test --gtest_filter='*ofAModel*/plain:*ofAModel*/doubledRows'" rows
+show "TERRATACT_ROWS=5600 gaussian_process_extremes_test --gtest_filter='$many'; TERRATACT_ROWS=5600 projected_process_test, likewise" rows
 show "terratact-bench --benchmark_filter=cancelWaits" cancelling
 show "tests/core/infer/same_draws_test.py" /usr/bin/python3 -B tests/core/infer/same_draws_test.py
 show "tests/core/infer/same_draws_test.py --native" /usr/bin/python3 -B tests/core/infer/same_draws_test.py --native
@@ -60,10 +65,11 @@ them all; \`docs/extremes.sh $build\` made this page, with the long forms and wh
 | what | tests | long form |
 |---|---|---|
 | truncated normal draws | \`tests/core/infer/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'\` |
-| Gaussian processes against long double | \`tests/core/learn/gaussian_process_extremes_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gaussian_process_extremes_test --gtest_filter='*ofAModel*'\` |
-| surface processes against long double | \`tests/core/learn/projected_process_test.cpp\` | |
+| Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gaussian_process_extremes_test --gtest_filter='*Sizes*'\` |
+| surface processes (method \`local\`) against long double | \`tests/core/learn/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.projected_process_test --gtest_filter='*ofAModelsSize'\` |
+| the likelihood and its gradient against long double | \`tests/core/learn/likelihood_test.cpp\` | |
 | estimates by all methods, cancelled at every question, work between two questions | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
-| robots and ground | \`tests/core/sim/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
+| robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
 | same seed, same bytes | \`tests/core/infer/same_draws_test.py\` | \`python3 tests/core/infer/same_draws_test.py\` (four builds), \`--native\` (AVX kernels), \`--programs\` (what is built) |
 | R-hat and ESS as the R package posterior | \`tests/core/infer/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference anew |
 
@@ -76,8 +82,12 @@ variants of the C library's functions, and OpenBLAS runs in one thread, as both 
 **Singular models.** Where the covariance of the training rows is singular to working precision, a jitter of 1e-10 to
 1e-6 of its diagonal is added and kept with the model; an estimate that used it says so among its warnings. A model that
 this does not mend is refused. What is accepted is right to 1e-14 over the reciprocal condition number, at most 1e-2 of
-the largest output. The surface processes of \`local\` and \`joint\` always have a jitter of 1e-6
+the largest output.  A sparse process has a jitter of up to 1e-9 where the noise is less than that of the signal, and
+the same condition. The surface processes of \`local\` and \`joint\` always have a jitter of 1e-6
 (\`core/learn/projected_process.h\`) and are refused by the same condition when they are trained.
+
+**Chains that stand still.** R-hat of draws that are all the same is undefined.  Such an estimate has not converged,
+and says so, unless the height is the bin's ceiling, which holds the draws there (\`core/infer/convergence.h\`).
 
 **Cancelling.** An estimate asks whether it is still wanted at least once per bin of a sweep, and in between every
 forty million multiplications of a factorisation (\`core/learn/cholesky.h\`), every 67 million of a sweep's sums of

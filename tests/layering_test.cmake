@@ -5,6 +5,9 @@
 #   widgets  the values of core that they draw, text, Qt, Qwt
 #   app      all four (its command line: no Qt)
 #   tests    anything, through headers
+# And the same seed gives the same draws with every compiler and standard library (docs/extremes.md):
+#   core/{infer,learn}  no distribution nor shuffle of the standard library, whose algorithms differ from one to the next
+#   build files         no option that lets a compiler reorder sums or forget NaN
 cmake_minimum_required(VERSION 3.25)
 if(NOT ROOT)
   cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROOT)
@@ -15,6 +18,11 @@ set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
 set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
 set(widgets_core "^core/(text|robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
+
+set(unlike "std::([a-z_]+_distribution|shuffle|sample|generate_canonical|random_device)")
+# A campaign's rows for a search and a simulated scanner's noise: what training draws is kept in the model.
+set(may_be_unlike "^core/learn/training\\.cpp$")
+set(loose "[-\"](Ofast|f?fast-math|f?unsafe-math-optimizations|f?associative-math|f?reciprocal-math|f?finite-math-only)")
 
 set(offences "")
 macro(offence text)
@@ -89,6 +97,29 @@ foreach(file IN LISTS files)
     elseif(what MATCHES "${linux}" AND layer STREQUAL "core" AND NOT file STREQUAL "core/learn/huge_pages.cpp")
       offence("includes ${what}: Linux belongs to drivers")
     endif()
+  endforeach()
+endforeach()
+
+foreach(file IN LISTS files)
+  if(file MATCHES "^core/(infer|learn)/" AND NOT file MATCHES "${may_be_unlike}")
+    file(STRINGS ${ROOT}/${file} lines REGEX "${unlike}")
+    foreach(line IN LISTS lines)
+      string(REGEX MATCH "${unlike}" what "${line}")
+      offence("draws with ${what}, which differs between standard libraries")
+    endforeach()
+  endif()
+endforeach()
+
+file(GLOB_RECURSE building RELATIVE ${ROOT} ${ROOT}/cmake/*.cmake ${ROOT}/cmake/*.sh)
+file(GLOB own RELATIVE ${ROOT} ${ROOT}/CMakeLists.txt ${ROOT}/CMakePresets.json ${ROOT}/*/CMakeLists.txt)
+foreach(file IN LISTS building own files)
+  if(file STREQUAL "tests/layering_test.cmake")
+    continue()
+  endif()
+  file(STRINGS ${ROOT}/${file} lines REGEX "${loose}")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "${loose}" what "${line}")
+    offence("asks for ${what}: a NaN would go unseen and sums come out differently")
   endforeach()
 endforeach()
 

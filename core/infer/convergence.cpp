@@ -103,7 +103,7 @@ double sampleVariance(const Eigen::VectorXd& x)
     return (x.array() - x.mean()).square().sum() / static_cast<double>(x.size() - 1);
 }
 
-/// Eq. 1 to 4 for half chains that are already normal scores; z: n × m.
+/// Eq. 1 to 4 for half chains that are already normal scores; z: n × m.  1 where all are equal.
 double splitRhat(const Eigen::MatrixXd& z)
 {
     if (allEqual(z)) return 1.0;
@@ -169,8 +169,8 @@ void makeMonotone(std::vector<double>& rho)
 
 }  // namespace
 
-RankedDraws::RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws, Poll poll)
-    : draws_(draws), poll_(std::move(poll))
+RankedDraws::RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws, Poll poll, double bound)
+    : draws_(draws), poll_(std::move(poll)), bound_(bound)
 {
     require(draws);
 }
@@ -181,10 +181,16 @@ const Eigen::MatrixXd& RankedDraws::scores()
     return scores_;
 }
 
+bool RankedDraws::heldByBound() const
+{
+    return (draws_.array() == bound_).all();
+}
+
 double RankedDraws::rhat()
 {
-    if (allEqual(draws_)) return 1.0;
     if (draws_.rows() < 4) return kRhatNever;
+    if (heldByBound()) return 1.0;
+    if (columnsConstant(scores())) return kRhatNever;
     callPoll(poll_);
     const Eigen::MatrixXd folded = (draws_.array() - median(draws_, poll_)).abs();
     return std::max(splitRhat(scores()), splitRhat(normalScores(halves(folded), poll_)));
@@ -192,12 +198,12 @@ double RankedDraws::rhat()
 
 double RankedDraws::ess()
 {
-    if (allEqual(draws_)) return static_cast<double>(draws_.size());
-    if (draws_.rows() < 6) return static_cast<double>(draws_.cols());
+    const auto chains = static_cast<double>(draws_.cols());
+    if (draws_.rows() < 6) return chains;
+    if (heldByBound()) return static_cast<double>(draws_.size());
     const Eigen::MatrixXd& z = scores();
     callPoll(poll_);
-    if (allEqual(z)) return static_cast<double>(draws_.size());
-    if (columnsConstant(z)) return static_cast<double>(draws_.cols());
+    if (columnsConstant(z)) return chains;
 
     std::vector<double> rho = positiveSequence(z, poll_);
     makeMonotone(rho);

@@ -73,7 +73,7 @@ void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& d
     estimate.q90[i] = quantileOfSorted(all, 0.9);
     estimate.origin[i] = origin;
     callPoll(poll);
-    RankedDraws ranked(draws, poll);
+    RankedDraws ranked(draws, poll, estimate.ceiling[i]);
     estimate.rhat[i] = ranked.rhat();
     estimate.ess[i] = ranked.ess();
 }

@@ -12,7 +12,8 @@ namespace terratact {
 /// Which number of a bin's draws is the one to show.
 enum class Centre : std::uint8_t { Mean, Median };
 
-/// Writes one bin of an estimate from its draws: mean, sd, quantiles, the height to show, R-hat and ESS.
+/// Writes one bin of an estimate from its draws: mean, sd, quantiles, the height to show, R-hat and ESS (RankedDraws,
+/// the bin's ceiling being the bound).
 /// draws: kept sweeps × chains, heights [m].  poll: here and below, in the course of it.
 void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& draws, Origin origin,
                     Centre centre, const Poll& poll = {});

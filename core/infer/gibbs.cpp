@@ -60,20 +60,22 @@ int chainsPerPart(const GibbsProblem& problem, const Watch& watch)
 /// Whether every bin's draws are within the limits.
 class Judge {
 public:
-    bool converged(const std::vector<Eigen::MatrixXd>& draws, const Poll& poll)
+    bool converged(const GibbsDraws& drawn, const Heights& ceiling, const Poll& poll)
     {
-        for (std::size_t k = 0; k < draws.size(); ++k) {
-            const std::size_t bin = (doubtful_ + k) % draws.size();
-            RankedDraws ranked(draws[bin], poll);
+        const std::size_t count = drawn.bins.size();
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t k = (doubtful_ + n) % count;
+            const auto bin = static_cast<std::size_t>(drawn.bins[k]);
+            RankedDraws ranked(drawn.draws[k], poll, ceiling[bin]);
             if (ranked.ess() >= kEssLimit && ranked.rhat() <= kRhatLimit) continue;
-            doubtful_ = bin;
+            doubtful_ = k;
             return false;
         }
         return true;
     }
 
 private:
-    std::size_t doubtful_ = 0;  // the bin that failed last comes first: mostly it fails again
+    std::size_t doubtful_ = 0;  // what failed last comes first: mostly it fails again
 };
 
 }  // namespace
@@ -166,7 +168,7 @@ struct GibbsRun::Chains {
         }
         if (done == check) {
             if (result.burnInLeftOut > 0) return end(Ending::Time);
-            if (problem.stopEarly && judge.converged(result.draws, poll))
+            if (problem.stopEarly && judge.converged(result, problem.ceiling, poll))
                 return end(Ending::Converged);
             if (done == problem.keptPerChain) return end(Ending::Sweeps);
             goOnTo(check + (check + 1) / 2);

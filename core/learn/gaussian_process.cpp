@@ -123,6 +123,12 @@ Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters&
 
 }  // namespace
 
+double errorBoundAt(double rcond)
+{
+    constexpr double kPerCondition = 1e-2 * kLeastRcond;
+    return std::max(1e-9, kPerCondition / rcond);
+}
+
 void requireTrainable(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                       const Hyperparameters& hyper)
 {
@@ -159,8 +165,8 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hy
 
 GaussianProcess::GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,
                                  double outputMean, const Poll& poll)
-    : X_(std::move(Z)), hyper_(std::move(hyper)), outputMean_(outputMean),
-      alpha_(std::move(process.weights))
+    : X_(std::move(Z)), hyper_(std::move(hyper)), outputMean_(outputMean), jitter_(process.jitter),
+      rcond_(process.rcond), alpha_(std::move(process.weights))
 {
     const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
     if (!std::isfinite(outputMean) || !std::isfinite(largestMean) || !process.F.allFinite())
@@ -180,12 +186,6 @@ std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
     Eigen::MatrixXd Z = X(process.inducing, Eigen::all);
     return std::unique_ptr<GaussianProcess>(
         new GaussianProcess(std::move(Z), std::move(process), std::move(hyper), outputMean, poll));
-}
-
-double GaussianProcess::errorBound() const
-{
-    constexpr double kPerCondition = 1e-2 * kLeastRcond;
-    return std::max(1e-9, kPerCondition / rcond_);
 }
 
 Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const

@@ -21,6 +21,9 @@ struct Normal {
 
 /// A covariance whose reciprocal condition number is below this is not trusted.
 inline constexpr double kLeastRcond = 1e-12;
+/// max(1e-9, 1e-14 / rcond): how right results are that come from a matrix of that reciprocal condition number, as
+/// a share of what each of them states.  At most 1e-2 where rcond is at least kLeastRcond.
+double errorBoundAt(double rcond);
 /// Share of the prior's variance below which rounding leaves nothing of a predicted one.
 inline constexpr double kLeastVariance = 1e-15;
 
@@ -55,14 +58,13 @@ public:
     Eigen::Index inputs() const { return X_.cols(); }
     const Hyperparameters& hyperparameters() const { return hyper_; }
 
-    /// Added to K's diagonal, as a share of σ_f² + σ_n²; 0 where K needed none.
+    /// Added to K's diagonal, as a share of σ_f² + σ_n²; 0 where K needed none.  Of a sparse one: SparseProcess::jitter.
     double jitter() const { return jitter_; }
-    /// Estimated reciprocal condition number of K with its jitter, 1-norm; 1 for a sparse one, whose factors are
-    /// well conditioned by themselves.
+    /// Estimated reciprocal condition number of K with its jitter, 1-norm.  Of a sparse one: SparseProcess::rcond.
     double rcond() const { return rcond_; }
 
-    /// max(1e-9, 1e-14 / rcond()), at most 1e-2: kLeastRcond.  Seen were up to 0.4 of that where rcond() decides.
-    double errorBound() const;
+    /// At rcond().  Seen were up to 0.4 of that where rcond() decides.
+    double errorBound() const { return errorBoundAt(rcond_); }
 
     /// InverseFactor::singleError of this process [m²].  Elsewhere a variance is off by at most
     /// kSingleErrorElsewhere times as much.

@@ -40,8 +40,8 @@ public:
     const double* panels(const Poll& poll = {}) const;
     const float* panelsSingle(const Poll& poll = {}) const;
 
-    /// Largest | |L⁻¹ K e_i|² − K_ii | in single precision over kProbes rows i from the first to the last.  (Of F:
-    /// with the probes in place of K e_i.)
+    /// Largest | |L⁻¹ K e_i|² − K_ii | in single precision over kProbes rows i from the first to the last, and at least
+    /// 2⁻²³ of the largest K_ii.  (Of F: with the probes in place of K e_i.)
     double singleError(const Poll& poll = {}) const;
 
 private:

@@ -25,10 +25,12 @@ void check(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const std::vector
 {
     if (X.rows() != y.size() || X.cols() != hyper.lengthScale.size() || inducing.empty())
         throw std::invalid_argument("projected process: sizes disagree or no inducing row");
-    if (!X.allFinite() || !y.allFinite() || !(hyper.lengthScale.array() > 0.0).all())
+    if (!X.allFinite() || !y.allFinite() || !hyper.lengthScale.allFinite()
+        || !(hyper.lengthScale.array() > 0.0).all())
         throw std::invalid_argument(
             "projected process: numbers must be finite and length scales positive");
-    if (!(hyper.noiseSd > 0.0) || !(hyper.signalSd > 0.0))
+    if (!(hyper.noiseSd > 0.0) || !(hyper.signalSd > 0.0) || !std::isfinite(hyper.noiseSd)
+        || !std::isfinite(hyper.signalSd))
         throw std::invalid_argument("projected process: σ_f and σ_n must be positive");
     for (const int row : inducing)
         if (row < 0 || row >= X.rows())
@@ -69,11 +71,18 @@ void solveLower(const Eigen::MatrixXd& L, Eigen::MatrixXd& B)
 
 }  // namespace
 
+double ProjectedProcess::errorBound() const
+{
+    return errorBoundAt(rcond);
+}
+
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                 const std::vector<int>& inducing, const Hyperparameters& hyper)
 {
     check(X, y, inducing, hyper);
     const Eigen::MatrixXd scaled = X.array().rowwise() / hyper.lengthScale.transpose().array();
+    if (!scaled.allFinite())
+        throw std::invalid_argument("projected process: an input overflows in length scales");
     const Eigen::MatrixXd Z = scaled(inducing, Eigen::all);
     Eigen::MatrixXd outer = covariance(Z, Z, hyper.signalSd);
     outer.diagonal().array() += kProjectionJitter * hyper.signalSd * hyper.signalSd;

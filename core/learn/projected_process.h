@@ -19,6 +19,10 @@ struct ProjectedProcess {
     Eigen::VectorXd leaveOneOut;
     double rcond =
         1.0;  ///< the lesser reciprocal condition number of K_mm and of L⁻¹ A L⁻ᵀ, K_mm = L Lᵀ; 1-norm
+
+    /// errorBoundAt(rcond) (gaussian_process.h).  The mean at a row is right to that of max |y|, a numerator of
+    /// leaveOneOut likewise, and its denominator to that itself.
+    double errorBound() const;
 };
 
 /// Share of σ_f² on K_mm's diagonal.

@@ -1,6 +1,7 @@
 #include "core/learn/sparse_process.h"
 
 #include <cblas.h>
+#include <fmt/format.h>
 #include <lapacke.h>
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace terratact {
 
 namespace {
 
-constexpr double kLeastVarianceShare = 1e-9;  // of σ_f²: a row that adds less is not worth inducing
+constexpr double kLeastPivot = 1e-8;   // of σ_f²: a row that adds less is not worth inducing
+constexpr double kLeastLambda = 1e-9;  // of σ_f²
 constexpr int kCandidatesPerRow = 4;
 
 int size(Eigen::Index n)
@@ -39,11 +41,24 @@ std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
     return chosen;
 }
 
-/// Inducing rows and the factor of their covariance, K_mm = L Lᵀ.
+/// Inducing rows and the factor of their covariance, K_mm = L Lᵀ, with its reciprocal condition number.
 struct Inducing {
     std::vector<int> rows;
     Eigen::MatrixXd L;
+    double rcond;
 };
+
+/// Of K = L Lᵀ, whose columns are covariances of the rows of Z.
+double conditionOf(const Eigen::MatrixXd& L, const Eigen::MatrixXd& Z, double signal2,
+                   const Poll& poll)
+{
+    double norm = 0.0;
+    for (Eigen::Index k = 0; k < Z.rows(); ++k) {
+        callPoll(poll);
+        norm = std::max(norm, covarianceColumn(Z, Z.row(k), signal2).sum());
+    }
+    return reciprocalCondition(L.transpose(), norm, poll);
+}
 
 Inducing chooseInducing(const Eigen::MatrixXd& scaled, int count, double signal2, const Poll& poll)
 {
@@ -57,7 +72,7 @@ Inducing chooseInducing(const Eigen::MatrixXd& scaled, int count, double signal2
     for (Eigen::Index j = 0; j < most; ++j) {
         Eigen::Index p = 0;
         callPoll(poll);
-        if (!(variance.maxCoeff(&p) > kLeastVarianceShare * signal2)) break;
+        if (!(variance.maxCoeff(&p) > kLeastPivot * signal2)) break;
         V.col(j) = covarianceColumn(X, X.row(p), signal2);
         const Eigen::VectorXd ofPivot = V.row(p).head(j);
         cblas_dgemv(CblasColMajor, CblasNoTrans, size(X.rows()), size(j), -1.0, V.data(),
@@ -68,7 +83,8 @@ Inducing chooseInducing(const Eigen::MatrixXd& scaled, int count, double signal2
         pivots.push_back(size(p));
     }
     const auto m = static_cast<Eigen::Index>(pivots.size());
-    Inducing inducing{{}, V(pivots, Eigen::seqN(0, m)).triangularView<Eigen::Lower>()};
+    Inducing inducing{{}, V(pivots, Eigen::seqN(0, m)).triangularView<Eigen::Lower>(), 0.0};
+    inducing.rcond = conditionOf(inducing.L, X(pivots, Eigen::all), signal2, poll);
     for (const int p : pivots) inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
     return inducing;
 }
@@ -158,9 +174,11 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
     requireTrainable(X, y, hyper);
     if (count < 1) throw std::invalid_argument("sparse Gaussian process: no inducing rows");
     const double signal2 = hyper.signalSd * hyper.signalSd;
-    if (!(signal2 >= std::numeric_limits<double>::min()))
-        throw std::invalid_argument("sparse Gaussian process: the signal's variance underflows");
-    const double noise2 = std::max(hyper.noiseSd * hyper.noiseSd, kLeastVarianceShare * signal2);
+    const double noise = hyper.noiseSd * hyper.noiseSd;
+    if (!(signal2 >= std::numeric_limits<double>::min()) || !std::isfinite(signal2 + noise))
+        throw std::invalid_argument(
+            "sparse Gaussian process: the signal's variance underflows, or a variance overflows");
+    const double noise2 = std::max(noise, kLeastLambda * signal2);
     const Eigen::MatrixXd scaled = X.array().rowwise() / hyper.lengthScale.transpose().array();
     if (!scaled.allFinite())
         throw std::invalid_argument("Gaussian process: an input overflows in length scales");
@@ -168,15 +186,23 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
     Eigen::MatrixXd V = projection(scaled, inducing, signal2, poll);
 
     // A = L B Lᵀ with B = 1 + V Λ⁻¹ Vᵀ, well conditioned.
-    const Eigen::ArrayXd unexplained = (signal2 - V.rowwise().squaredNorm().array()).max(0.0);
-    const Eigen::ArrayXd scale = (unexplained + noise2).rsqrt();
+    const Eigen::ArrayXd lambda = (signal2 - V.rowwise().squaredNorm().array()).max(0.0) + noise2;
+    const Eigen::ArrayXd scale = lambda.rsqrt();
     V.array().colwise() *= scale;
     const Eigen::VectorXd projected = V.transpose() * (y.array() * scale).matrix();
     const int m = size(V.cols());
     Eigen::MatrixXd R = onePlusGram(V, poll);
+    const double norm = symmetricNorm(R, poll);
     factorise(R, poll);
 
-    SparseProcess sparse{inducing.rows, projected, {}};
+    SparseProcess sparse{inducing.rows, projected, {}, (noise2 - noise) / (signal2 + noise)};
+    sparse.rcond = std::min({inducing.rcond, reciprocalCondition(R, norm, poll),
+                             lambda.minCoeff() / (signal2 + noise)});
+    if (!(sparse.rcond >= kLeastRcond))
+        throw std::invalid_argument(
+            fmt::format("sparse Gaussian process: a covariance of {} inducing rows is singular "
+                        "(reciprocal condition number below {:.0e})",
+                        m, kLeastRcond));
     LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', m, 1, R.data(), m, sparse.weights.data(), m);
     cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, m, inducing.L.data(), m,
                 sparse.weights.data(), 1);

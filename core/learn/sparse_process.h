@@ -9,7 +9,8 @@
 namespace terratact {
 
 /// A Gaussian process learnt from all rows, predicting through m inducing rows Z of them.  With K_mm = k(Z, Z),
-/// K_mn = k(Z, X), Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + σ_n² I and A = K_mm + K_mn Λ⁻¹ K_nm:
+/// K_mn = k(Z, X), Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + (σ_n² + jitter (σ_f² + σ_n²)) I and
+/// A = K_mm + K_mn Λ⁻¹ K_nm:
 ///   mean = k_mᵀ w,  w = A⁻¹ K_mn Λ⁻¹ y,   variance = σ_f² + σ_n² − |F k_m|²,  Fᵀ F = K_mm⁻¹ − A⁻¹
 /// The fully independent training conditional (Snelson & Ghahramani 2005; Rasmussen & Williams 2006, §8.3.4
 /// has it without the first part of Λ); exact where every row is one of Z.
@@ -17,6 +18,11 @@ struct SparseProcess {
     std::vector<int> inducing;  ///< rows of X, in the order chosen
     Eigen::VectorXd weights;    ///< w: m
     Eigen::MatrixXd F;          ///< m × m, lower triangle, zeros above
+    /// Where σ_n² is below 1e-9 σ_f², what makes up for the difference; 0 elsewhere.
+    double jitter = 0.0;
+    /// The least of the reciprocal condition numbers (1-norm, estimated) of K_mm and of L⁻¹ A L⁻ᵀ, K_mm = L Lᵀ, and of
+    /// Λ, a difference, as a share of σ_f² + σ_n².
+    double rcond = 1.0;
 };
 
 /// At most `count` inducing rows, fewer where those explain every row: greedily, the row with the largest
@@ -24,7 +30,8 @@ struct SparseProcess {
 /// first of equals.  No random numbers.
 ///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
 /// poll: as in cholesky.h; what it throws comes out of here.
-/// Throws std::invalid_argument as requireTrainable, for count < 1 and for numbers that overflow.
+/// Throws std::invalid_argument as requireTrainable, for count < 1, for numbers that overflow, and where rcond would
+/// be below kLeastRcond (gaussian_process.h).
 SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
                             const Hyperparameters& hyper, const Poll& poll = {});
 

@@ -87,8 +87,9 @@ private:
             for (int j = 0; j <= i; ++j) L(i, j) = A_.row(panel_, first_ + i)[j];
         if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', width_, L.data(), width_) != 0) return false;
         if (!L.diagonal().allFinite()) return false;
-        factors.leastPivot = std::min(factors.leastPivot, L.diagonal().minCoeff());
-        factors.mostPivot = std::max(factors.mostPivot, L.diagonal().maxCoeff());
+        const auto own = L.diagonal().head(std::min(width_, A_.size() - first_));
+        factors.leastPivot = std::min(factors.leastPivot, own.minCoeff());
+        factors.mostPivot = std::max(factors.mostPivot, own.maxCoeff());
         factors.logDeterminant += 2.0 * L.diagonal().array().log().sum();
         LAPACKE_dtrtri(LAPACK_COL_MAJOR, 'L', 'N', width_, L.data(), width_);
         pack(L, inverse_);

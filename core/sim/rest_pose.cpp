@@ -254,6 +254,12 @@ bool isPressed(const FlipperDrive& drive)
     return std::holds_alternative<PressTorque>(drive);
 }
 
+/// Held where it lies on the robot.
+bool isFolded(const FlipperDrive& drive)
+{
+    return !isPressed(drive) && std::abs(startAngle(drive)) > kMaxFlipper;
+}
+
 enum class Start { Above, Here };
 
 /// Lowers the robot from above `pose` onto the ground, contacts growing stiffer, or goes on from there.
@@ -342,6 +348,8 @@ Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain
         rest = yielded(robot, terrain, rest, ground);  // one may overload the other
     if (!std::isfinite(rest.energy)) return Error{"no rest pose: the search diverges", 0};
     if (std::abs(rest.pose.pitch) > kMaxPitch) return Error{"no rest pose: the robot tips over", 0};
+    if (isFolded(rest.front) || isFolded(rest.rear))
+        return Error{"no rest pose: a flipper turned beyond 143 degrees lies on the robot", 0};
     if (std::max(std::abs(rest.pose.front), std::abs(rest.pose.rear)) > kMaxFlipper)
         return Error{"no rest pose: the flippers' motors cannot hold the robot", 0};
     return rest;

@@ -77,7 +77,8 @@ double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, c
 /// Domain: a robot at rest minimises its potential energy over terrain it cannot enter; the contact
 /// forces are the forces of stiff one-sided springs.
 /// A held axle that would need more than its motors' torque gives way (see RestPose::rear).
-/// Error when there is no rest pose: it tips over (|pitch| > 1.2 rad).
+/// Error when there is no rest pose: it tips over (|pitch| > 1.2 rad), or a flipper lies on the robot (beyond 2.5 rad),
+/// be it held there or pushed there because its motors cannot hold the robot.
 Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain, double x,
                           const FlipperDrive& front, const FlipperDrive& rear,
                           double startPitch = 0.0, const GroundOptions& ground = {});

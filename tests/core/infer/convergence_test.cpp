@@ -61,25 +61,60 @@ TEST(BulkEss, equalsThePosteriorPackage)
         EXPECT_NEAR(RankedDraws(r.draws).ess(), r.ess, 1e-10 * r.ess) << r.name;
 }
 
-TEST(Convergence, ofOneHeightEverywhereIsPerfect)
+TEST(Convergence, ofOneHeightEverywhereIsNotClaimed)
 {
-    const Eigen::MatrixXd fixed = Eigen::MatrixXd::Constant(250, 4, -0.137);
-    EXPECT_EQ(RankedDraws(fixed).rhat(), 1.0);
-    EXPECT_EQ(RankedDraws(fixed).ess(), 1000.0);
-    EXPECT_EQ(RankedDraws(fixed.topLeftCorner(3, 2)).rhat(), 1.0);
-    EXPECT_EQ(RankedDraws(fixed.topLeftCorner(3, 2)).ess(), 6.0);
-    Eigen::MatrixXd middle = fixed.topLeftCorner(7, 2);
-    middle.row(3).setZero();  // belongs to neither half
-    EXPECT_EQ(RankedDraws(middle).rhat(), 1.0);
-    EXPECT_EQ(RankedDraws(middle).ess(), 14.0);
+    Eigen::MatrixXd fixed = Eigen::MatrixXd::Constant(250, 4, -0.137);
+    EXPECT_EQ(RankedDraws(fixed).rhat(), kRhatNever);
+    EXPECT_EQ(RankedDraws(fixed).ess(), 4.0);
+    fixed.conservativeResize(251, Eigen::NoChange);
+    fixed.row(125).setZero();  // the middle belongs to neither half
+    fixed.row(250).setConstant(-0.137);
+    EXPECT_EQ(RankedDraws(fixed).rhat(), kRhatNever);
+    EXPECT_EQ(RankedDraws(fixed).ess(), 4.0);
+}
+
+TEST(Convergence, ofDrawsThatTheirBoundHoldsIsPerfect)
+{
+    const Eigen::MatrixXd held = Eigen::MatrixXd::Constant(250, 4, -0.137);
+    EXPECT_EQ(RankedDraws(held, {}, -0.137).rhat(), 1.0);
+    EXPECT_EQ(RankedDraws(held, {}, -0.137).ess(), 1000.0);
+    for (const double elsewhere : {-0.136, -0.2}) {  // above, and below, where no rule bounds draws
+        EXPECT_EQ(RankedDraws(held, {}, elsewhere).rhat(), kRhatNever);
+        EXPECT_EQ(RankedDraws(held, {}, elsewhere).ess(), 4.0);
+    }
+    Eigen::MatrixXd one = held;
+    one.col(2).setConstant(std::nextafter(-0.137, -1.0));  // one chain stands somewhere else
+    EXPECT_EQ(RankedDraws(one, {}, -0.137).rhat(), kRhatNever);
+    EXPECT_EQ(RankedDraws(held.topRows(3), {}, -0.137).rhat(), kRhatNever);
+    EXPECT_EQ(RankedDraws(held.topRows(5), {}, -0.137).ess(), 4.0);
+}
+
+TEST(Convergence, ofDrawsThatAreFreeDoesNotDependOnTheBound)
+{
+    for (const Reference& r : readReference())
+        for (const double bound : {r.draws.minCoeff(), r.draws.mean(), r.draws.maxCoeff()}) {
+            EXPECT_EQ(RankedDraws(r.draws, {}, bound).rhat(), RankedDraws(r.draws).rhat());
+            EXPECT_EQ(RankedDraws(r.draws, {}, bound).ess(), RankedDraws(r.draws).ess());
+        }
 }
 
 TEST(Convergence, ofChainsFrozenAtDifferentHeightsIsNone)
 {
-    Eigen::MatrixXd frozen(250, 4);
-    for (Eigen::Index c = 0; c < 4; ++c) frozen.col(c).setConstant(0.01 * static_cast<double>(c));
-    EXPECT_EQ(RankedDraws(frozen).rhat(), kRhatNever);
-    EXPECT_EQ(RankedDraws(frozen).ess(), 4.0);
+    for (const Eigen::Index chains : {2, 4, 500}) {  // 500: as many effective draws
+        Eigen::MatrixXd frozen(250, chains);
+        for (Eigen::Index c = 0; c < chains; ++c)
+            frozen.col(c).setConstant(0.01 * static_cast<double>(c));
+        EXPECT_EQ(RankedDraws(frozen).rhat(), kRhatNever);
+        EXPECT_EQ(RankedDraws(frozen).ess(), static_cast<double>(chains));
+        EXPECT_EQ(RankedDraws(frozen, {}, 0.0).rhat(), kRhatNever);
+    }
+    Eigen::MatrixXd hardly = Eigen::MatrixXd::Constant(250, 4, -0.137);
+    hardly.col(3).setConstant(std::nextafter(-0.137, 0.0));
+    EXPECT_EQ(RankedDraws(hardly).rhat(), kRhatNever);
+    Eigen::MatrixXd moved = Eigen::MatrixXd::Constant(250, 4, -0.137);
+    moved.bottomRows(125).setConstant(0.2);  // all together
+    EXPECT_EQ(RankedDraws(moved).rhat(), kRhatNever);
+    EXPECT_EQ(RankedDraws(moved).ess(), 4.0);
 }
 
 TEST(Convergence, ofTwoHeightsInTurnIsJudgedThoughTheFoldedDrawsAreOneValue)

@@ -4,63 +4,31 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
+#include <iostream>
 #include <memory>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/infer/quality.h"
 #include "core/learn/gaussian_process.h"
 #include "core/learn/likelihood.h"
 #include "core/learn/scene_conditional.h"
+#include "core/learn/sparse_process.h"
+#include "tests/support/extreme_data.h"
 
 namespace terratact {
 namespace {
 
-using Long = long double;
-using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
-using LongVector = Eigen::Matrix<Long, Eigen::Dynamic, 1>;
-
-struct Data {
-    Eigen::MatrixXd X;
-    Eigen::VectorXd y;
-    Hyperparameters hyper;
-};
-
-enum class Kind { Plain, DoubledRows, Collinear, ConstantColumn, OneRowOnly };
-
-Data dataOf(Kind kind, int U, double length, double signal, double noise)
-{
-    std::mt19937_64 rng(7);
-    std::normal_distribution<double> normal;
-    Data data{Eigen::MatrixXd(U, 3), Eigen::VectorXd(U), {}};
-    for (double& x : data.X.reshaped()) x = normal(rng);
-    if (kind == Kind::DoubledRows)
-        for (int u = 1; u < U; u += 2) data.X.row(u) = data.X.row(u - 1);
-    if (kind == Kind::Collinear) data.X.col(1) = 2.0 * data.X.col(0);
-    if (kind == Kind::ConstantColumn) data.X.col(1).setConstant(4.0);
-    if (kind == Kind::OneRowOnly) data.X.rowwise() = Eigen::RowVector3d(0.3, -1.0, 2.0);
-    for (int u = 0; u < U; ++u) data.y[u] = std::sin(data.X(u, 0)) + 0.1 * normal(rng);
-    data.hyper = {Eigen::VectorXd::Constant(3, length), signal, noise};
-    return data;
-}
-
-Long squareOf(Long x)
-{
-    return x * x;
-}
+using Data = ExtremeData;
 
 /// The textbook formulas with 64 bits of mantissa, and the jitter that the model took.
 class Reference {
 public:
     Reference(const Data& data, double jitter)
-        : data_(data), signal2_(squareOf(data.hyper.signalSd)),
-          prior_(signal2_ + squareOf(data.hyper.noiseSd))
+        : data_(data), prior_(squareOf(data.hyper.signalSd) + squareOf(data.hyper.noiseSd))
     {
-        const Eigen::Index U = data.X.rows();
-        LongMatrix K(U, U);
-        for (Eigen::Index j = 0; j < U; ++j) K.col(j) = covarianceWith(data.X.row(j).transpose());
+        LongMatrix K = covarianceOf(data.X, data.X, data.hyper);
         K.diagonal().array() += squareOf(data.hyper.noiseSd) + jitter * prior_;
         factor_.compute(K);
         alpha_ = factor_.solve(data.y.cast<Long>());
@@ -68,28 +36,53 @@ public:
 
     Normal predict(const Eigen::VectorXd& x) const
     {
-        const LongVector k = covarianceWith(x);
+        const LongVector k = covarianceWith(data_.X, x, data_.hyper);
         const LongVector v = factor_.matrixL().solve(k);
         return {static_cast<double>(k.dot(alpha_)), static_cast<double>(prior_ - v.squaredNorm())};
     }
 
 private:
-    LongVector covarianceWith(const Eigen::VectorXd& x) const
-    {
-        const LongVector scale = data_.hyper.lengthScale.cast<Long>();
-        LongVector k(data_.X.rows());
-        for (Eigen::Index u = 0; u < k.size(); ++u) {
-            const LongVector z =
-                (data_.X.row(u).transpose().cast<Long>() - x.cast<Long>()).cwiseQuotient(scale);
-            k[u] = signal2_ * std::exp(-0.5L * z.squaredNorm());
-        }
-        return k;
-    }
-
     const Data& data_;
-    Long signal2_, prior_;
+    Long prior_;
     Eigen::LLT<LongMatrix> factor_;
     LongVector alpha_;
+};
+
+/// Those of core/learn/sparse_process.h likewise, through the rows that it chooses: with K_mm = L Lᵀ and
+/// V = L⁻¹ K_mn it is A = L (1 + V Λ⁻¹ Vᵀ) Lᵀ.
+class SparseReference {
+public:
+    SparseReference(const Data& data, int count, double jitter)
+        : data_(data),
+          Z_(data.X(sparseProcess(data.X, data.y, count, data.hyper).inducing, Eigen::all)),
+          prior_(squareOf(data.hyper.signalSd) + squareOf(data.hyper.noiseSd)),
+          outer_(covarianceOf(Z_, Z_, data.hyper))
+    {
+        LongMatrix V = outer_.matrixL().solve(covarianceOf(Z_, data.X, data.hyper));
+        const LongVector unexplained =
+            (squareOf(data.hyper.signalSd) - V.colwise().squaredNorm().transpose().array())
+                .max(0.0L);
+        const LongVector lambda =
+            unexplained.array() + squareOf(data.hyper.noiseSd) + jitter * prior_;
+        V.array().rowwise() /= lambda.transpose().array().sqrt();
+        inner_.compute(LongMatrix::Identity(V.rows(), V.rows()) + V * V.transpose());
+        coefficients_ =
+            inner_.solve(V * (data.y.cast<Long>().array() / lambda.array().sqrt()).matrix());
+    }
+
+    Normal predict(const Eigen::VectorXd& x) const
+    {
+        const LongVector v = outer_.matrixL().solve(covarianceWith(Z_, x, data_.hyper));
+        return {static_cast<double>(v.dot(coefficients_)),
+                static_cast<double>(prior_ - v.squaredNorm() + v.dot(inner_.solve(v)))};
+    }
+
+private:
+    const Data& data_;
+    Eigen::MatrixXd Z_;
+    Long prior_;
+    Eigen::LLT<LongMatrix> outer_, inner_;
+    LongVector coefficients_;
 };
 
 /// The largest error so far of those that the condition number decides, as a share of what the header allows.
@@ -100,13 +93,30 @@ void note(double error, double bound)
     if (bound > 1e-9) worstShare = std::max(worstShare, error / bound);
 }
 
-void expectRight(const Data& data, const GaussianProcess& gp, const std::string& what)
+/// The variance in single precision, as a sampler asks for it, against the one in double.
+void expectRightInSingle(const GaussianProcess& gp, const Eigen::VectorXd& x,
+                         const std::string& what)
+{
+    Eigen::VectorXd mean, variance, exactMean, exactVariance;
+    SceneConditional(gp, x, {0}, Precision::Single).predict(x.head(1), mean, variance);
+    SceneConditional(gp, x, {0}, Precision::Double).predict(x.head(1), exactMean, exactVariance);
+    EXPECT_EQ(mean[0], exactMean[0]) << what;
+    const double noise2 = std::pow(gp.hyperparameters().noiseSd, 2);
+    const double allowed = gp.usable(Precision::Single) == Precision::Single
+                             ? std::min(1e-2 * noise2, kSingleErrorElsewhere * gp.singleError())
+                             : 0.0;
+    EXPECT_NEAR(variance[0], exactVariance[0], allowed) << what << ", single";
+    EXPECT_GE(variance[0], noise2) << what << ", single";
+}
+
+template <class SomeReference>
+void expectRight(const Data& data, const GaussianProcess& gp, const SomeReference& reference,
+                 const std::string& what)
 {
     EXPECT_LE(gp.errorBound(), 1.0001e-2) << what;
     const double noise2 = std::pow(data.hyper.noiseSd, 2);
     const double prior = std::pow(data.hyper.signalSd, 2) + noise2;
     const double size = data.y.cwiseAbs().maxCoeff();
-    const Reference reference(data, gp.jitter());
     Eigen::VectorXd beside = data.X.row(0).transpose();
     beside[0] += 0.4;
     for (const Eigen::VectorXd& x :
@@ -122,53 +132,89 @@ void expectRight(const Data& data, const GaussianProcess& gp, const std::string&
         EXPECT_GT(got.variance, 0.0) << what;
         EXPECT_GE(got.variance, noise2) << what;
         EXPECT_LE(got.variance, prior * (1.0 + 1e-12)) << what;
+        expectRightInSingle(gp, x, what);
     }
 }
 
-std::unique_ptr<GaussianProcess> built(const Data& data)
+std::unique_ptr<GaussianProcess> builtThrough(int inducing, const Data& data)
 {
     try {
-        return std::make_unique<GaussianProcess>(data.X, data.y, data.hyper, 0.0);
+        return GaussianProcess::sparse(data.X, data.y, inducing, data.hyper, 0.0);
     } catch (const std::invalid_argument& refused) {
         EXPECT_GT(std::string(refused.what()).size(), 30U);
         return nullptr;
     }
 }
 
+std::unique_ptr<GaussianProcess> built(const Data& data)
+{
+    return builtThrough(static_cast<int>(data.X.rows()), data);
+}
+
+/// How processes of all these were answered.
+struct Tally {
+    int answered = 0, mended = 0, single = 0, refused = 0;
+
+    /// One that is to be answered as in long double.
+    template <class SomeReference>
+    void add(const Data& data, const GaussianProcess& gp, const SomeReference& reference,
+             const std::string& what)
+    {
+        ++answered;
+        mended += gp.jitter() > 0.0;
+        single += gp.usable(Precision::Single) == Precision::Single;
+        EXPECT_LE(gp.jitter(), 1e-6) << what;
+        EXPECT_GE(gp.rcond(), kLeastRcond) << what;
+        if (data.hyper.noiseSd >= 1e-3 * data.hyper.signalSd) {
+            EXPECT_EQ(gp.jitter(), 0.0) << what;
+        }
+        expectRight(data, gp, reference, what);
+    }
+
+    void judge() const
+    {
+        EXPECT_EQ(refused, 0);  // with a jitter every one of these can be answered
+        EXPECT_GT(answered, 100);
+        EXPECT_GT(single, 30);
+        std::cout << answered << " answered, " << mended << " of them with a jitter, " << single
+                  << " in single precision; errors up to " << worstShare
+                  << " of the bound where the condition decides\n";
+    }
+};
+
 class Extremes : public testing::TestWithParam<Kind> {};
 
 TEST_P(Extremes, areAnsweredAsInLongDoubleOrRefused)
 {
-    int answered = 0, mended = 0, refused = 0;
+    Tally tally;
+    worstShare = 0.0;
     for (const int U : {1, 2, 40})
-        for (const double length : {1e-8, 1e-3, 1.0, 1e3, 1e8})
-            for (const double signal : {1e-12, 0.3, 1e6})
-                for (const double noise : {0.0, 1e-12, 1e-3, 1e6}) {
-                    const Data data = dataOf(GetParam(), U, length, signal, noise);
-                    const std::string what =
-                        std::to_string(U) + " rows, l " + std::to_string(length) + ", sf "
-                        + std::to_string(signal) + ", sn " + std::to_string(noise);
-                    const auto gp = built(data);
-                    refused += !gp;
-                    if (!gp) continue;
-                    ++answered;
-                    mended += gp->jitter() > 0.0;
-                    EXPECT_LE(gp->jitter(), 1e-6) << what;
-                    EXPECT_GE(gp->rcond(), kLeastRcond) << what;
-                    if (noise >= 1e-3 * signal) {
-                        EXPECT_EQ(gp->jitter(), 0.0) << what;
-                    }
-                    expectRight(data, *gp, what);
-                }
-    EXPECT_EQ(refused, 0);  // with a jitter every one of these can be answered
-    EXPECT_GT(answered, 100);
-    std::cout << answered << " answered, " << mended << " of them with a jitter; errors up to "
-              << worstShare << " of the bound where the condition decides\n";
+        forEveryScale(GetParam(), U, [&tally](const Data& data, const std::string& what) {
+            if (const auto gp = built(data))
+                tally.add(data, *gp, Reference(data, gp->jitter()), what);
+            else
+                ++tally.refused;
+        });
+    tally.judge();
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Extremes,
-                         testing::Values(Kind::Plain, Kind::DoubledRows, Kind::Collinear,
-                                         Kind::ConstantColumn, Kind::OneRowOnly));
+TEST_P(Extremes, throughFewRowsAreAnsweredAsInLongDoubleOrRefused)
+{
+    Tally tally;
+    worstShare = 0.0;
+    for (const int U : {2, 40}) {
+        const int few = U < 40 ? 1 : 12;
+        forEveryScale(GetParam(), U, [&tally, few](const Data& data, const std::string& what) {
+            if (const auto gp = builtThrough(few, data))
+                tally.add(data, *gp, SparseReference(data, few, gp->jitter()), what);
+            else
+                ++tally.refused;
+        });
+    }
+    tally.judge();
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Extremes, testing::ValuesIn(kKinds));
 
 TEST(Jitter, isTheLeastThatMendsDoubledRowsAndIsKept)
 {
@@ -179,9 +225,14 @@ TEST(Jitter, isTheLeastThatMendsDoubledRowsAndIsKept)
 
 TEST(GaussianProcess, withoutAnyScaleIsRefused)
 {
-    EXPECT_FALSE(built(dataOf(Kind::Plain, 20, 1.0, 1e-200, 0.0)));  // its square is 0
-    EXPECT_FALSE(built(dataOf(Kind::Plain, 20, 1.0, 1e200, 0.1)));   // its square is infinite
-    EXPECT_FALSE(built(dataOf(Kind::Plain, 20, 1e-310, 0.3, 0.1)));  // inputs overflow
+    for (const int rows : {5, 20}) {
+        const auto refuses = [rows](double length, double signal, double noise) {
+            return !builtThrough(rows, dataOf(Kind::Plain, 20, length, signal, noise));
+        };
+        EXPECT_TRUE(refuses(1.0, 1e-200, 0.0)) << rows;  // its square is 0
+        EXPECT_TRUE(refuses(1.0, 1e200, 0.1)) << rows;   // its square is infinite
+        EXPECT_TRUE(refuses(1e-310, 0.3, 0.1)) << rows;  // inputs overflow
+    }
 }
 
 TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
@@ -190,11 +241,13 @@ TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
         Data data = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
         data.X(7, 1) = bad;
         EXPECT_FALSE(built(data));
+        EXPECT_FALSE(builtThrough(5, data));
         EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y, data.hyper),
                      std::invalid_argument);
         data = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
         data.y[3] = bad;
         EXPECT_FALSE(built(data));
+        EXPECT_FALSE(builtThrough(5, data));
         const auto gp = built(dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1));
         EXPECT_THROW((void)gp->predict(Eigen::Vector3d(0.0, bad, 0.0)), std::invalid_argument);
         EXPECT_THROW(SceneConditional(*gp, Eigen::Vector3d(0.0, bad, 0.0), {0}, Precision::Single),
@@ -214,21 +267,26 @@ TEST(GaussianProcess, aRowAtTenToTheTwoHundredChangesNothingElsewhere)
     far.X.row(20) << 1e200, 0.0, 0.0;
     far.y.conservativeResize(21);
     far.y[20] = 5.0;
-    const Normal expected = built(plain)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
-    const Normal got = built(far)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
-    EXPECT_NEAR(got.mean, expected.mean, 1e-14);
-    EXPECT_NEAR(got.variance, expected.variance, 1e-14);
+    for (const int rows : {12, 20}) {  // the far one is one more
+        const Normal expected = builtThrough(rows, plain)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
+        const Normal got = builtThrough(rows + 1, far)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
+        EXPECT_NEAR(got.mean, expected.mean, 1e-14) << rows;
+        EXPECT_NEAR(got.variance, expected.variance, 1e-14) << rows;
+    }
 }
 
 TEST(GaussianProcess, withHugeOutputsScalesThemOrRefuses)
 {
-    Data data = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
     const Eigen::Vector3d x(0.1, 0.2, 0.3);
-    const double expected = built(data)->predict(x).mean;
-    data.y *= 1e200;
-    EXPECT_NEAR(built(data)->predict(x).mean, 1e200 * expected, 1e188);
-    data.y *= 1e107;
-    EXPECT_FALSE(built(data));
+    Data data;
+    for (const int rows : {5, 20}) {
+        data = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
+        const double expected = builtThrough(rows, data)->predict(x).mean;
+        data.y *= 1e200;
+        EXPECT_NEAR(builtThrough(rows, data)->predict(x).mean, 1e200 * expected, 1e188) << rows;
+        data.y *= 1e107;
+        EXPECT_FALSE(builtThrough(rows, data)) << rows;
+    }
     EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y, data.hyper), std::invalid_argument);
 }
 
@@ -264,24 +322,42 @@ struct ManyRows {
 
 class Sizes : public testing::TestWithParam<ManyRows> {};
 
+void print(const GaussianProcess& gp, int U)
+{
+    std::cout << U << " rows, jitter " << gp.jitter() << ", rcond " << gp.rcond() << ", bound "
+              << gp.errorBound() << ", of which " << worstShare << '\n';
+}
+
 /// TERRATACT_ROWS=5600 takes some minutes for each (the reference) and 1.2 GB.
 TEST_P(Sizes, ofAModelAreAnsweredAsInLongDouble)
 {
-    const char* const wanted = std::getenv("TERRATACT_ROWS");
-    const int U = wanted ? std::stoi(wanted) : GetParam().rows;
+    const int U = manyRows(GetParam().rows);
     const Data data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
     const auto gp = built(data);
     ASSERT_TRUE(gp);
     worstShare = 0.0;
-    expectRight(data, *gp, std::to_string(U) + " rows");
-    std::cout << U << " rows, jitter " << gp->jitter() << ", rcond " << gp->rcond() << ", bound "
-              << gp->errorBound() << ", of which " << worstShare << '\n';
+    expectRight(data, *gp, Reference(data, gp->jitter()), std::to_string(U) + " rows");
+    print(*gp, U);
+}
+
+TEST_P(Sizes, throughTheRowsOfAPresetAreAnsweredAsInLongDouble)
+{
+    const int few = withQuality({}, Quality::Fast).inducing;
+    const int U = std::max(manyRows(GetParam().rows), 1400);
+    const Data data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
+    const auto gp = builtThrough(few, data);
+    ASSERT_TRUE(gp);
+    worstShare = 0.0;
+    expectRight(data, *gp, SparseReference(data, few, gp->jitter()), std::to_string(U) + " rows");
+    print(*gp, U);
 }
 
 INSTANTIATE_TEST_SUITE_P(ManyRows, Sizes,
                          testing::Values(ManyRows{"plain", Kind::Plain, 1.0, 0.05, 1400},
                                          ManyRows{"doubledRows", Kind::DoubledRows, 1.0, 0.0, 1400},
-                                         ManyRows{"collinear", Kind::Collinear, 1.0, 0.0, 300},
+                                         ManyRows{"collinear", Kind::Collinear, 1.0, 0.0, 1400},
+                                         ManyRows{"constantColumn", Kind::ConstantColumn, 1.0, 1e-3,
+                                                  1400},
                                          ManyRows{"hugeLengths", Kind::Plain, 1e4, 0.0, 300},
                                          ManyRows{"tinyLengths", Kind::Plain, 1e-4, 0.0, 300},
                                          ManyRows{"tinyNoise", Kind::Plain, 1.0, 1e-6, 300},

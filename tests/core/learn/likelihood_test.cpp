@@ -5,10 +5,14 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
+
+#include "core/learn/gaussian_process.h"
+#include "tests/support/extreme_data.h"
 
 namespace terratact {
 namespace {
@@ -129,6 +133,80 @@ TEST(Likelihood, refusesWhatHasNone)
     far.X(3, 0) = 1e200;
     far.hyper.lengthScale[0] = 1e-200;
     EXPECT_THROW((void)negativeLogLikelihood(far.X, far.y, far.hyper), std::invalid_argument);
+}
+
+/// The header's formulas in long double.
+struct LongLikelihood {
+    double negativeLog = 0.0;
+    Eigen::VectorXd gradient;
+    double size = 0.0;   ///< U + yᵀ α
+    double rcond = 0.0;  ///< of K
+};
+
+LongLikelihood inLongDouble(const ExtremeData& data)
+{
+    const Hyperparameters& hyper = data.hyper;
+    const Eigen::Index U = data.X.rows(), d = data.X.cols();
+    const LongMatrix signal = covarianceOf(data.X, data.X, hyper);
+    LongMatrix K = signal;
+    K.diagonal().array() += squareOf(hyper.noiseSd);
+    const LongMatrix inverse = K.inverse();
+    const LongVector alpha = inverse * data.y.cast<Long>();
+    const LongMatrix W = inverse - alpha * alpha.transpose();
+    const Long quadratic = data.y.cast<Long>().dot(alpha);
+    const LongMatrix L = K.llt().matrixL();
+    LongLikelihood l;
+    l.negativeLog = static_cast<double>(0.5L * quadratic + L.diagonal().array().log().sum()
+                                        + 0.5L * static_cast<Long>(U)
+                                              * std::log(2.0L * std::numbers::pi_v<Long>));
+    l.gradient.resize(d + 2);
+    for (Eigen::Index k = 0; k < d; ++k) {
+        const LongVector z = data.X.col(k).cast<Long>() / static_cast<Long>(hyper.lengthScale[k]);
+        const LongMatrix square = (z.replicate(1, U) - z.transpose().replicate(U, 1)).cwiseAbs2();
+        l.gradient[k] =
+            static_cast<double>(0.5L * W.cwiseProduct(signal).cwiseProduct(square).sum());
+    }
+    l.gradient[d] = static_cast<double>(W.cwiseProduct(signal).sum());
+    l.gradient[d + 1] = static_cast<double>(squareOf(hyper.noiseSd) * W.trace());
+    l.size = static_cast<double>(static_cast<Long>(U) + quadratic);
+    l.rcond = rcondOf(K);
+    return l;
+}
+
+TEST(Likelihood, atTheExtremesIsThatOfLongDoubleOrRefused)
+{
+    int right = 0, refused = 0, exact = 0;
+    double worst = 0.0;
+    const auto check = [&](const ExtremeData& data, const std::string& what) {
+        const LongLikelihood expected = inLongDouble(data);
+        Likelihood got;
+        try {
+            got = negativeLogLikelihood(data.X, data.y, data.hyper);
+        } catch (const std::invalid_argument& why) {
+            EXPECT_GT(std::string(why.what()).size(), 30U);
+            EXPECT_LT(expected.rcond, 1e-12) << what;  // refused for this alone
+            ++refused;
+            return;
+        }
+        ++right;
+        const double share = errorBoundAt(expected.rcond);
+        exact += share == 1e-9;
+        const double bound = share * expected.size;
+        EXPECT_NEAR(got.negativeLog, expected.negativeLog, bound) << what;
+        for (Eigen::Index k = 0; k < expected.gradient.size(); ++k) {
+            EXPECT_NEAR(got.gradient[k], expected.gradient[k], bound) << what << ", " << k;
+            if (share > 1e-9)
+                worst = std::max(worst, std::abs(got.gradient[k] - expected.gradient[k]) / bound);
+        }
+    };
+    for (const Kind kind : kKinds)
+        for (const int U : {1, 2, 24}) forEveryScale(kind, U, check);
+    EXPECT_GT(right, 400);
+    EXPECT_GT(exact, 300);
+    EXPECT_GT(refused, 50);
+    std::cout << right << " right, " << exact << " of them to 1e-9, " << refused
+              << " refused; errors up to " << worst
+              << " of the bound where the condition decides\n";
 }
 
 /// Kilobytes from /proc/self/status.

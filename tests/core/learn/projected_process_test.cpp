@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/learn/gaussian_process.h"
+#include "tests/support/extreme_data.h"
 
 namespace terratact {
 namespace {
@@ -107,60 +108,131 @@ TEST(ProjectedProcess, ofDoubledRowsIsThatOfTheirMeansWithHalfTheNoiseVariance)
     }
 }
 
-/// Long double and the header's formulas: the mean's weights times covariances, at the rows.
-Eigen::VectorXd fittedInLongDouble(const Data& data)
+/// The header's formulas in long double, at every row.
+struct LongProjection {
+    Eigen::VectorXd mean, leaveOneOut, freedom;  ///< freedom: 1 − H_uu
+};
+
+LongProjection inLongDouble(const ExtremeData& data, const std::vector<int>& inducing)
 {
-    using Long = long double;
-    using Matrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
-    const Eigen::Index n = data.X.rows();
-    const Long signal2 = static_cast<Long>(data.hyper.signalSd) * data.hyper.signalSd;
-    const Long noise2 = static_cast<Long>(data.hyper.noiseSd) * data.hyper.noiseSd;
-    Matrix K(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j < n; ++j)
-            K(i, j) = signal2
-                    * std::exp(-0.5L
-                               * (data.X.row(i) - data.X.row(j))
-                                     .cast<Long>()
-                                     .cwiseQuotient(data.hyper.lengthScale.transpose().cast<Long>())
-                                     .squaredNorm());
-    Matrix A = K * K / noise2 + K;
-    A.diagonal().array() += static_cast<Long>(kProjectionJitter) * signal2;
-    return (K * A.ldlt().solve(K * data.y.cast<Long>() / noise2)).cast<double>();
+    const Eigen::MatrixXd Z = data.X(inducing, Eigen::all);
+    const Long noise2 = squareOf(data.hyper.noiseSd);
+    const LongMatrix Kmn = covarianceOf(Z, data.X, data.hyper);
+    LongMatrix Kmm = covarianceOf(Z, Z, data.hyper);
+    Kmm.diagonal().array() += static_cast<Long>(kProjectionJitter) * squareOf(data.hyper.signalSd);
+    // As A = L (1 + V Vᵀ) Lᵀ, so that these digits suffice.
+    const Eigen::LLT<LongMatrix> outer(Kmm);
+    const LongMatrix V = outer.matrixL().solve(Kmn) / std::sqrt(noise2);
+    const Eigen::LLT<LongMatrix> inner(LongMatrix::Identity(Z.rows(), Z.rows())
+                                       + V * V.transpose());
+    const LongVector y = data.y.cast<Long>();
+    const LongMatrix solved = inner.solve(V);
+    const LongVector mean = V.transpose() * (solved * y);
+    const LongVector freedom = 1.0L - V.cwiseProduct(solved).colwise().sum().transpose().array();
+    const LongVector least = freedom.cwiseMax(static_cast<Long>(kLeastFreedom));
+    return {mean.cast<double>(), (y - mean).cwiseQuotient(least).cast<double>(),
+            freedom.cast<double>()};
+}
+
+double meanAt(const ExtremeData& data, const std::vector<int>& inducing, const ProjectedProcess& p,
+              const Eigen::VectorXd& x)
+{
+    const Eigen::MatrixXd Z = data.X(inducing, Eigen::all);
+    return p.weights.dot(covarianceWith(Z, x, data.hyper).cast<double>());
+}
+
+/// Of all projections at the extremes.
+struct Tally {
+    int right = 0, exact = 0, refused = 0;
+    double worst = 0.0;
+
+    void add(const ExtremeData& data, const std::vector<int>& inducing, const std::string& what)
+    {
+        ProjectedProcess p;
+        try {
+            p = projectProcess(data.X, data.y, inducing, data.hyper);
+        } catch (const std::invalid_argument& why) {
+            EXPECT_GT(std::string(why.what()).size(), 30U);
+            ++refused;
+            return;
+        }
+        ++right;
+        exact += p.errorBound() == 1e-9;
+        ASSERT_TRUE(p.weights.allFinite() && p.leaveOneOut.allFinite()) << what;
+        EXPECT_GE(p.rcond, kLeastRcond) << what;
+        EXPECT_LE(p.errorBound(), 1.0001e-2) << what;
+        const LongProjection expected = inLongDouble(data, inducing);
+        const double share = p.errorBound();
+        const double bound = share * data.y.cwiseAbs().maxCoeff();
+        for (Eigen::Index u = 0; u < data.X.rows(); ++u) {
+            const double mean = meanAt(data, inducing, p, data.X.row(u).transpose());
+            EXPECT_NEAR(mean, expected.mean[u], bound) << what;
+            const double least = std::max(expected.freedom[u] - share, kLeastFreedom);
+            const double ofResidual = (bound + share * std::abs(expected.leaveOneOut[u])) / least;
+            EXPECT_NEAR(p.leaveOneOut[u], expected.leaveOneOut[u], ofResidual) << what;
+            if (share == 1e-9) continue;
+            worst = std::max({worst, std::abs(mean - expected.mean[u]) / bound,
+                              std::abs(p.leaveOneOut[u] - expected.leaveOneOut[u]) / ofResidual});
+        }
+    }
+};
+
+std::vector<int> everyRow(Eigen::Index rows, int step)
+{
+    std::vector<int> chosen;
+    for (int u = 0; u < rows; u += step) chosen.push_back(u);
+    return chosen;
 }
 
 TEST(ProjectedProcess, atTheExtremesIsRightOrRefused)
 {
-    int right = 0, refused = 0;
-    for (const double length : {1e-8, 1e-3, 1.0, 1e3, 1e8})
-        for (const double offset :
-             {0.0, 1e8})  // of an input, where |a|² − 2 a·b + |b|² would cancel
-            for (const double signal : {1e-160, 1e-12, 0.3, 1e6})
-                for (const double noise : {1e-12, 1e-3, 0.2, 1e6}) {
-                    Data data;
-                    data.X.col(0).array() += offset;
-                    data.hyper = {Eigen::Vector2d::Constant(length), signal, noise};
-                    ProjectedProcess p;
-                    try {
-                        p = projectProcess(data.X, data.y, data.all, data.hyper);
-                    } catch (const std::invalid_argument& why) {
-                        EXPECT_GT(std::string(why.what()).size(), 30U);
-                        ++refused;
-                        continue;
-                    }
-                    ++right;
-                    ASSERT_TRUE(p.weights.allFinite() && p.leaveOneOut.allFinite());
-                    EXPECT_GE(p.rcond, kLeastRcond);
-                    const Eigen::VectorXd expected = fittedInLongDouble(data);
-                    for (const int u : {0, 17, 59})
-                        EXPECT_NEAR(data.mean(p, data.all, data.X.row(u).transpose()), expected[u],
-                                    1e-4 * data.y.cwiseAbs().maxCoeff())
-                            << "l " << length << ", offset " << offset << ", sf " << signal
-                            << ", sn " << noise << ", rcond " << p.rcond;
-                }
-    EXPECT_GT(right, 80);
-    EXPECT_GT(refused, 10);
-    std::cout << right << " right, " << refused << " refused\n";
+    Tally tally;
+    for (const Kind kind : kKinds)
+        for (const int U : {1, 2, 40})
+            for (const int step : {1, 3})
+                forEveryScale(kind, U, [&](const ExtremeData& data, const std::string& what) {
+                    tally.add(data, everyRow(U, step), what + ", every " + std::to_string(step));
+                });
+    for (const double length : {1e-3, 1.0, 1e3})  // where |a|² − 2 a·b + |b|² would cancel
+        for (const double noise : {1e-3, 0.2}) {
+            ExtremeData data = dataOf(Kind::Plain, 40, length, 0.3, noise);
+            data.X.col(0).array() += 1e8;
+            tally.add(data, everyRow(40, 1), "far off");
+        }
+    std::cout << tally.right << " right, " << tally.exact << " of them to 1e-9, " << tally.refused
+              << " refused; errors up to " << tally.worst
+              << " of the bound where the condition decides\n";
+    EXPECT_GT(tally.right, 600);
+    EXPECT_GT(tally.exact, 300);
+    EXPECT_GT(tally.refused, 10);
+}
+
+TEST(ProjectedProcess, ofAModelsSizeIsRight)
+{
+    const int rows = manyRows(1400);
+    Tally tally;
+    for (const Kind kind : {Kind::Plain, Kind::Collinear, Kind::ConstantColumn})
+        tally.add(dataOf(kind, rows, 1.0, 0.3, 0.05), everyRow(rows, 8), "many rows");
+    EXPECT_EQ(tally.right, 3);
+    std::cout << rows << " rows, errors up to " << tally.worst << " of the bound\n";
+}
+
+TEST(ProjectedProcess, aRowAtTenToTheTwoHundredChangesNothingElsewhere)
+{
+    const ExtremeData plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
+    ExtremeData far = plain;
+    far.X.conservativeResize(21, Eigen::NoChange);
+    far.X.row(20) << 1e200, 0.0, 0.0;
+    far.y.conservativeResize(21);
+    far.y[20] = 5.0;
+    const std::vector<int> twenty = everyRow(20, 1), all = everyRow(21, 1);
+    const ProjectedProcess without = projectProcess(plain.X, plain.y, twenty, plain.hyper);
+    const ProjectedProcess with = projectProcess(far.X, far.y, all, far.hyper);
+    const Eigen::Vector3d x(0.1, 0.2, 0.3);
+    EXPECT_NEAR(meanAt(far, all, with, x), meanAt(plain, twenty, without, x), 1e-12);
+    EXPECT_TRUE(with.leaveOneOut.allFinite());
+    far.hyper.lengthScale[0] = 1e-200;  // that of its input overflows
+    EXPECT_THROW((void)projectProcess(far.X, far.y, all, far.hyper), std::invalid_argument);
 }
 
 TEST(ProjectedProcess, refusesWhatItCannotLearnFrom)
@@ -170,9 +242,20 @@ TEST(ProjectedProcess, refusesWhatItCannotLearnFrom)
     EXPECT_THROW((void)projectProcess(data.X, data.y, {60}, data.hyper), std::invalid_argument);
     EXPECT_THROW((void)projectProcess(data.X, data.y.head(5), data.all, data.hyper),
                  std::invalid_argument);
-    data.y[3] = std::nan("");
-    EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper), std::invalid_argument);
-    data = Data();
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        data.y[3] = bad;
+        EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper),
+                     std::invalid_argument);
+        data = Data();
+        data.X(7, 1) = bad;
+        EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper),
+                     std::invalid_argument);
+        data = Data();
+        data.hyper.lengthScale[1] = bad;
+        EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper),
+                     std::invalid_argument);
+        data = Data();
+    }
     data.hyper.noiseSd = 0.0;
     EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper), std::invalid_argument);
 }

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "core/sim/rest_pose.h"
@@ -87,42 +89,70 @@ RC_GTEST_PROP(LowerBoundary, ofAnyTwoCirclesIsTheBottomOfTheDiscsBetweenThem, ()
     }
 }
 
-RC_GTEST_PROP(BodyCeiling, ofAnyPoseIsTheMeanOfTheLowerEnvelopeAndNeverNaN, ())
+/// The mean of the lower envelope over a bin, three points for each millimetre, one of them the midpoint rule's own.
+struct Envelope {
+    double mean = 0.0;
+    int uncovered = 0;  ///< points without any part above
+};
+
+Envelope envelopeOver(const RobotShape& shape, int bin)
 {
-    const double pitch = anyIn(-89.0, 89.0) * kDegree;
-    const double front = anyIn(-180.0, 180.0) * kDegree;
-    const double rear = anyIn(-180.0, 180.0) * kDegree;
-    const Heights ceiling = bodyCeiling(robot(), pitch, front, rear);
-    const RobotShape shape = shapeAt(robot(), poseInDem(robot(), pitch, front, rear));
+    constexpr int kPoints = 300;
+    Envelope over;
+    double sum = 0.0;
+    for (int k = 0; k < kPoints; ++k) {
+        const double x = binBegin(bin) + kBinWidth * (k + 0.5) / kPoints;
+        double lowest = kInfinity;
+        for (const TaperedHull& part : {shape.track, shape.front, shape.rear})
+            lowest = std::min(lowest, lowerBoundary(part, x));
+        for (const auto& polygon : shape.body) lowest = std::min(lowest, lowerBoundary(polygon, x));
+        if (std::isfinite(lowest))
+            sum += lowest;
+        else
+            ++over.uncovered;
+    }
+    over.mean = sum / (kPoints - over.uncovered);
+    return over;
+}
+
+/// What is wrong with the robot's ceilings and outline in this pose; empty: nothing.  Angles in degrees.
+std::string faultOf(double pitch, double front, double rear)
+{
+    const double p = pitch * kDegree, f = front * kDegree, r = rear * kDegree;
+    const Heights ceiling = bodyCeiling(robot(), p, f, r);
+    const RobotShape shape = shapeAt(robot(), poseInDem(robot(), p, f, r));
     for (int i = 0; i < kBins; ++i) {
         const double c = ceiling[static_cast<std::size_t>(i)];
-        RC_ASSERT(!std::isnan(c));
-        // Three points for each millimetre of the midpoint rule, one of them its own.
-        constexpr int kPoints = 300;
-        double sum = 0.0;
-        int uncovered = 0;
-        for (int k = 0; k < kPoints; ++k) {
-            const double x = binBegin(i) + kBinWidth * (k + 0.5) / kPoints;
-            double lowest = kInfinity;
-            for (const TaperedHull& part : {shape.track, shape.front, shape.rear})
-                lowest = std::min(lowest, lowerBoundary(part, x));
-            for (const auto& polygon : shape.body)
-                lowest = std::min(lowest, lowerBoundary(polygon, x));
-            if (std::isfinite(lowest))
-                sum += lowest;
-            else
-                ++uncovered;
-        }
-        if (!std::isfinite(c)) {
-            RC_ASSERT(uncovered > 0);
-            continue;
-        }
-        RC_ASSERT(std::abs(c) < 2.0);
-        RC_ASSERT(uncovered <= 8);  // gaps of less than a millimetre, two points each
-        RC_ASSERT(std::abs(c - sum / (kPoints - uncovered)) < 0.02);
+        const Envelope expected = envelopeOver(shape, i);
+        const std::string bin = "bin " + std::to_string(i);
+        if (std::isnan(c)) return bin + ": NaN";
+        if (!std::isfinite(c) && expected.uncovered == 0) return bin + ": covered, but infinite";
+        if (!std::isfinite(c)) continue;
+        // Gaps of less than a millimetre, two points each.
+        if (expected.uncovered > 8) return bin + ": not covered, but finite";
+        if (std::abs(c) >= 2.0 || std::abs(c - expected.mean) >= 0.02)
+            return bin + ": " + std::to_string(c) + " is not " + std::to_string(expected.mean);
     }
-    for (const OutlinePart& part : robotOutline(robot(), pitch, front, rear))
-        for (const auto& p : part.points) RC_ASSERT(std::isfinite(p[0]) && std::isfinite(p[1]));
+    for (const OutlinePart& part : robotOutline(robot(), p, f, r))
+        for (const auto& point : part.points)
+            if (!std::isfinite(point[0]) || !std::isfinite(point[1])) return "outline not finite";
+    return {};
+}
+
+RC_GTEST_PROP(BodyCeiling, ofAnyPoseIsTheMeanOfTheLowerEnvelopeAndNeverNaN, ())
+{
+    const double pitch = anyIn(-89.0, 89.0);
+    const double front = anyIn(-180.0, 180.0);
+    RC_ASSERT(faultOf(pitch, front, anyIn(-180.0, 180.0)) == std::string());
+}
+
+TEST(BodyCeiling, ofThePosesAtTheEndsOfTheirRangesIsTheMeanOfTheLowerEnvelope)
+{
+    for (const double pitch : {-89.0, -45.0, 0.0, 45.0, 89.0})
+        for (const double front : {-180.0, -90.0, 0.0, 90.0, 180.0})
+            for (const double rear : {-180.0, -90.0, 0.0, 90.0, 180.0})
+                EXPECT_EQ(faultOf(pitch, front, rear), "")
+                    << "pitch " << pitch << ", front " << front << ", rear " << rear;
 }
 
 TEST(BodyCeiling, underAVerticalWallOfTheBodyIsItsLowerEnd)
@@ -190,6 +220,69 @@ TEST(SkinPolygon, withoutAnAreaIsNoNaN)
     EXPECT_NEAR(hit->depth, 0.011, 1e-12);
 }
 
+/// Upright on the ground, with all its weight on it.
+void expectAtRest(const RestPose& rest, const std::string& what)
+{
+    double upward = 0.0;
+    for (const GroundContact& c : rest.contacts) upward += c.force.z;
+    EXPECT_NEAR(upward, robot().totalMass() * 9.81, 1.0) << what;
+    EXPECT_LT(std::abs(rest.pose.pitch), 1.2) << what;
+    ASSERT_TRUE(std::isfinite(rest.energy) && std::isfinite(rest.pose.base.z)) << what;
+    const Proprioception s = exactReadings(robot(), rest);
+    for (const double number : {s.pitch, s.front, s.rear, *s.frontCurrent, *s.rearCurrent})
+        EXPECT_TRUE(std::isfinite(number)) << what;
+    for (const auto& force : s.force) EXPECT_TRUE(force && std::isfinite(*force)) << what;
+}
+
+TEST(RestPose, withFlippersAtTheEndsOfTheirRangesIsARestOrRefused)
+{
+    int rests = 0, folded = 0, others = 0;
+    for (const TerrainProfile& ground : {flatTerrain(6.0), stepTerrain(0.2, 3.0, 6.0)})
+        for (const double front : {-180.0, -90.0, 0.0, 90.0, 180.0})
+            for (const double rear : {-180.0, -90.0, 0.0, 90.0, 180.0}) {
+                const std::string what =
+                    "front " + std::to_string(front) + ", rear " + std::to_string(rear);
+                const auto rest = restPose(robot(), ground, 2.6, HoldAngle{front * kDegree},
+                                           HoldAngle{rear * kDegree});
+                if (rest) {
+                    ++rests;
+                    EXPECT_LE(std::max(std::abs(front), std::abs(rear)), 90.0) << what;
+                    expectAtRest(*rest, what);
+                } else if (rest.error().text.find("lies on the robot") != std::string::npos) {
+                    ++folded;
+                    EXPECT_EQ(std::max(std::abs(front), std::abs(rear)), 180.0) << what;
+                } else {
+                    ++others;
+                    EXPECT_EQ(rest.error().text.find("no rest pose: "), 0U) << what;
+                }
+            }
+    std::cout << rests << " rests, " << folded << " folded, " << others << " others refused\n";
+    EXPECT_EQ(rests + folded + others, 50);
+    EXPECT_GE(rests, 8);  // flippers level or upright carry the robot
+    EXPECT_GE(folded, 8);
+}
+
+TEST(RestPose, fromAnySteepStartIsTheOneFromALevelStartOrRefused)
+{
+    int rests = 0;
+    const HoldAngle level{0.0};
+    const auto expected = restPose(robot(), flatTerrain(6.0), 3.0, level, level);
+    ASSERT_TRUE(expected);
+    for (const double start : {-180.0, -90.0, -89.0, -45.0, 45.0, 89.0, 90.0, 180.0}) {
+        const auto rest = restPose(robot(), flatTerrain(6.0), 3.0, level, level, start * kDegree);
+        if (!rest) {
+            EXPECT_EQ(rest.error().text.find("no rest pose: "), 0U) << start;
+            continue;
+        }
+        ++rests;
+        expectAtRest(*rest, std::to_string(start));
+        EXPECT_NEAR(rest->pose.pitch, expected->pose.pitch, 1e-3) << start;
+        EXPECT_NEAR(rest->pose.base.z, expected->pose.base.z, 1e-3) << start;
+    }
+    std::cout << rests << " rests\n";
+    EXPECT_GE(rests, 2);
+}
+
 TEST(RestPose, atATenMetreCliffIsARestOrAFall)
 {
     for (const double height : {-10.0, 10.0}) {
@@ -246,9 +339,9 @@ TEST(TerrainProfile, ofAHundredThousandSamplesIsAsExactAsAnyOther)
     EXPECT_EQ(blocks.heightAt(500.0), heights[50000]);
     EXPECT_EQ(sum(line, blocks).points().size(), line.points().size() + blocks.points().size());
     const auto rest = restPose(robot(), line, 505.0, PressTorque{18.0}, HoldAngle{0.2});
-    if (rest) {
-        EXPECT_TRUE(std::isfinite(rest->energy));
-    }
+    ASSERT_TRUE(rest) << rest.error().text;  // between two peaks of 10 m
+    EXPECT_TRUE(std::isfinite(rest->energy));
+    EXPECT_NEAR(rest->pose.pitch, std::atan(0.005 * std::cos(50.5)), 0.01);
 }
 
 TEST(RestPose, onAHundredThousandSamplesUnderTheRobotIsFound)
