@@ -51,6 +51,34 @@
         <source>frames still come</source>
         <translation>rámce stále přicházejí</translation>
     </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>AKTIVNÍ</translation>
+    </message>
+    <message>
+        <source>STALLED</source>
+        <translation>STOJÍ</translation>
+    </message>
+    <message>
+        <source>PASSIVE</source>
+        <translation>PASIVNÍ</translation>
+    </message>
+    <message>
+        <source>BUS-OFF</source>
+        <translation>ODPOJENA</translation>
+    </message>
+    <message>
+        <source>DOWN</source>
+        <translation>VYPNUTA</translation>
+    </message>
+    <message>
+        <source>ABSENT</source>
+        <translation>CHYBÍ</translation>
+    </message>
+    <message>
+        <source>ENDED</source>
+        <translation>KONEC</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -220,6 +248,18 @@
     <message>
         <source>TELEMETRY LOST for %1 — %2; no measured value is live%3</source>
         <translation>TELEMETRIE ZTRACENA už %1 — %2; žádná naměřená hodnota není živá%3</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>záznam</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>sběrnice</translation>
+    </message>
+    <message>
+        <source>! %1 lost</source>
+        <translation>! %1 ztraceno</translation>
     </message>
 </context>
 <context>
@@ -721,12 +761,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
 <context>
     <name>StopDisplay</name>
     <message>
-        <source>STOP NOT SENT for %1: %2. It is tried again; use the robot&apos;s own switch</source>
-        <translation>STOP NEODESLÁN už %1: %2. Zkouší se znovu; použijte vypínač na robotu</translation>
-    </message>
-    <message>
         <source>STOP SENT, NOT CONFIRMED for %1: the robot may still move; STOP is sent again</source>
         <translation>STOP ODESLÁN, NEPOTVRZEN už %1: robot se může ještě hýbat; STOP se posílá znovu</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT for %1, it is tried again: use the robot&apos;s own switch — %2</source>
+        <translation>STOP NEODESLÁN %1, zkouší se znovu: použijte vypínač na robotu — %2</translation>
     </message>
 </context>
 <context>
@@ -1076,10 +1116,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>robot se od posledního odhadu otočil</translation>
     </message>
     <message>
-        <source>telemetry was missing while the robot drove</source>
-        <translation>během jízdy chyběla telemetrie</translation>
-    </message>
-    <message>
         <source>nothing of the last estimate is left in view</source>
         <translation>z posledního odhadu už není nic v dohledu</translation>
     </message>
@@ -1178,6 +1214,162 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>a step ahead of more than %1 mm: probability %2 ± &lt; %3, likeliest between %4 and %5 m (%6)</source>
         <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± &lt; %3, nejspíš mezi %4 a %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>telemetry was missing for a while, in which the robot may have moved</source>
+        <translation>chvíli chyběla telemetrie, robot se mezitím mohl pohnout</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>nelze otevřít</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nelze přečíst</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>nelze zapsat</translation>
+    </message>
+    <message>
+        <source>the directory cannot be made</source>
+        <translation>složku nelze vytvořit</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>není to obyčejný soubor</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>je prázdný</translation>
+    </message>
+    <message>
+        <source>is a directory</source>
+        <translation>je složka</translation>
+    </message>
+    <message>
+        <source>is not an SQLite file</source>
+        <translation>není soubor SQLite</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes allowed</source>
+        <translation>je větší než povolených %1 bajtů</translation>
+    </message>
+    <message>
+        <source>has %1 bytes where its header says %2</source>
+        <translation>má %1 bajtů, hlavička udává %2</translation>
+    </message>
+    <message>
+        <source>it is truncated</source>
+        <translation>je uříznutý</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes allowed here</source>
+        <translation>je větší než zde povolených %1 bajtů</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>řádek %1</translation>
+    </message>
+    <message>
+        <source>is an SQLite file of another application, not a Terratact model</source>
+        <translation>je soubor SQLite jiné aplikace, ne model Terratact</translation>
+    </message>
+    <message>
+        <source>is a part of a model; `terratact merge` makes a model of all parts</source>
+        <translation>je část modelu; `terratact merge` složí ze všech částí model</translation>
+    </message>
+    <message>
+        <source>is a model of format version %1, and this program reads version %2</source>
+        <translation>je model formátu verze %1, tento program čte verzi %2</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a Terratact model</source>
+        <translation>jeho tabulky nejsou tabulky modelu Terratact</translation>
+    </message>
+    <message>
+        <source>its content was altered: it does not have the hash that was stored with it</source>
+        <translation>jeho obsah byl změněn: nemá otisk, který s ním byl uložen</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>disk je plný</translation>
+    </message>
+    <message>
+        <source>only %1 MB are free, %2 MB are left alone; recording goes on when there is room</source>
+        <translation>volných je jen %1 MB, %2 MB zůstává nedotčeno; nahrává se dál, až bude místo</translation>
+    </message>
+    <message>
+        <source>the disk is slow, it has been writing for %1 s; %2 frames wait</source>
+        <translation>disk je pomalý, zapisuje už %1 s; čeká %2 rámců</translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation>neodesláno</translation>
+    </message>
+    <message>
+        <source>not sent, the kernel&apos;s queue is full</source>
+        <translation>neodesláno, fronta jádra je plná</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>nelze číst</translation>
+    </message>
+    <message>
+        <source>the panel is absent</source>
+        <translation>panel chybí</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>soubor nebo složka neexistuje</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>přístup odepřen</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>operace není dovolena</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>je to složka</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>není to složka</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>souborový systém jen pro čtení</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>na zařízení není místo</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>chyba vstupu a výstupu</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>síť neběží</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>zařízení neexistuje</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>zařízení nebo adresa neexistuje</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>zařízení je obsazené</translation>
+    </message>
+    <message>
+        <source>No buffer space available</source>
+        <translation>není místo ve vyrovnávací paměti</translation>
     </message>
 </context>
 <context>
@@ -1501,6 +1693,18 @@ Poslední deaktivace: %1</translation>
         <source>%1 needs:</source>
         <translation>%1 potřebuje:</translation>
     </message>
+    <message>
+        <source>nothing is explored</source>
+        <translation>nic se nezkoumá</translation>
+    </message>
+    <message>
+        <source>not ready</source>
+        <translation>nepřipraveno</translation>
+    </message>
+    <message>
+        <source>not ready: doubtful</source>
+        <translation>nepřipraveno: sporné</translation>
+    </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
@@ -1585,6 +1789,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>STOP, of the console that opened this window</source>
         <translation>STOP konzole, která toto okno otevřela</translation>
+    </message>
+    <message>
+        <source>SAFE MODE: default settings, none are read or saved · to leave it, start without --safe-mode</source>
+        <translation>NOUZOVÝ REŽIM: výchozí nastavení, nic se nečte ani neukládá · ukončíte ho spuštěním bez --safe-mode</translation>
     </message>
 </context>
 <context>
@@ -1938,6 +2146,10 @@ Poslední deaktivace: %1</translation>
         <source>No ghost: %1</source>
         <translation>Bez stínu: %1</translation>
     </message>
+    <message>
+        <source>No ghost while telemetry is missing</source>
+        <translation>Bez stínu, dokud chybí telemetrie</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EventList</name>
@@ -2017,10 +2229,6 @@ Poslední deaktivace: %1</translation>
         <translation>STOP</translation>
     </message>
     <message>
-        <source>No estimate: STOP was pressed</source>
-        <translation>Bez odhadu: stisknut STOP</translation>
-    </message>
-    <message>
         <source>exploration failed: %1</source>
         <translation>průzkum selhal: %1</translation>
     </message>
@@ -2079,6 +2287,22 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>the override has ended: %1</source>
         <translation>přebití skončilo: %1</translation>
+    </message>
+    <message>
+        <source>Not offered: no bin in reach is less certain than ± %1 m</source>
+        <translation>Nenabízí se: žádný bod v dosahu není méně jistý než ± %1 m</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: %1 stands without the arm</source>
+        <translation>Nenabízí se podle nastavení: %1 platí i bez ramene</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: no bin in reach tells about the step</source>
+        <translation>Nenabízí se podle nastavení: žádný bod v dosahu o schodu nic neřekne</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot was stopped</source>
+        <translation>Bez odhadu: robot byl zastaven</translation>
     </message>
 </context>
 <context>
@@ -2214,10 +2438,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>no model</source>
         <translation>bez modelu</translation>
-    </message>
-    <message>
-        <source>STOP is pressed on the panel: release it there first</source>
-        <translation>STOP je stisknut na panelu: nejdřív ho uvolněte tam</translation>
     </message>
     <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
@@ -2415,6 +2635,14 @@ Poslední deaktivace: %1</translation>
         <source>STOP was pressed in a window that was opened from here</source>
         <translation>STOP byl stisknut v okně otevřeném odtud</translation>
     </message>
+    <message>
+        <source>PANEL LOST: connect the operator&apos;s panel</source>
+        <translation>PANEL ZTRACEN: připojte panel operátora</translation>
+    </message>
+    <message>
+        <source>PANEL LOST, which means STOP: connect the operator&apos;s panel, then hold R; or start without --panel</source>
+        <translation>PANEL ZTRACEN, což znamená STOP: připojte panel operátora a podržte R; nebo spusťte bez --panel</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2530,6 +2758,14 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>not approved: the panel&apos;s button has to be held for 1.5 s</source>
         <translation>neschváleno: tlačítko panelu je třeba držet 1,5 s</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel: release it there first</source>
+        <translation>STOP je stisknut na panelu: nejprve ho uvolněte tam</translation>
+    </message>
+    <message>
+        <source>the panel is lost: connect it first, or start the console without --panel</source>
+        <translation>panel je ztracen: nejprve ho připojte, nebo spusťte konzoli bez --panel</translation>
     </message>
 </context>
 <context>
@@ -2702,6 +2938,22 @@ Poslední deaktivace: %1</translation>
         <source>%1 → %2 bit: %3/min</source>
         <translation>%1 → %2 bit: %3/min</translation>
     </message>
+    <message>
+        <source>The other bins, the best first</source>
+        <translation>Ostatní body, nejlepší první</translation>
+    </message>
+    <message>
+        <source>nothing is asked</source>
+        <translation>nic se nežádá</translation>
+    </message>
+    <message>
+        <source>%1: %2 %, %3 bit</source>
+        <translation>%1: %2 %, %3 bit</translation>
+    </message>
+    <message>
+        <source>or at %1</source>
+        <translation>nebo v %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Provenance</name>
@@ -2724,6 +2976,31 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>prior only</source>
         <translation>jen apriori</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>letter of a mark</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>letter of a mark</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>letter of a mark</comment>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <comment>letter of a mark</comment>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter of a mark</comment>
+        <translation>A</translation>
     </message>
 </context>
 <context>
@@ -3518,6 +3795,18 @@ Poslední deaktivace: %1</translation>
         <source>L %1   R %2</source>
         <translation>L %1   P %2</translation>
     </message>
+    <message>
+        <source>age: %1</source>
+        <translation>stáří: %1</translation>
+    </message>
+    <message>
+        <source>%1   captured %2</source>
+        <translation>%1   sejmuto %2</translation>
+    </message>
+    <message>
+        <source>now, and when the scene was captured: the robot is drawn as it stood then</source>
+        <translation>teď, a při sejmutí scény: robot je nakreslen, jak stál tehdy</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScenesWindow</name>
@@ -3902,6 +4191,26 @@ Poslední deaktivace: %1</translation>
         <source>What came with the program is in use already</source>
         <translation>To, co přišlo s programem, se už používá</translation>
     </message>
+    <message>
+        <source>The arm is offered</source>
+        <translation>Rameno se nabízí</translation>
+    </message>
+    <message>
+        <source>where the terrain is uncertain</source>
+        <translation>kde je terén nejistý</translation>
+    </message>
+    <message>
+        <source>there, unless the verdict stands</source>
+        <translation>tam, pokud výrok neplatí</translation>
+    </message>
+    <message>
+        <source>where it tells about the verdict</source>
+        <translation>kde pomůže výroku</translation>
+    </message>
+    <message>
+        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
+        <translation>Nejistý: podle rozptylu, jako v článku. Výrok: podle entropie jeho otázky, ať je sd jakákoli, a jen dokud je otevřená</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalTable</name>
@@ -4217,6 +4526,14 @@ F1</translation>
         <source>STOP has no effect here: %1</source>
         <translation>STOP tu nepůsobí: %1</translation>
     </message>
+    <message>
+        <source>Bus: %1</source>
+        <translation>Sběrnice: %1</translation>
+    </message>
+    <message>
+        <source>All of it: F5</source>
+        <translation>Vše: F5</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainPage</name>
@@ -4328,6 +4645,26 @@ F1</translation>
         <source>probe at %1: no gain</source>
         <translation>sonda v %1: bez zisku</translation>
     </message>
+    <message>
+        <source>%1 s old</source>
+        <translation>stáří %1 s</translation>
+    </message>
+    <message>
+        <source>&lt; %1 s old</source>
+        <translation>stáří &lt; %1 s</translation>
+    </message>
+    <message>
+        <source>Preview from the way down: the estimate is being computed</source>
+        <translation>Náhled z cesty dolů: odhad se počítá</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>náhled</translation>
+    </message>
+    <message>
+        <source>The estimate is being computed</source>
+        <translation>Odhad se počítá</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -4400,10 +4737,6 @@ F1</translation>
         <translation>nad ním nic z robotu</translation>
     </message>
     <message>
-        <source>from: %1</source>
-        <translation>z: %1</translation>
-    </message>
-    <message>
         <source>either %1 m (%2 %)</source>
         <translation>buď %1 m (%2 %)</translation>
     </message>
@@ -4438,6 +4771,14 @@ F1</translation>
     <message>
         <source>arm tip</source>
         <translation>hrot ramene</translation>
+    </message>
+    <message>
+        <source>forward, height [m]</source>
+        <translation>vpřed, výška [m]</translation>
+    </message>
+    <message>
+        <source>from: %1 (%2)</source>
+        <translation>z: %1 (%2)</translation>
     </message>
 </context>
 <context>

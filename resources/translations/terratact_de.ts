@@ -51,6 +51,34 @@
         <source>frames still come</source>
         <translation>Frames kommen noch</translation>
     </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>AKTIV</translation>
+    </message>
+    <message>
+        <source>STALLED</source>
+        <translation>STEHT</translation>
+    </message>
+    <message>
+        <source>PASSIVE</source>
+        <translation>PASSIV</translation>
+    </message>
+    <message>
+        <source>BUS-OFF</source>
+        <translation>BUS-AUS</translation>
+    </message>
+    <message>
+        <source>DOWN</source>
+        <translation>AUS</translation>
+    </message>
+    <message>
+        <source>ABSENT</source>
+        <translation>FEHLT</translation>
+    </message>
+    <message>
+        <source>ENDED</source>
+        <translation>ENDE</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -220,6 +248,18 @@
     <message>
         <source>TELEMETRY LOST for %1 — %2; no measured value is live%3</source>
         <translation>TELEMETRIE WEG seit %1 — %2; kein Messwert ist aktuell%3</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>Mitschnitt</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>! %1 lost</source>
+        <translation>! %1 verloren</translation>
     </message>
 </context>
 <context>
@@ -721,12 +761,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
 <context>
     <name>StopDisplay</name>
     <message>
-        <source>STOP NOT SENT for %1: %2. It is tried again; use the robot&apos;s own switch</source>
-        <translation>STOP NICHT GESENDET seit %1: %2. Es wird weiter versucht; den Schalter am Roboter benutzen</translation>
-    </message>
-    <message>
         <source>STOP SENT, NOT CONFIRMED for %1: the robot may still move; STOP is sent again</source>
         <translation>STOP GESENDET, NICHT BESTÄTIGT seit %1: der Roboter fährt womöglich noch; STOP wird erneut gesendet</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT for %1, it is tried again: use the robot&apos;s own switch — %2</source>
+        <translation>STOP NICHT GESENDET seit %1, es wird weiter versucht: den Schalter am Roboter benutzen — %2</translation>
     </message>
 </context>
 <context>
@@ -1076,10 +1116,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Roboter hat sich seit der letzten Schätzung gedreht</translation>
     </message>
     <message>
-        <source>telemetry was missing while the robot drove</source>
-        <translation>während der Fahrt fehlte die Telemetrie</translation>
-    </message>
-    <message>
         <source>nothing of the last estimate is left in view</source>
         <translation>von der letzten Schätzung ist nichts mehr im Bild</translation>
     </message>
@@ -1178,6 +1214,162 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>a step ahead of more than %1 mm: probability %2 ± &lt; %3, likeliest between %4 and %5 m (%6)</source>
         <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± &lt; %3, am ehesten zwischen %4 und %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>telemetry was missing for a while, in which the robot may have moved</source>
+        <translation>eine Weile fehlte die Telemetrie, der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the directory cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is not an SQLite file</source>
+        <translation>ist keine SQLite-Datei</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes allowed</source>
+        <translation>ist größer als die erlaubten %1 Bytes</translation>
+    </message>
+    <message>
+        <source>has %1 bytes where its header says %2</source>
+        <translation>hat %1 Bytes, laut Kopf %2</translation>
+    </message>
+    <message>
+        <source>it is truncated</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes allowed here</source>
+        <translation>ist größer als die hier erlaubten %1 Bytes</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>is an SQLite file of another application, not a Terratact model</source>
+        <translation>ist die SQLite-Datei eines anderen Programms, kein Modell von Terratact</translation>
+    </message>
+    <message>
+        <source>is a part of a model; `terratact merge` makes a model of all parts</source>
+        <translation>ist ein Teil eines Modells; `terratact merge` macht aus allen Teilen ein Modell</translation>
+    </message>
+    <message>
+        <source>is a model of format version %1, and this program reads version %2</source>
+        <translation>ist ein Modell in Formatversion %1, dieses Programm liest Version %2</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a Terratact model</source>
+        <translation>ihre Tabellen sind nicht die eines Modells von Terratact</translation>
+    </message>
+    <message>
+        <source>its content was altered: it does not have the hash that was stored with it</source>
+        <translation>ihr Inhalt wurde verändert: er hat nicht den mit ihm gespeicherten Hash</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>only %1 MB are free, %2 MB are left alone; recording goes on when there is room</source>
+        <translation>nur %1 MB sind frei, %2 MB bleiben unberührt; aufgezeichnet wird wieder, sobald Platz ist</translation>
+    </message>
+    <message>
+        <source>the disk is slow, it has been writing for %1 s; %2 frames wait</source>
+        <translation>der Datenträger ist langsam, er schreibt seit %1 s; %2 Frames warten</translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation>nicht gesendet</translation>
+    </message>
+    <message>
+        <source>not sent, the kernel&apos;s queue is full</source>
+        <translation>nicht gesendet, die Warteschlange des Kernels ist voll</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>the panel is absent</source>
+        <translation>das Bedienpult fehlt</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Vorgang nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Gerät</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>das Netz ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>Gerät nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>Gerät oder Adresse nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät ist belegt</translation>
+    </message>
+    <message>
+        <source>No buffer space available</source>
+        <translation>kein Platz im Puffer</translation>
     </message>
 </context>
 <context>
@@ -1501,6 +1693,18 @@ Zuletzt gesperrt: %1</translation>
         <source>%1 needs:</source>
         <translation>%1 braucht:</translation>
     </message>
+    <message>
+        <source>nothing is explored</source>
+        <translation>keine Erkundung</translation>
+    </message>
+    <message>
+        <source>not ready</source>
+        <translation>nicht bereit</translation>
+    </message>
+    <message>
+        <source>not ready: doubtful</source>
+        <translation>nicht bereit: zweifelhaft</translation>
+    </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
@@ -1585,6 +1789,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>STOP, of the console that opened this window</source>
         <translation>STOP der Konsole, die dieses Fenster geöffnet hat</translation>
+    </message>
+    <message>
+        <source>SAFE MODE: default settings, none are read or saved · to leave it, start without --safe-mode</source>
+        <translation>SICHERER MODUS: Standardeinstellungen, nichts wird gelesen oder gespeichert · zum Verlassen ohne --safe-mode starten</translation>
     </message>
 </context>
 <context>
@@ -1938,6 +2146,10 @@ Zuletzt gesperrt: %1</translation>
         <source>No ghost: %1</source>
         <translation>Kein Schatten: %1</translation>
     </message>
+    <message>
+        <source>No ghost while telemetry is missing</source>
+        <translation>Kein Schatten, solange Telemetrie fehlt</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EventList</name>
@@ -2017,10 +2229,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>STOP</translation>
     </message>
     <message>
-        <source>No estimate: STOP was pressed</source>
-        <translation>Keine Schätzung: STOP wurde gedrückt</translation>
-    </message>
-    <message>
         <source>exploration failed: %1</source>
         <translation>Erkundung fehlgeschlagen: %1</translation>
     </message>
@@ -2079,6 +2287,22 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>the override has ended: %1</source>
         <translation>das Übergehen ist beendet: %1</translation>
+    </message>
+    <message>
+        <source>Not offered: no bin in reach is less certain than ± %1 m</source>
+        <translation>Nicht angeboten: kein Feld in Reichweite ist unsicherer als ± %1 m</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: %1 stands without the arm</source>
+        <translation>Nach den Einstellungen nicht angeboten: %1 steht ohne den Arm</translation>
+    </message>
+    <message>
+        <source>Not offered, as the settings have it: no bin in reach tells about the step</source>
+        <translation>Nach den Einstellungen nicht angeboten: kein Feld in Reichweite sagt etwas über die Stufe</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot was stopped</source>
+        <translation>Keine Schätzung: der Roboter wurde gestoppt</translation>
     </message>
 </context>
 <context>
@@ -2214,10 +2438,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>no model</source>
         <translation>kein Modell</translation>
-    </message>
-    <message>
-        <source>STOP is pressed on the panel: release it there first</source>
-        <translation>STOP ist am Pult gedrückt: erst dort lösen</translation>
     </message>
     <message>
         <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
@@ -2415,6 +2635,14 @@ Zuletzt gesperrt: %1</translation>
         <source>STOP was pressed in a window that was opened from here</source>
         <translation>STOP wurde in einem Fenster gedrückt, das von hier geöffnet wurde</translation>
     </message>
+    <message>
+        <source>PANEL LOST: connect the operator&apos;s panel</source>
+        <translation>PULT VERLOREN: das Bedienpult anschließen</translation>
+    </message>
+    <message>
+        <source>PANEL LOST, which means STOP: connect the operator&apos;s panel, then hold R; or start without --panel</source>
+        <translation>PULT VERLOREN, das heißt STOP: das Bedienpult anschließen, dann R halten; oder ohne --panel starten</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -2530,6 +2758,14 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>not approved: the panel&apos;s button has to be held for 1.5 s</source>
         <translation>nicht genehmigt: der Knopf am Pult muss 1,5 s gehalten werden</translation>
+    </message>
+    <message>
+        <source>STOP is pressed on the panel: release it there first</source>
+        <translation>STOP ist am Pult gedrückt: erst dort lösen</translation>
+    </message>
+    <message>
+        <source>the panel is lost: connect it first, or start the console without --panel</source>
+        <translation>das Pult ist verloren: erst anschließen, oder die Konsole ohne --panel starten</translation>
     </message>
 </context>
 <context>
@@ -2702,6 +2938,22 @@ Zuletzt gesperrt: %1</translation>
         <source>%1 → %2 bit: %3/min</source>
         <translation>%1 → %2 bit: %3/min</translation>
     </message>
+    <message>
+        <source>The other bins, the best first</source>
+        <translation>Die anderen Felder, das beste zuerst</translation>
+    </message>
+    <message>
+        <source>nothing is asked</source>
+        <translation>nichts gefragt</translation>
+    </message>
+    <message>
+        <source>%1: %2 %, %3 bit</source>
+        <translation>%1: %2 %, %3 bit</translation>
+    </message>
+    <message>
+        <source>or at %1</source>
+        <translation>oder bei %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Provenance</name>
@@ -2724,6 +2976,31 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>prior only</source>
         <translation>nur Vorwissen</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>letter of a mark</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>letter of a mark</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>letter of a mark</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <comment>letter of a mark</comment>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter of a mark</comment>
+        <translation>V</translation>
     </message>
 </context>
 <context>
@@ -3518,6 +3795,18 @@ Zuletzt gesperrt: %1</translation>
         <source>L %1   R %2</source>
         <translation>L %1   R %2</translation>
     </message>
+    <message>
+        <source>age: %1</source>
+        <translation>Alter: %1</translation>
+    </message>
+    <message>
+        <source>%1   captured %2</source>
+        <translation>%1   erfasst %2</translation>
+    </message>
+    <message>
+        <source>now, and when the scene was captured: the robot is drawn as it stood then</source>
+        <translation>jetzt, und als die Szene erfasst wurde: der Roboter ist gezeichnet, wie er da stand</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScenesWindow</name>
@@ -3902,6 +4191,26 @@ Zuletzt gesperrt: %1</translation>
         <source>What came with the program is in use already</source>
         <translation>Was mit dem Programm kam, ist schon in Gebrauch</translation>
     </message>
+    <message>
+        <source>The arm is offered</source>
+        <translation>Arm wird angeboten</translation>
+    </message>
+    <message>
+        <source>where the terrain is uncertain</source>
+        <translation>wo das Gelände unsicher ist</translation>
+    </message>
+    <message>
+        <source>there, unless the verdict stands</source>
+        <translation>dort, außer das Urteil steht</translation>
+    </message>
+    <message>
+        <source>where it tells about the verdict</source>
+        <translation>wo es dem Urteil hilft</translation>
+    </message>
+    <message>
+        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
+        <translation>Unsicher: nach der Varianz, wie im Artikel. Urteil: nach der Entropie seiner Frage, gleich wie groß die sd ist, und nur solange sie offen ist</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalTable</name>
@@ -4217,6 +4526,14 @@ F1</translation>
         <source>STOP has no effect here: %1</source>
         <translation>STOP wirkt hier nicht: %1</translation>
     </message>
+    <message>
+        <source>Bus: %1</source>
+        <translation>Bus: %1</translation>
+    </message>
+    <message>
+        <source>All of it: F5</source>
+        <translation>Alles: F5</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainPage</name>
@@ -4328,6 +4645,26 @@ F1</translation>
         <source>probe at %1: no gain</source>
         <translation>Sondierung bei %1: kein Gewinn</translation>
     </message>
+    <message>
+        <source>%1 s old</source>
+        <translation>%1 s alt</translation>
+    </message>
+    <message>
+        <source>&lt; %1 s old</source>
+        <translation>&lt; %1 s alt</translation>
+    </message>
+    <message>
+        <source>Preview from the way down: the estimate is being computed</source>
+        <translation>Vorschau vom Weg nach unten: die Schätzung wird berechnet</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>The estimate is being computed</source>
+        <translation>Die Schätzung wird berechnet</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -4400,10 +4737,6 @@ F1</translation>
         <translation>nichts vom Roboter darüber</translation>
     </message>
     <message>
-        <source>from: %1</source>
-        <translation>aus: %1</translation>
-    </message>
-    <message>
         <source>either %1 m (%2 %)</source>
         <translation>entweder %1 m (%2 %)</translation>
     </message>
@@ -4438,6 +4771,14 @@ F1</translation>
     <message>
         <source>arm tip</source>
         <translation>Armspitze</translation>
+    </message>
+    <message>
+        <source>forward, height [m]</source>
+        <translation>vorwärts, Höhe [m]</translation>
+    </message>
+    <message>
+        <source>from: %1 (%2)</source>
+        <translation>aus: %1 (%2)</translation>
     </message>
 </context>
 <context>
