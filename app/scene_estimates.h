@@ -37,7 +37,7 @@ TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm
 /// An estimate of a scene, or why there is none.
 struct SceneEstimate {
     std::optional<TerrainEstimate> estimate;
-    std::string note;  ///< what makes it doubtful or impossible, in words
+    std::string note;               ///< what makes it doubtful or impossible, in words
     std::vector<ArmReading> arm{};  ///< what the simulated arm has measured
 };
 
