@@ -45,6 +45,17 @@ inline ExtremeData dataOf(Kind kind, int U, double length, double signal, double
     return data;
 }
 
+/// The same with one row more, which is like no other.
+inline ExtremeData withFarRow(ExtremeData data)
+{
+    const Eigen::Index U = data.X.rows();
+    data.X.conservativeResize(U + 1, Eigen::NoChange);
+    data.X.row(U) << 1e200, 0.0, 0.0;
+    data.y.conservativeResize(U + 1);
+    data.y[U] = 5.0;
+    return data;
+}
+
 /// All the scales that data could be given in, and some that none could: what(data, its name).
 inline void forEveryScale(Kind kind, int U,
                           const std::function<void(const ExtremeData&, const std::string&)>& what)

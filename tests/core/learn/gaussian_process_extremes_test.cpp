@@ -262,11 +262,7 @@ TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
 TEST(GaussianProcess, aRowAtTenToTheTwoHundredChangesNothingElsewhere)
 {
     const Data plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
-    Data far = plain;
-    far.X.conservativeResize(21, Eigen::NoChange);
-    far.X.row(20) << 1e200, 0.0, 0.0;
-    far.y.conservativeResize(21);
-    far.y[20] = 5.0;
+    const Data far = withFarRow(plain);
     for (const int rows : {12, 20}) {  // the far one is one more
         const Normal expected = builtThrough(rows, plain)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
         const Normal got = builtThrough(rows + 1, far)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));

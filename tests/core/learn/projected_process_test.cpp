@@ -220,11 +220,7 @@ TEST(ProjectedProcess, ofAModelsSizeIsRight)
 TEST(ProjectedProcess, aRowAtTenToTheTwoHundredChangesNothingElsewhere)
 {
     const ExtremeData plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
-    ExtremeData far = plain;
-    far.X.conservativeResize(21, Eigen::NoChange);
-    far.X.row(20) << 1e200, 0.0, 0.0;
-    far.y.conservativeResize(21);
-    far.y[20] = 5.0;
+    ExtremeData far = withFarRow(plain);
     const std::vector<int> twenty = everyRow(20, 1), all = everyRow(21, 1);
     const ProjectedProcess without = projectProcess(plain.X, plain.y, twenty, plain.hyper);
     const ProjectedProcess with = projectProcess(far.X, far.y, all, far.hyper);
