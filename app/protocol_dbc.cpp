@@ -23,7 +23,7 @@ bool isTheSame(const DbcSignal& said, const SignalLayout& layout)
 /// What the program has otherwise; empty: nothing.
 std::string differenceOf(const DbcMessage& message, const FrameLayout& layout)
 {
-    const std::string name(layout.name);
+    std::string name(layout.name);
     if (message.name != name || message.extended) return name;
     for (const SignalLayout& signal : layout.payload) {
         const auto said = std::find_if(message.payload.begin(), message.payload.end(),

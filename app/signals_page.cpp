@@ -1,7 +1,6 @@
 #include "app/signals_page.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include "app/acquisition.h"
 #include "app/bus_words.h"
 #include "app/can_source.h"
+#include "app/file_dialog.h"
 #include "app/preference_store.h"
 #include "app/protocol_dbc.h"
 #include "app/resources.h"
@@ -163,25 +163,29 @@ void SignalsPage::addTools(QHBoxLayout& row)
 
 void SignalsPage::readDbc()
 {
-    QStringList files, troubles;
+    QStringList files;
+    std::vector<std::string> troubles;
     auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
-    if (!protocol) troubles << words::text(protocol.error().text);
+    if (!protocol) troubles.push_back(protocol.error().text);
     protocol_ = protocol ? *std::move(protocol) : std::vector<DbcMessage>();
 
     auto book = std::make_shared<DbcBook>();
     for (const QString& path : preferences_.current().dbc) {
         const Status added = book->add(path.toStdString());
         const QString name = QFileInfo(path).fileName();
-        if (!added) troubles << words::text(added.error().text);
+        if (!added) troubles.push_back(added.error().text);
         files << (added ? tr("%1 (frames: %2)").arg(name).arg(book->files().back().frames)
                         : tr("%1 (not used)").arg(name));
     }
-    for (const std::string& remark : book->remarks()) troubles << words::text(remark);
-    for (const QString& trouble : troubles)
-        std::fprintf(stderr, "terratact-console: %s\n", qUtf8Printable(trouble));
+    troubles.insert(troubles.end(), book->remarks().begin(), book->remarks().end());
+    QStringList sentences;
+    for (const std::string& trouble : troubles) {
+        std::fprintf(stderr, "terratact-console: %s\n", trouble.c_str());
+        sentences << words::sentence(trouble);
+    }
     book_ = std::move(book);
     link_->tap().describe(book_);
-    showDbc(files, troubles);
+    showDbc(files, sentences);
 }
 
 void SignalsPage::showDbc(const QStringList& files, const QStringList& troubles)
@@ -213,11 +217,12 @@ void SignalsPage::showDbc(const QStringList& files, const QStringList& troubles)
 
 void SignalsPage::addDbcFile()
 {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Add DBC file"), {},
-                                                      tr("DBC files (*.dbc *.DBC);;All files (*)"));
-    if (path.isEmpty()) return;
-    preferences_.change([path](Preferences& p) {
-        if (!p.dbc.contains(path)) p.dbc << path;
+    const FileWish wish{.title = tr("Add DBC file"),
+                        .filter = tr("DBC files (*.dbc *.DBC);;All files (*)")};
+    askForFile(*this, wish, [this](const QString& path) {
+        preferences_.change([path](Preferences& p) {
+            if (!p.dbc.contains(path)) p.dbc << path;
+        });
     });
 }
 

@@ -716,14 +716,11 @@ TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
     EXPECT_TRUE(page->addDbcButton()->isVisible());
     EXPECT_FALSE(page->removeDbcButton()->isVisible());
     ASSERT_TRUE(eventually([&] { return window->link()->tap().frames(steadyNow()).size() > 10; }));
-    QTimer::singleShot(0, window.get(), [&] {
-        ASSERT_TRUE(eventually([] { return QApplication::activeModalWidget() != nullptr; }));
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        ASSERT_TRUE(dialog);
-        dialog->findChild<QLineEdit*>()->setText(file("gas.dbc"));
-        QMetaObject::invokeMethod(dialog, "accept");
-    });
     QTest::mouseClick(page->addDbcButton(), Qt::LeftButton);
+    auto* dialog = page->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog);
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file("gas.dbc"));
+    QMetaObject::invokeMethod(dialog, "accept");
     ASSERT_TRUE(eventually([&] { return valueOf("Oxygen") == "20.71"; }));
     EXPECT_EQ(window->preferences().current().dbc, QStringList{file("gas.dbc")}) << "remembered";
     ASSERT_TRUE(page->removeDbcButton()->isVisible());
