@@ -6,8 +6,8 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
-#include <algorithm>
 #include <QStringList>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <numbers>
