@@ -654,6 +654,7 @@ TEST_F(Look, safeModeIsSaidOnEveryPageAndCutsNothing)
                 return text.contains("SAFE MODE") && text.contains("without --safe-mode");
             }));
             EXPECT_EQ(window->size(), size);
+            (void)eventually([&] { return gui::cutText(*window).empty(); }, 2000);  // laid out
             EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
             EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
         });
