@@ -28,8 +28,8 @@ namespace {
 constexpr int kBetween = 10;                       // [px] cards
 constexpr int kToSpare = 10;                       // [px] before cards have to leave
 constexpr QSize kLeastTerrain{420, 230};           // [px]
-constexpr int kColumn = 404, kNarrowColumn = 276;  // [px] of the decisions, at 100 %
-constexpr int kTightTerrain = 330;  // [px] the terrain is the largest part there, too
+constexpr int kColumn = 404, kNarrowColumn = 300;  // [px] of the decisions, at 100 %
+constexpr int kTightTerrain = 300;  // [px] the terrain is the largest part there, too
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)

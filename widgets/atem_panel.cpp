@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -325,10 +324,6 @@ void AtemPanel::forbidCommands()
 void AtemPanel::setNarrow(bool narrow)
 {
     narrow_ = narrow;
-    needsButton_->setText(narrow ? QStringLiteral("P") : tr("needs (P)"));
-    abort_->setProperty("role", narrow ? "compact" : "");  // it stands beside the state's words
-    abort_->style()->unpolish(abort_);
-    abort_->style()->polish(abort_);
     arrange();
     showButtons();
 }

@@ -196,7 +196,7 @@ struct Console : testing::Test {
                 EXPECT_TRUE(stop.isVisible() && window->header()->rect().contains(stop.geometry()))
                     << what;
                 const QWidget& terrain = *window->terrain()->parentWidget();
-                EXPECT_GE(5 * terrain.width(), 6 * window->atemPanel()->width()) << what;
+                EXPECT_GE(terrain.width(), window->atemPanel()->width()) << what;
                 for (const std::string& text : gui::elidedText(*window))
                     EXPECT_NE(text, window->header()->sourceName().toStdString()) << what;
                 const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
