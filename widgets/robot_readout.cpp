@@ -1,6 +1,5 @@
 #include "widgets/robot_readout.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <cmath>
@@ -12,7 +11,7 @@ namespace terratact {
 
 namespace {
 
-constexpr int kColumnGap = 14;  // [px] columns
+constexpr int kColumnGap = 14;  // [px]
 
 }  // namespace
 
@@ -36,11 +35,6 @@ RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
         values_[i]->setTextFormat(Qt::PlainText);
         grid->addWidget(name, row, 0);
         grid->addWidget(values_[i], row, 1);
-        ages_[i] = new QLabel(this);
-        ages_[i]->setAccessibleName(tr("age: %1").arg(names[i]));
-        ages_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        ages_[i]->hide();
-        grid->addWidget(ages_[i], row, 2);
     }
     grid->setRowStretch(kRows, 1);
     clearMeasurement();
@@ -53,49 +47,6 @@ void RobotReadout::show(Row row, const QString& text, bool known)
     setTone(*label, known ? Tone::Strong : Tone::Muted);
 }
 
-void RobotReadout::showAge(Row row, double seconds)
-{
-    QLabel* label = ages_[row];
-    label->setText(words::age(seconds));
-    setTone(*label, seconds <= kStaleAfter ? Tone::Muted : Tone::Bad);
-}
-
-int RobotReadout::ageWidth() const
-{
-    QFont bold = font();
-    bold.setBold(true);
-    return kColumnGap + QFontMetrics(bold).horizontalAdvance(words::age(0.999));
-}
-
-QSize RobotReadout::minimumSizeHint() const
-{
-    const QSize all = QWidget::minimumSizeHint();
-    const int ages = ages_[0]->isHidden() ? 0 : ages_[0]->minimumWidth() + kColumnGap;
-    return {all.width() - ages, all.height()};
-}
-
-void RobotReadout::fitAges()
-{
-    const bool shown = width() >= minimumSizeHint().width() + ageWidth();
-    for (QLabel* label : ages_) {
-        label->setVisible(shown);
-        if (const int wide = ageWidth() - kColumnGap; label->minimumWidth() != wide)
-            label->setFixedWidth(wide);
-    }
-}
-
-bool RobotReadout::event(QEvent* event)
-{
-    const bool done = QWidget::event(event);
-    switch (event->type()) {
-    case QEvent::Resize:
-    case QEvent::LayoutRequest:  // the letters may be others
-    case QEvent::FontChange: fitAges(); break;
-    default: break;
-    }
-    return done;
-}
-
 void RobotReadout::setMeasurement(const Measurement& m, double age, std::optional<double> captured)
 {
     Ages same{};
@@ -106,8 +57,6 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, std::optiona
 void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& ages,
                                   std::optional<double> captured)
 {
-    for (int row = 0; row < kRows; ++row)
-        showAge(static_cast<Row>(row), ages[static_cast<std::size_t>(row)]);
     const bool fresh = age <= kStaleAfter;
     const auto put = [&](Row row, const QString& text) {
         show(row, fresh ? text : words::kNothing, fresh);
@@ -122,28 +71,33 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     // Two lines of telemetry differ by the sensor's noise, if by nothing else.
     if (captured)
         values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), words::degrees(*captured)));
-    values_[Pitch]->setToolTip(
-        captured ? tr("now, and when the scene was captured: the robot is drawn as it stood then")
-                 : QString());
     put(Roll, words::degrees(m.roll));
     put(FrontFlippers, pair(words::degrees(m.frontLeft), words::degrees(m.frontRight)));
     put(RearFlippers, pair(words::degrees(m.rearLeft), words::degrees(m.rearRight)));
     put(FrontCurrents, pair(amperes(m.frontLeftCurrent), amperes(m.frontRightCurrent)));
     put(RearCurrents, pair(amperes(m.rearLeftCurrent), amperes(m.rearRightCurrent)));
+    for (std::size_t row = 0; row < ages.size(); ++row) {
+        ages_[row] = words::age(ages[row]);
+        QString tip = tr("%1 old").arg(ages_[row]);
+        if (row == Pitch && captured)
+            tip +=
+                tr("; beside it that of the captured scene: the robot is drawn as it stood then");
+        values_[row]->setToolTip(tip);
+    }
 }
 
 void RobotReadout::clearMeasurement()
 {
-    for (int row = 0; row < kRows; ++row) {
+    for (std::size_t row = 0; row < values_.size(); ++row) {
         show(static_cast<Row>(row), words::kNothing, false);
-        ages_.at(static_cast<std::size_t>(row))->clear();
+        ages_[row].clear();
+        values_[row]->setToolTip({});
     }
-    values_[Pitch]->setToolTip({});
 }
 
 QString RobotReadout::ageText(int row) const
 {
-    return ages_.at(static_cast<std::size_t>(row))->text();
+    return ages_.at(static_cast<std::size_t>(row));
 }
 
 QString RobotReadout::text(int row) const

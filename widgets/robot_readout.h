@@ -14,7 +14,7 @@ namespace terratact {
 /// Older telemetry than this is not shown as if it were true [s].
 inline constexpr double kStaleAfter = 0.15;
 
-/// The robot's angles and currents L left, R right, each with its age where there is room for it.  What is older than
+/// The robot's angles and currents L left, R right, each with its age as its tip.  What is older than
 /// kStaleAfter reads "--".  Beside the pitch stands that of the scene which is drawn.
 class RobotReadout final : public QWidget {
     Q_OBJECT
@@ -36,18 +36,11 @@ public:
     QString text(int row) const;  ///< value as shown; rows as in the order of Row
     QString ageText(int row) const;
 
-    QSize minimumSizeHint() const override;  ///< without the ages
-
-protected:
-    bool event(QEvent* event) override;
-
 private:
     void show(Row row, const QString& text, bool known);
-    void showAge(Row row, double seconds);
-    int ageWidth() const;
-    void fitAges();
 
-    std::array<QLabel*, kRows> values_{}, ages_{};
+    std::array<QLabel*, kRows> values_{};
+    std::array<QString, kRows> ages_;
 };
 
 }  // namespace terratact

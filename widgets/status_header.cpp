@@ -337,11 +337,15 @@ void StatusHeader::fit()
     int room = width() - (lines_ > 1 ? minimumSizeHint().width() : wide);
     const int above = width() - margins.left() - margins.right() - stop - usualUpper();
     const int bus = bus_->minimumWidth() + kBetween;
-    const bool isBus = !bus_->text().isEmpty() && (lines_ > 1 ? above : room) >= bus;
+    const QString tone = model_->property("tone").toString();
+    const bool trouble = tone == QLatin1String("bad");
+    const int model = model_->sizeHint().width() + kBetween;
+    // A model that is not ready yet matters more than how busy the bus is.
+    const int kept = lines_ == 1 && tone == QLatin1String("doubt") ? model : 0;
+    const bool isBus = !bus_->text().isEmpty() && (lines_ > 1 ? above : room - kept) >= bus;
     bus_->setVisible(isBus);
     if (isBus && lines_ == 1) room -= bus;
-    const bool trouble = model_->property("tone").toString() == QLatin1String("bad");
-    model_->setVisible(trouble || room >= model_->sizeHint().width() + kBetween);
+    model_->setVisible(trouble || room >= model);
 }
 
 void StatusHeader::resizeEvent(QResizeEvent* event)

@@ -3796,16 +3796,16 @@ Poslední deaktivace: %1</translation>
         <translation>L %1   P %2</translation>
     </message>
     <message>
-        <source>age: %1</source>
-        <translation>stáří: %1</translation>
-    </message>
-    <message>
         <source>%1   captured %2</source>
         <translation>%1   sejmuto %2</translation>
     </message>
     <message>
-        <source>now, and when the scene was captured: the robot is drawn as it stood then</source>
-        <translation>teď, a při sejmutí scény: robot je nakreslen, jak stál tehdy</translation>
+        <source>%1 old</source>
+        <translation>stáří %1</translation>
+    </message>
+    <message>
+        <source>; beside it that of the captured scene: the robot is drawn as it stood then</source>
+        <translation>; vedle je náklon zachycené scény: robot je nakreslen, jak tehdy stál</translation>
     </message>
 </context>
 <context>

@@ -3796,16 +3796,16 @@ Zuletzt gesperrt: %1</translation>
         <translation>L %1   R %2</translation>
     </message>
     <message>
-        <source>age: %1</source>
-        <translation>Alter: %1</translation>
-    </message>
-    <message>
         <source>%1   captured %2</source>
         <translation>%1   erfasst %2</translation>
     </message>
     <message>
-        <source>now, and when the scene was captured: the robot is drawn as it stood then</source>
-        <translation>jetzt, und als die Szene erfasst wurde: der Roboter ist gezeichnet, wie er da stand</translation>
+        <source>%1 old</source>
+        <translation>%1 alt</translation>
+    </message>
+    <message>
+        <source>; beside it that of the captured scene: the robot is drawn as it stood then</source>
+        <translation>; daneben die der erfassten Szene: gezeichnet ist der Roboter, wie er damals stand</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,7 @@ bool isSameEverywhere(const std::string& text)
     static const QRegularExpression kNames(
         "\\b(pa|pac|pafc|pafac|local|joint|clearance|Absolem|Terratact|SIMULATED ROBOT|"
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
-        "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Start|Status|Name|Training|"
+        "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
         "candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
         "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"

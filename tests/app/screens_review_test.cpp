@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -169,6 +170,11 @@ TEST_F(Screens, menus)
         open({});
         ASSERT_TRUE(
             eventually([&] { return console->header()->arming()->armButton()->isEnabled(); }));
+        const auto isMeasured = [&] {  // what is measured is known once the model is loaded
+            const QMenu* menu = console->header()->qualityButton()->menu();
+            return menu && menu->actions().first()->text().contains(QStringLiteral(" ms"));
+        };
+        ASSERT_TRUE(eventually(isMeasured));
         pictureOfMenu(*console->header()->qualityButton(), "menu_quality",
                       {MainWindow::tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error "
                                       "%4 mm")});
