@@ -328,13 +328,13 @@ QString TrainingPage::whyBusy() const
 
 QString TrainingPage::whyNotDiscard() const
 {
-    if (const QString why = whyBusy(); !why.isEmpty()) return why;
+    if (QString why = whyBusy(); !why.isEmpty()) return why;
     return trained_.isEmpty() ? tr("There is no new model.") : QString();
 }
 
 QString TrainingPage::whyNotCompare() const
 {
-    if (const QString why = whyBusy(); !why.isEmpty()) return why;
+    if (QString why = whyBusy(); !why.isEmpty()) return why;
     if (trained_.isEmpty()) return tr("Train a model first.");
     return test_->text().isEmpty() ? tr("Choose a file of scenes to test on.") : QString();
 }

@@ -20,7 +20,7 @@ public:
         const bool rich =
             label->textFormat() == Qt::RichText
             || (label->textFormat() == Qt::AutoText && Qt::mightBeRichText(label->text()));
-        const QString says =
+        QString says =
             rich ? QTextDocumentFragment::fromHtml(label->text()).toPlainText() : label->text();
         const QString name = label->accessibleName();
         if (name.isEmpty()) return says;

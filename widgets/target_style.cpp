@@ -52,8 +52,8 @@ QSize TargetStyle::sizeFromContents(ContentsType type, const QStyleOption* optio
 {
     QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
     if (type == CT_SpinBox && hasArrows(option)) {
-        constexpr int kFrame = 8;  // [px] around the number
-        size.setWidth(std::max(size.width(), contents.width() + kFrame + 2 * target()));
+        constexpr int kAround = 8;  // [px] the number
+        size.setWidth(std::max(size.width(), contents.width() + kAround + 2 * target()));
     }
     const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
     if (type == CT_MenuItem && item && item->menuItemType != QStyleOptionMenuItem::Separator)
