@@ -93,8 +93,10 @@ void BusTap::tick(double now)
 
 void BusTap::describe(std::shared_ptr<const DbcBook> book)
 {
+    // The bus's thread waits for the lock: the book before is freed after it.
+    std::shared_ptr<const DbcBook> before;
     const std::scoped_lock lock(mutex_);
-    foreign_.describe(std::move(book));
+    before = foreign_.describe(std::move(book));
 }
 
 void BusTap::step(double now)

@@ -28,6 +28,7 @@ class Screen {
 public:
     Screen() : isTerminal_(::isatty(STDOUT_FILENO) != 0) {}
 
+    bool isRedrawn() const { return isTerminal_; }
     std::chrono::milliseconds period() const { return isTerminal_ ? 200ms : 1000ms; }
 
     void show(const std::string& headline, const std::vector<std::string>& table) const
@@ -86,6 +87,9 @@ Status monitorCan(const CanMonitorOptions& options)
     if (!book) return book.error();
     CanMonitor monitor(options.protocol, options.bitrate, *book);
     const Screen screen;
+    const std::vector<std::string> remarks = remarksOf(*book);
+    if (!screen.isRedrawn())
+        for (const std::string& remark : remarks) fmt::print(stderr, "terratact: {}\n", remark);
     screen.clear();
     const Clock::time_point begin = Clock::now();
     monitor.mark(seconds(begin));
@@ -104,7 +108,7 @@ Status monitorCan(const CanMonitorOptions& options)
                                 : ended     ? (*bus)->name() + " has ended"
                                             : (*bus)->name();
         std::vector<std::string> lines = monitor.table(now);
-        for (const std::string& remark : remarksOf(*book)) lines.push_back(remark);
+        if (screen.isRedrawn()) lines.insert(lines.end(), remarks.begin(), remarks.end());
         screen.show(monitor.headline(state, (*bus)->counters()), lines);
         if (ended || Clock::now() >= end) return Done{};
     }

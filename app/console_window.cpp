@@ -331,9 +331,10 @@ void ConsoleWindow::showEvent(QShowEvent* event)
 /// A menu that is open takes the mouse: a press elsewhere only closes it, and another would be needed for STOP.
 bool ConsoleWindow::pressesStopBesidePopup(const QEvent& event) const
 {
-    if (event.type() != QEvent::MouseButtonPress || !QApplication::activePopupWidget())
-        return false;
+    const QWidget* popup = QApplication::activePopupWidget();
+    if (event.type() != QEvent::MouseButtonPress || !popup) return false;
     const auto& mouse = static_cast<const QMouseEvent&>(event);
+    if (popup->geometry().contains(mouse.globalPosition().toPoint())) return false;  // meant for it
     const QPushButton& stop = *header_->stopButton();
     return mouse.button() == Qt::LeftButton && stop.isVisible()
         && stop.rect().contains(stop.mapFromGlobal(mouse.globalPosition().toPoint()));

@@ -1,5 +1,7 @@
 #include "app/estimation.h"
 
+#include <utility>
+
 #include "core/infer/estimate_words.h"
 #include "widgets/words.h"
 
@@ -20,7 +22,10 @@ Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const O
         // The worker answers in turn, so this is of the estimate that stands, if one does.
         if (!estimate_ || advice.stepLimit != options_.stepLimit) return;
         advice_ = advice;
-        emit advised();
+        if (std::exchange(unadvised_, false))
+            emit stands(false);
+        else
+            emit advised();
     });
 }
 
@@ -105,12 +110,16 @@ void Estimation::cancel()
 {
     worker_.cancel();
     job_ = liveJob_ = secondJob_ = 0;  // a result already on its way is not ours any more
+    unadvised_ = false;
 }
 
 void Estimation::adviseAnew()
 {
-    if (estimate_ && advice_.stepLimit != options_.stepLimit)
+    if (!estimate_) return;
+    if (advice_.stepLimit != options_.stepLimit)
         worker_.advise(*estimate_, robot_, options_.stepLimit);
+    else if (std::exchange(unadvised_, false))
+        emit stands(false);
 }
 
 void Estimation::forget(const QString& why)
@@ -119,6 +128,7 @@ void Estimation::forget(const QString& why)
     estimate_.reset();
     second_.reset();
     job_ = secondJob_ = 0;
+    unadvised_ = false;
     scene_.reset();
     pose_.reset();
     readings_.clear();
@@ -140,6 +150,7 @@ EstimateRequest Estimation::requestFor(Method method) const
 void Estimation::start()
 {
     liveJob_ = secondJob_ = 0;  // this request overtakes them
+    unadvised_ = false;
     second_.reset();
     EstimateRequest request = requestFor(options_.settings.method);
     request.prober = robot_;
@@ -182,8 +193,8 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     seconds_ = seconds;
     advice_ = advice;
     track_.emplace(robot_, estimate, scene_->measurement);
-    emit stands(false);
-    adviseAnew();  // the limit may have been changed meanwhile
+    unadvised_ = true;
+    adviseAnew();  // the limit may have been changed meanwhile: another probe may be worth asking for
     startSecond();
     tellOf(estimate);
 }

@@ -59,7 +59,7 @@ public:
     void take(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< all that is under way
-    void adviseAnew();                                   ///< for the limit of now
+    void adviseAnew();  ///< for the limit of now, where it is another
     /// The scene, its readings and estimates, and an answer that is still to come; not the ghost, nor a preview.
     void forget(const QString& why);
     void forgetGhost() { track_.reset(); }
@@ -121,6 +121,7 @@ private:
     std::optional<TerrainEstimate> estimate_, second_, live_;
     double seconds_ = 0.0;
     ProbeAdvice advice_;
+    bool unadvised_ = false;  ///< stands() of estimate_ waits for advice of the limit of now
     QString whyNone_;
     std::optional<Method> secondMethod_;
     std::uint64_t previewed_ = 0;  ///< count of the telemetry that the newest preview is about

@@ -43,7 +43,7 @@ void Exploration::takeAdvice()
     const ProbeOffer offer = probes_.offer();
     pending_.estimateReady = true;
     pending_.probeWanted = offer.bin.has_value();
-    whyNotOffered_ = wordsOf(offer.why);
+    offered_ = pending_.probeWanted;
     probes_.withdraw();
     if (offer.bin && !following()) probes_.propose(*offer.bin);
 }
@@ -65,6 +65,14 @@ QString Exploration::whyNoEstimate() const
     if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");
     if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
     return tr("No estimate yet: explore the terrain (A)");
+}
+
+QString Exploration::whyNotOffered() const
+{
+    if (!estimation_.estimate() || offered_) return {};
+    const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed since
+    if (now.bin) return tr("Not offered when the estimate came: explore again to be asked");
+    return wordsOf(now.why);
 }
 
 QString Exploration::wordsOf(NoProbe why) const
@@ -152,6 +160,7 @@ void Exploration::driveOn()
     if (!driveWanted_) return;
     const auto robot = link_ ? link_->view().link.robot : std::nullopt;
     if (robot && robot->exploring && now_ - driveBegan_ < kEndsWithin) return;
+    if (!whyNotDriving().isEmpty()) return driveWanted_.reset();  // not any more
     command(*std::exchange(driveWanted_, std::nullopt));
 }
 
@@ -166,7 +175,6 @@ void Exploration::halt()
 void Exploration::stop()
 {
     if (following()) {
-        emit happened(tr("STOP has no effect: %1").arg(following_->why()), Weight::Bad);
         emit stoppedNothing(following_->why());
         return;  // nothing is stopped, so nothing must look so
     }

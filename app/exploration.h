@@ -53,10 +53,8 @@ public:
     void refuse(quint64 proposal);
     void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
     void setStepLimit(double metres);        ///< what counts as an obstacle
-    void setProbePolicy(ProbePolicy policy)
-    {
-        options_.probes = policy;
-    }  ///< from the next estimate on
+    /// Probes are offered by it from the next estimate on; what bestProbe() ranks by changes at once.
+    void setProbePolicy(ProbePolicy policy) { options_.probes = policy; }
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
     /// Estimated beside the first; empty: none.
     void setSecondMethod(std::optional<Method> method);
@@ -93,7 +91,7 @@ public:
     /// What a probe would buy by the estimate that stands, whether or not one is proposed; empty: nothing can be told.
     std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
     /// Why none was offered for it; empty: one was, or would be where commands leave.
-    QString whyNotOffered() const { return whyNotOffered_; }
+    QString whyNotOffered() const;
     /// Fingerprint of what the proposal rests on.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
     std::optional<int> probingBin() const;
@@ -147,7 +145,7 @@ private:
     Options options_;
     Estimation estimation_;
     ProbeProposals probes_;
-    QString whyNotOffered_;
+    bool offered_ = false;                  ///< a probe, when the estimate that stands came
     std::unique_ptr<Following> following_;  ///< null: commands leave
 
     AtemState state_;

@@ -17,12 +17,13 @@ float pointOf(double value)
 
 }  // namespace
 
-void ForeignFrames::describe(std::shared_ptr<const DbcBook> book)
+std::shared_ptr<const DbcBook> ForeignFrames::describe(std::shared_ptr<const DbcBook> book)
 {
-    book_ = std::move(book);
     described_.clear();
     unknown_.clear();
     signals_ = 0;
+    beyond_ = 0;
+    return std::exchange(book_, std::move(book));
 }
 
 FrameTrouble ForeignFrames::take(const CanFrame& frame, FrameTrouble trouble, double time)
@@ -71,19 +72,18 @@ void ForeignFrames::takeValues(Kept& kept, const CanFrame& frame, double time)
         if (!values_[i]) continue;
         KeptSignal& of = kept.payload[i];
         of.signal.take(*values_[i]);
+        if (of.usedAt) of.interval = time - *of.usedAt;
         of.usedAt = time;
         ++of.times;
     }
 }
 
-/// Three of its periods: the file's, or as it was seen last.
-double ForeignFrames::freshOf(const Kept& kept, const KeptSignal& signal, std::size_t ticks)
+/// Three of its periods: the file's or, where that has none, the last there was.
+double ForeignFrames::freshOf(const Kept& kept, const KeptSignal& signal)
 {
     constexpr double kPeriods = 3.0;
     const double stated = kept.frame.described->message.period();
-    const double rate = rateOf(signal.counts, ticks);
-    const double seen = rate > 0.0 ? 1.0 / rate : 0.0;
-    return std::max(kBusFresh, kPeriods * std::max(stated, seen));
+    return std::max(kBusFresh, kPeriods * (stated > 0.0 ? stated : signal.interval));
 }
 
 void ForeignFrames::step(double now, std::size_t tick, std::size_t point)
@@ -94,7 +94,7 @@ void ForeignFrames::step(double now, std::size_t tick, std::size_t point)
             kept.counts[place] = kept.frame.frames;
             for (KeptSignal& of : kept.payload) {
                 of.counts[place] = of.times;
-                const bool fresh = of.usedAt && now - *of.usedAt <= freshOf(kept, of, tick + 1);
+                const bool fresh = of.usedAt && now - *of.usedAt <= freshOf(kept, of);
                 of.signal.history[point] = fresh ? pointOf(*of.signal.last) : kNoPoint;
             }
         }
@@ -118,8 +118,7 @@ TappedFrame ForeignFrames::tapped(const Kept& kept, double now, std::size_t tick
     frame.age = ageOf(kept.usedAt);
     for (const KeptSignal& of : kept.payload) {
         frame.payload.emplace_back(of.signal).unrollHistory(point);
-        frame.times.push_back(
-            {rateOf(of.counts, ticks), ageOf(of.usedAt), freshOf(kept, of, ticks)});
+        frame.times.push_back({rateOf(of.counts, ticks), ageOf(of.usedAt), freshOf(kept, of)});
     }
     return frame;
 }

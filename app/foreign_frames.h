@@ -19,8 +19,8 @@ public:
     static constexpr std::size_t kMostDescribed = 256;  ///< kinds that a file describes
     static constexpr std::size_t kMostSignals = 2000;   ///< of those; beyond, only the bytes count
 
-    /// From now on; what came so far is forgotten.  book: null: none.
-    void describe(std::shared_ptr<const DbcBook> book);
+    /// From now on; what came so far is forgotten.  book: null: none.  The one before, which may be large to free.
+    std::shared_ptr<const DbcBook> describe(std::shared_ptr<const DbcBook> book);
 
     /// trouble: as the protocol has it.  None where a DBC file describes the frame.
     FrameTrouble take(const CanFrame& frame, FrameTrouble trouble, double time);
@@ -38,6 +38,7 @@ private:
     struct KeptSignal {
         TappedSignal signal;
         std::optional<double> usedAt{};  ///< [s]
+        double interval = 0.0;           ///< [s] between the last two; 0: there was one at most
         std::uint64_t times = 0;
         TickCounts counts{};
     };
@@ -52,7 +53,7 @@ private:
     Kept* begin(const Key& key, std::shared_ptr<const DescribedFrame> described);
     void takeValues(Kept& kept, const CanFrame& frame, double time);
     static TappedFrame tapped(const Kept& kept, double now, std::size_t ticks, std::size_t point);
-    static double freshOf(const Kept& kept, const KeptSignal& signal, std::size_t ticks);
+    static double freshOf(const Kept& kept, const KeptSignal& signal);
 
     std::shared_ptr<const DbcBook> book_;
     Kinds described_, unknown_;

@@ -60,7 +60,6 @@ void LinkStatus::showBus(double now)
     busShownAt_ = now;
     const CanView view = link_->view();
     const BusLoad load = link_->tap().load();
-    const std::uint64_t lost = view.frames.dropped + view.frames.errorFrames;
     // Of a log the state says only whether it goes on.
     const bool isLog = link_->mode() == CanSource::Mode::Replay;
     const bool isOurs = link_->bitrate().nominal;  // a robot in this program
@@ -69,12 +68,14 @@ void LinkStatus::showBus(double now)
                                : QString::fromStdString(link_->busName())};
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
     parts << loadGlance(load, link_->bitrate());
-    if (lost > 0) parts << tr("! %1 lost").arg(lost);
+    const std::uint64_t dropped = view.frames.dropped, errors = view.frames.errorFrames;
+    if (dropped > 0) parts << tr("! %1 dropped").arg(dropped);
+    if (errors > 0) parts << tr("! %1 errors").arg(errors);
     const bool works = view.bus == BusState::Up || view.bus == BusState::Ended;
     header_.setBus(parts.join(QLatin1Char(' ')),
-                   !works     ? Tone::Bad
-                   : lost > 0 ? Tone::Doubt
-                              : Tone::Plain,
+                   !works                      ? Tone::Bad
+                   : dropped > 0 || errors > 0 ? Tone::Doubt
+                                               : Tone::Plain,
                    details(view));
 }
 

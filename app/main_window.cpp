@@ -107,10 +107,6 @@ void MainWindow::build(const Options& options)
     notice_ = std::make_unique<ShortNotice>(*addBanner());
     probeNotice_ = std::make_unique<ProbeNotice>(*rail(), *addBanner());
     panelLost_ = addBanner();
-    panelLost_->setText(exploration_->following()
-                            ? tr("PANEL LOST: connect the operator's panel")
-                            : tr("PANEL LOST, which means STOP: connect the operator's panel, then "
-                                 "hold R; or start without --panel"));
     QLabel& banner = *addBanner();
     QLabel& notRecorded = *addBanner();
     addPages(options);
@@ -153,6 +149,7 @@ void MainWindow::addPages(const Options& options)
                     tr("Every signal on the bus, and its newest frames"));
     addTraining(options);
     settings_ = new SettingsPage(*preferences_, this);
+    connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::takeRobot);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
@@ -254,6 +251,14 @@ void MainWindow::applyPreferences(const Preferences& before)
     exploration_->setEstimateSeconds(now.estimateSeconds);
     exploration_->setProbePolicy(now.probes);
     if (now.robot != before.robot || now.language != before.language) reopen();
+}
+
+/// Of a dialog that may have stood open since before the robot was armed.
+void MainWindow::takeRobot(const QString& path)
+{
+    if (const QString why = whyNotReopening(); !why.isEmpty())
+        return events()->add(tr("the robot stays: %1").arg(why), Weight::Bad, QTime::currentTime());
+    preferences_->change([path](Preferences& p) { p.robot = path; });
 }
 
 void MainWindow::reopen()
@@ -375,11 +380,12 @@ void MainWindow::connectStop()
 {
     const auto say = [this](const QString& text) { notice_->say(text, steadyNow()); };
     connect(&remoteStop_, &RemoteStop::said, this, say);
-    connect(exploration_.get(), &Exploration::stoppedNothing, this,
-            [this, say](const QString& why) {
-                if (remoteStop_.exists()) return remoteStop_.press();
-                say(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
-            });
+    connect(
+        exploration_.get(), &Exploration::stoppedNothing, this, [this, say](const QString& why) {
+            if (remoteStop_.exists()) return remoteStop_.press();
+            events()->add(tr("STOP has no effect: %1").arg(why), Weight::Bad, QTime::currentTime());
+            say(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
+        });
     if (exploration_->following()) return;
     auto line = StopLine::listen(stopLineName());
     if (line)
@@ -418,7 +424,7 @@ void MainWindow::redraw(double now)
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
                        terrainPage_->isVisible());
     stopDisplay_->show(exploration_->stopSight());
-    panelLost_->setVisible(panel_ && panel_->isLost());
+    showPanelLost();
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
@@ -429,6 +435,18 @@ void MainWindow::redraw(double now)
         newestIn_ = secondsOf(latest_->arrived);
         paintedCount_ = latest_->count;
     }
+}
+
+void MainWindow::showPanelLost()
+{
+    panelLost_->setVisible(panel_ && panel_->isLost());
+    panelLost_->setText(
+        exploration_->state().phase == AtemPhase::Stopped
+            ? tr("PANEL LOST, which means STOP: connect the operator's panel, then "
+                 "hold R; or start without --panel")
+        : exploration_->following()
+            ? tr("PANEL LOST: connect the operator's panel")
+            : tr("PANEL LOST: connect the operator's panel, or start without --panel"));
 }
 
 void MainWindow::showTerrain(double now)

@@ -105,6 +105,7 @@ private:
     void addPages(const Options& options);
     void showAlarms(double now);
     void showRecording();
+    void showPanelLost();
     void mark();
     QList<DiagnosticsSection> diagnostics() const;
     void connectAll();
@@ -126,6 +127,7 @@ private:
     void showCards();  ///< of model and robot, on the page of the settings
     void leave();
     void reopen();
+    void takeRobot(const QString& path);
     QString whyNotReopening() const;  ///< empty: the window may be built anew
     void offerQualities();  ///< with what they cost, where that was measured with the model in use
 

@@ -19,11 +19,12 @@ void PanelControl::tick(double now, const Sight& sight)
     if (std::exchange(shown_, sight.shown) != sight.shown) shownSince_ = now;
     report_ = reader_.latest();
     if (answers(now)) answeredAt_ = now;
-    const bool stopped = report_.state.stop;
+    const bool stopped = report_.state.stop || isLost();
     if (stopped && !wasStopped_) {
         exploration_.stop();  // again, after the reader's own: the window has to know, too
-        emit happened(report_.state.present ? tr("STOP pressed on the panel")
-                                            : tr("the panel is lost, which means STOP"),
+        emit happened(report_.state.present && !isLost()
+                          ? tr("STOP pressed on the panel")
+                          : tr("the panel is lost, which means STOP"),
                       Weight::Bad);
     }
     wasStopped_ = stopped;
@@ -94,10 +95,9 @@ bool PanelControl::answers(double now) const
 
 QString PanelControl::whyNotReleased() const
 {
-    if (!stopPressed()) return {};
-    return report_.state.present
-             ? tr("STOP is pressed on the panel: release it there first")
-             : tr("the panel is lost: connect it first, or start the console without --panel");
+    if (!report_.state.present || isLost())
+        return tr("the panel is lost: connect it first, or start the console without --panel");
+    return stopPressed() ? tr("STOP is pressed on the panel: release it there first") : QString();
 }
 
 Precondition PanelControl::precondition(double now) const

@@ -306,15 +306,16 @@ void ReviewExportDialog::browse()
 void ReviewExportDialog::write()
 {
     const Choice& choice = chosen(*what_);
-    const QString to = path();
-    path_->setText(to);
+    to_ = path();
+    path_->setText(to_);
     switch (choice.from) {
-    case From::Picture: return wrote(sources_.savePicture(to), 0, 0);
-    case From::Numbers: return wrote(sources_.saveNumbers(to), 0, 0);
+    case From::Picture: return wrote(sources_.savePicture(to_), 0, 0);
+    case From::Numbers: return wrote(sources_.saveNumbers(to_), 0, 0);
     case From::Report:
     case From::Rows: break;
     }
-    SessionExportJob::Wish wish{.session = sources_.session.toStdString(), .out = to.toStdString()};
+    SessionExportJob::Wish wish{.session = sources_.session.toStdString(),
+                                .out = to_.toStdString()};
     if (choice.from == From::Report) {
         wish.scene = sight_.scene;
     } else {
@@ -351,7 +352,7 @@ void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int d
     else if (!trouble.isEmpty())
         parts << tr("NOT WRITTEN: %1").arg(trouble);
     else
-        parts << tr("Written: %1").arg(path());
+        parts << tr("Written: %1").arg(to_);
     if (leftOut > 0) parts << tr("frames left out, which the format cannot hold: %1").arg(leftOut);
     if (damaged > 0) parts << tr("damaged and left out, places: %1").arg(damaged);
     result_->setText(parts.join(QStringLiteral(" · ")));

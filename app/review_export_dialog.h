@@ -74,6 +74,7 @@ private:
     Sources sources_;
     ExportSight sight_;
     std::unique_ptr<SessionExportJob> job_;  ///< null: nothing is being written
+    QString to_;  ///< the file of the newest export; path() may be another one by now
     QTimer look_;
 
     // Qt's parents own the widgets.

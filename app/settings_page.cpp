@@ -309,25 +309,27 @@ QWidget* SettingsPage::buildFiles()
     file(0, tr("Model"), model_, chooseModel_, shippedModel_);
     file(1, tr("Robot"), robot_, chooseRobot_, shippedRobot_);
     card->body()->addLayout(grid);
-    connect(chooseModel_, &QPushButton::clicked, this,
-            [this] { chooseFile(&Preferences::model, tr("Model"), tr("Models (*.ttm)")); });
-    connect(chooseRobot_, &QPushButton::clicked, this,
-            [this] { chooseFile(&Preferences::robot, tr("Robot"), tr("Robots (*.toml)")); });
+    connect(chooseModel_, &QPushButton::clicked, this, [this] {
+        askForFile(
+            *this,
+            {.title = tr("Model"), .start = store_.current().model, .filter = tr("Models (*.ttm)")},
+            [this](const QString& path) {
+                store_.change([path](Preferences& p) { p.model = path; });
+            });
+    });
+    connect(chooseRobot_, &QPushButton::clicked, this, [this] {
+        askForFile(*this,
+                   {.title = tr("Robot"),
+                    .start = store_.current().robot,
+                    .filter = tr("Robots (*.toml)")},
+                   [this](const QString& path) { emit robotChosen(path); });
+    });
     const auto forget = [this](QString Preferences::*which) {
         store_.change([which](Preferences& p) { (p.*which).clear(); });
     };
     connect(shippedModel_, &QPushButton::clicked, this, [forget] { forget(&Preferences::model); });
     connect(shippedRobot_, &QPushButton::clicked, this, [forget] { forget(&Preferences::robot); });
     return card;
-}
-
-void SettingsPage::chooseFile(QString Preferences::*file, const QString& title,
-                              const QString& filter)
-{
-    askForFile(*this, {.title = title, .start = store_.current().*file, .filter = filter},
-               [this, file](const QString& path) {
-                   store_.change([file, path](Preferences& p) { p.*file = path; });
-               });
 }
 
 void SettingsPage::show()

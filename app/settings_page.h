@@ -48,6 +48,9 @@ public:
     QPushButton* defaultsButton() const { return defaults_; }
     QString modelCard() const;
 
+signals:
+    void robotChosen(const QString& path);  ///< a file that the window may be built anew with
+
 private:
     void buildEstimate(QFormLayout* form);
     void buildLook(QFormLayout* form);
@@ -70,7 +73,6 @@ private:
 
     void show();  ///< the preferences in the controls
     void change(const std::function<void(Preferences&)>& edit);
-    void chooseFile(QString Preferences::*file, const QString& title, const QString& filter);
     void showCosts();
 
     PreferenceStore& store_;

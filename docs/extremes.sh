@@ -90,7 +90,7 @@ the same condition. The surface processes of \`local\` and \`joint\` always have
 and says so, unless the height is the bin's ceiling, which holds the draws there (\`core/infer/convergence.h\`).
 
 **Cancelling.** An estimate asks whether it is still wanted at least once per bin of a sweep, and in between every
-forty million multiplications of a factorisation (\`core/learn/cholesky.h\`), every 67 million of a sweep's sums of
+twenty million multiplications of a factorisation (\`core/learn/cholesky.h\`), every 34 million of a sweep's sums of
 squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/poll.h\`). So do
 a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, and the advice
 where to probe. What cannot ask is the system: a model of 5600 rows gives back 250 MB at once.

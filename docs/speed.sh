@@ -49,7 +49,8 @@ asks for is above what the quadratic form has, the target is not to be had by mo
 
 A peer that works in double computes twice as many vectors for the same numbers, and whole squares where a triangle would do;
 what it makes of the peak in double says how much of a ratio is that.  One scene makes as many sweeps in NumPy as here, so its
-ratio is that of chain-sweeps, less what summarising costs; more comes only of doing less, as the preset balanced does.
+ratio is that of chain-sweeps, less what summarising costs; more comes only of doing less, as the preset \`balanced\` does, through 300
+inducing rows (what that errs: \`docs/tradeoff.md\`).
 AVX2 against AVX-512 is bounded by the ratio of their peaks, as long as both are as near to their own.
 
 ## Training

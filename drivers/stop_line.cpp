@@ -21,6 +21,13 @@ struct Address {
     const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&content); }
 };
 
+Status check(const std::string& name)
+{
+    if (name.empty() || name.size() > 100)
+        return Error{"a stop line needs a name of 1 to 100 characters", EINVAL};
+    return Done{};
+}
+
 /// Of the abstract namespace: a name that begins with a 0.  An empty one: the kernel gives one.
 Address addressOf(const std::string& name)
 {
@@ -63,8 +70,7 @@ bool read(int socket, std::string_view wanted, bool& isWanted, Address& from)
 
 Result<StopLine> StopLine::listen(const std::string& name)
 {
-    if (name.empty() || name.size() > 100)
-        return Error{"a stop line needs a name of 1 to 100 characters", EINVAL};
+    if (Status good = check(name); !good) return good.error();
     auto socket = boundTo(name);
     if (!socket) return socket.error();
     return StopLine(std::move(*socket));
@@ -92,6 +98,7 @@ Result<StopCaller> StopCaller::open()
 
 Status StopCaller::press(const std::string& name)
 {
+    if (Status good = check(name); !good) return good;
     (void)isTaken();  // an answer to an earlier press is none to this one
     const Address address = addressOf(name);
     const ssize_t sent = ::sendto(socket_.get(), kStop.data(), kStop.size(), MSG_NOSIGNAL,

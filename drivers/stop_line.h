@@ -13,7 +13,7 @@ namespace terratact {
 /// The end that stops.
 class StopLine {
 public:
-    /// name: at most 100 characters.  Error where it is taken.
+    /// name: 1 to 100 characters.  Error where it is taken.
     static Result<StopLine> listen(const std::string& name);
 
     /// True where STOP was pressed at the other end since the last time; then that end is answered.  Does not wait.
@@ -29,7 +29,7 @@ class StopCaller {
 public:
     static Result<StopCaller> open();
 
-    /// Error: nobody listens under this name.
+    /// Error: nobody listens under this name, of 1 to 100 characters, or takes what was sent before.
     Status press(const std::string& name);
     /// True once somebody has taken it.  Does not wait.
     bool isTaken();

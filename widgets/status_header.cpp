@@ -298,8 +298,12 @@ int StatusHeader::oneLine() const
     int width = widthOf(last() << arming_);
     width += usualUpper();
     if (!overridden_->isHidden()) width += overridden_->usualWidth() + kBetween;
-    const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
-    return margins.left() + margins.right() + width + stop;
+    return margins.left() + margins.right() + width + stopWidth();
+}
+
+int StatusHeader::stopWidth() const
+{
+    return stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
 }
 
 int StatusHeader::usualUpper() const
@@ -324,8 +328,8 @@ QSize StatusHeader::minimumSizeHint() const
     const QMargins margins = layout()->contentsMargins();
     const int lines =
         std::max(widthOf({source_, link_, robot_}), widthOf(last() << overridden_ << arming_));
-    const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
-    return {margins.left() + margins.right() + lines + stop, QFrame::minimumSizeHint().height()};
+    return {margins.left() + margins.right() + lines + stopWidth(),
+            QFrame::minimumSizeHint().height()};
 }
 
 void StatusHeader::fit()
@@ -333,9 +337,8 @@ void StatusHeader::fit()
     const int wide = oneLine();
     setLines(wide > width() ? 2 : 1);
     const QMargins margins = layout()->contentsMargins();
-    const int stop = stop_->isHidden() ? 0 : widthOf({stop_}) - kBetween + kBeforeStop;
     int room = width() - (lines_ > 1 ? minimumSizeHint().width() : wide);
-    const int above = width() - margins.left() - margins.right() - stop - usualUpper();
+    const int above = width() - margins.left() - margins.right() - stopWidth() - usualUpper();
     const int bus = bus_->minimumWidth() + kBetween;
     const QString tone = model_->property("tone").toString();
     const bool trouble = tone == QLatin1String("bad");

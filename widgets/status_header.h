@@ -76,6 +76,7 @@ signals:
 private:
     /// Leaves the model out where STOP needs its room, then the bus; a missing model stays.
     void fit();
+    int stopWidth() const;   ///< [px] with the room before it
     int usualUpper() const;  ///< [px] of source, link and robot, without the bus
     void setLines(int lines);
     int oneLine() const;  ///< [px] wide, without model and bus

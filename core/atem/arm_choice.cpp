@@ -49,7 +49,10 @@ ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot
     advice.bin = proposeProbe(estimate, robot);
     if (estimate.draws.empty()) return advice;
     advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
-    if (!reachesOpenBin(estimate, robot)) return advice;
+    if (!reachesOpenBin(estimate, robot)) {
+        advice.bin.reset();  // an arm that says nothing of a height
+        return advice;
+    }
     advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
     std::erase_if(advice.gains, [&](const ProbeGain& gain) {
         return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;

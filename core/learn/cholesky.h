@@ -7,7 +7,7 @@
 namespace terratact {
 
 /// What lies between two polls at most, here and below: some milliseconds of arithmetic, or of memory's.
-inline constexpr double kMostMultiplications = 4e7;
+inline constexpr double kMostMultiplications = 2e7;
 inline constexpr long kMostRead = 1L << 20;  ///< numbers, each read once
 
 /// Factorises K = Rᵀ R in place: R in the upper triangle, the lower one is not read and not changed.

@@ -30,7 +30,7 @@ struct KernelPoll {
 };
 
 /// Multiplications of a kernel between two polls, give or take a panel's.
-inline constexpr long kKernelMultiplications = 1L << 26;
+inline constexpr long kKernelMultiplications = 1L << 25;
 
 /// The loops that everything else waits for, compiled for several instruction sets from one source
 /// (covariance_kernels.inl).  All pointers 64-byte aligned.  A column's result does not depend on the columns

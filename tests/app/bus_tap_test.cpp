@@ -252,6 +252,21 @@ TEST_F(Described, areFreshForThreeOfTheirPeriods)
     EXPECT_TRUE(std::isnan(described(292, 3.9).payload[0].history.back()));
 }
 
+TEST_F(Described, areNotFreshAgainOnceTheyHaveEnded)
+{
+    constexpr double kPeriod = 0.1;
+    for (int i = 0; i < 20; ++i) {
+        take(gas(0, 20.0, 7, kPeriod * i));
+        tap.tick(kPeriod * i);
+    }
+    const double ended = 19 * kPeriod;
+    for (int i = 1; i < 60; ++i) {
+        const double now = ended + 0.05 * i;
+        tap.tick(now);
+        EXPECT_NEAR(described(291, now).times[1].fresh, 3 * kPeriod, 1e-9) << now;
+    }
+}
+
 TEST_F(Described, needsAllBytesOfASignal)
 {
     take({.frame = {.id = 291, .length = 2, .data = {0, 7}}, .time = 0.0});

@@ -80,6 +80,11 @@ struct PanelConsole : testing::Test {
     {
         return eventually([&] { return window->exploration().state().phase == phase; });
     }
+    bool says(const QString& words) const
+    {
+        const QStringList texts = gui::readableTexts(*window);
+        return std::ranges::any_of(texts, [&](const QString& t) { return t.contains(words); });
+    }
     void propose()
     {
         ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
@@ -228,14 +233,37 @@ TEST_F(PanelConsole, diagnosticsTellHowThePanelFares)
         << window->diagnosticsPage()->text().toStdString();
 }
 
+TEST_F(PanelConsole, aPanelThatWasNeverThereIsMissedWithoutASTOPToRelease)
+{
+    board.unplug();
+    openSimulated();
+    EXPECT_TRUE(eventually([&] { return says("PANEL LOST: connect the operator's panel, or"); }));
+    EXPECT_FALSE(says("hold R"));
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle);
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    EXPECT_TRUE(reaches(AtemPhase::Stopped));
+    EXPECT_TRUE(eventually([&] { return says("hold R"); }));
+}
+
+TEST_F(PanelConsole, aPanelThatDoesNotReturnStops)
+{
+    openSimulated();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    board.hang(true);
+    EXPECT_TRUE(reaches(AtemPhase::Stopped));
+    EXPECT_TRUE(eventually([&] { return says("PANEL LOST, which means STOP"); }));
+    board.hang(false);
+    EXPECT_TRUE(eventually([&] { return !says("PANEL LOST"); }));
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Stopped);
+    QTest::keyPress(window.get(), Qt::Key_R);
+    EXPECT_TRUE(reaches(AtemPhase::Idle));
+    QTest::keyRelease(window.get(), Qt::Key_R);
+}
+
 TEST_F(PanelConsole, lossOfThePanelStopsAndSaysSoUntilItIsBack)
 {
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
-    const auto says = [&](const QString& words) {
-        const QStringList texts = gui::readableTexts(*window);
-        return std::ranges::any_of(texts, [&](const QString& t) { return t.contains(words); });
-    };
     EXPECT_FALSE(says("PANEL LOST"));
     board.unplug();
     EXPECT_TRUE(reaches(AtemPhase::Stopped));

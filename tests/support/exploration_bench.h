@@ -61,6 +61,8 @@ struct Bench : testing::Test {
         if (broken) throw std::runtime_error("the covariance is not positive definite");
         TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
         if (withDraws) e.draws.assign(200, e.height);  // all of them with the step
+        if (stepInHalf)
+            for (std::size_t d = 0; d < e.draws.size(); d += 2) e.draws[d].fill(e.height[0]);
         e.settings = request.settings;
         return e;
     }
@@ -150,7 +152,7 @@ struct Bench : testing::Test {
     }
 
     std::atomic<int> estimates = 0;
-    std::atomic<bool> blocked = false, broken = false, withDraws = false;
+    std::atomic<bool> blocked = false, broken = false, withDraws = false, stepInHalf = false;
     ScriptedSource source;
     std::unique_ptr<EstimatorWorker> worker;
     std::unique_ptr<Exploration> exploration;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
@@ -37,6 +38,8 @@ public:
         const std::scoped_lock lock(mutex_);
         gone_ = false;
     }
+    /// Reading it does not return while it hangs.
+    void hang(bool hangs) { hangs_ = hangs; }
     /// From now on reading it throws.
     void breakDown()
     {
@@ -62,7 +65,9 @@ private:
         const GpioFound& found() const override { return found_; }
         Result<GpioEdges> readEdges(std::chrono::milliseconds /*patience*/) override
         {
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            do {
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            } while (board_.hangs_);
             const std::scoped_lock lock(board_.mutex_);
             if (board_.broken_) throw std::runtime_error("the board is on fire");
             if (board_.gone_) return Error{"the chip is gone", ENODEV};
@@ -86,6 +91,7 @@ private:
         GpioFound found_;
     };
 
+    std::atomic<bool> hangs_ = false;
     mutable std::mutex mutex_;                                        // guards what follows
     PerContact<bool> closed_{.values = {false, false, false, true}};  // STOP is normally closed
     GpioEdges edges_;

@@ -174,6 +174,7 @@ TEST(AdviseProbe, hasNothingToSayOfARobotWithoutAnArm)
     robot.armSd = 0.0;
     const ProbeAdvice advice = adviseProbe(estimate, robot, 0.1);
     EXPECT_TRUE(advice.gains.empty());
+    EXPECT_FALSE(advice.bin);
     EXPECT_GT(advice.before.variance, 0.0);
 }
 
