@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/alarms_page.h"
+#include "app/console_keys.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
 #include "app/page.h"
@@ -30,7 +31,6 @@
 #include "widgets/elided_label.h"
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
-#include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 #include "widgets/probe_card.h"
@@ -314,7 +314,19 @@ void MainWindow::offerQualities()
 
 void MainWindow::connectAll()
 {
-    Exploration* exploration = exploration_.get();
+    connectHeader();
+    connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
+    connect(preferences_.get(), &PreferenceStore::notSaved, this, [this](const QString& why) {
+        events()->add(why, Weight::Doubt, QTime::currentTime());
+    });
+    connectExploration();
+    connectStop();
+    if (panel_) connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
+    connectWorker();
+}
+
+void MainWindow::connectHeader()
+{
     connect(header(), &StatusHeader::alarmsRequested, this,
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
     connect(header(), &StatusHeader::busRequested, this,
@@ -324,11 +336,7 @@ void MainWindow::connectAll()
             p.quality = kQualities.at(static_cast<std::size_t>(index));
         });
     });
-    connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
-    connect(preferences_.get(), &PreferenceStore::notSaved, this, [this](const QString& why) {
-        events()->add(why, Weight::Doubt, QTime::currentTime());
-    });
-    connect(header(), &StatusHeader::stopPressed, exploration, &Exploration::stop);
+    connect(header(), &StatusHeader::stopPressed, exploration_.get(), &Exploration::stop);
     if (link_) {
         connect(header()->arming(), &ArmingControl::armingWanted, this,
                 [this] { link_->wantArming(); });
@@ -336,6 +344,11 @@ void MainWindow::connectAll()
                 [this] { link_->confirmArming(); });
         connect(header()->arming(), &ArmingControl::disarmed, this, [this] { link_->disarm(); });
     }
+}
+
+void MainWindow::connectExploration()
+{
+    Exploration* exploration = exploration_.get();
     connect(atemPanel(), &AtemPanel::requested, exploration, &Exploration::request);
     connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
     connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideDoubts);
@@ -357,11 +370,11 @@ void MainWindow::connectAll()
         if (weight == Weight::Bad && !seen) notice_->say(text, steadyNow());
     };
     connect(exploration, &Exploration::happened, events(), note);
-    connectStop();
-    if (panel_) {
-        connect(panel_.get(), &PanelControl::happened, events(), note);
-        connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
-    }
+    if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
+}
+
+void MainWindow::connectWorker()
+{
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
@@ -547,38 +560,7 @@ void MainWindow::open()
 void MainWindow::defineKeys()
 {
     KeyTable& keys = keyTable();
-    const auto held = [&keys](QList<QKeyCombination> of, const QString& meaning,
-                              HeldButton* button) {
-        keys.add({std::move(of), meaning, [button] { button->hold(); },
-                  [button] { button->letGoSoon(); }});
-    };
-    // A key acts only where one sees what it acts on.
-    const auto ifSeen = [](const QPushButton* button, std::function<void()> act) {
-        return [button, act = std::move(act)] {
-            if (button->isVisible() && button->isEnabled()) act();
-        };
-    };
-    const auto ifAsked = [this](std::function<void()> answer) {
-        return [this, answer = std::move(answer)] {
-            if (probeCard()->shown()) answer();
-        };
-    };
-    const auto prefer = [this](const std::function<void(Preferences&)>& edit) {
-        return [this, edit] { preferences_->change(edit); };
-    };
-    keys.addGroup(tr("Robot"));
-    keys.add({.keys = {Qt::Key_F12},
-              .meaning = tr("STOP, in every window"),
-              .pressed = [this] { exploration_->stop(); },
-              .everywhere = true});
-    held({Qt::Key_R}, tr("release STOP"), atemPanel()->releaseButton());
-    held({Qt::Key_W, Qt::Key_Up}, tr("drive forward"), drivePad()->forwardButton());
-    held({Qt::Key_S, Qt::Key_Down}, tr("drive back"), drivePad()->backButton());
-    if (link_)
-        keys.add({{Qt::Key_M},
-                  tr("arm the robot: press, then hold; again disarms it"),
-                  [this] { header()->arming()->pressKey(); },
-                  [this] { header()->arming()->releaseKey(); }});
+    addRobotKeys(keys, *this);
 
     keys.addGroup(tr("Pages"));
     addPageKeys();
@@ -594,42 +576,10 @@ void MainWindow::defineKeys()
     if (recorder_)
         keys.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
 
-    keys.addGroup(tr("Exploration"));
-    keys.add({{Qt::Key_A}, tr("explore the terrain"), ifSeen(atemPanel()->requestButton(), [this] {
-                  exploration_->request();
-              })});
-    keys.add({{Qt::Key_O},
-              tr("override what is doubtful about exploring"),
-              ifSeen(atemPanel()->overrideButton(), [this] { exploration_->overrideDoubts(); })});
-    held({Qt::Key_Space}, tr("approve the proposed probe, or press the button that has the focus"),
-         probeCard()->approveButton());
-    keys.add(
-        {{Qt::Key_N}, tr("refuse it"), ifAsked([this] { probeCard()->refuseButton()->click(); })});
-    for (const std::size_t other : {0U, 1U, 2U})
-        keys.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
-                  tr("ask for another bin instead: the %1. offered").arg(other + 1),
-                  ifAsked([this, other] { probeCard()->otherButton(other)->click(); })});
-    keys.add({{Qt::Key_P}, tr("what each command needs, one after the other"), [this] {
-                  if (atemPanel()->isVisible()) atemPanel()->lookUpNext();
-              }});
-    QPushButton *raise = verdict()->raiseButton(), *lower = verdict()->lowerButton();
-    keys.add({{Qt::Key_PageUp}, tr("raise what counts as an obstacle"), ifSeen(raise, [raise] {
-                  raise->click();
-              })});
-    keys.add({{Qt::Key_PageDown}, tr("lower it"), ifSeen(lower, [lower] { lower->click(); })});
-    keys.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), ifSeen(viewButton(), [this] {
-                  drawsAction_->toggle();
-              })});
-    keys.add({{Qt::Key_Escape}, tr("abort the exploration, or clear its result"), [this] {
-                  // What runs is aborted from every page; what stands is cleared only where it is seen.
-                  const bool seen = atemPanel()->abortButton()->isVisible();
-                  if (!seen && !exploring(exploration_->state().phase)) return;
-                  if (atemPanel()->abortButton()->isEnabled()) exploration_->abort();
-              }});
+    addExplorationKeys(keys, *this, *drawsAction_);
 
     keys.addGroup(tr("View"));
-    for (const ViewChoice& choice : viewChoices())
-        if (!choice.keys.isEmpty()) keys.add({choice.keys, choice.name, prefer(choice.edit)});
+    addViewKeys(keys, *preferences_);
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
 }
 

@@ -109,6 +109,9 @@ private:
     void mark();
     QList<DiagnosticsSection> diagnostics() const;
     void connectAll();
+    void connectHeader();
+    void connectExploration();
+    void connectWorker();
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
     void showTerrain(double now);

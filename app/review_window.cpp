@@ -500,10 +500,7 @@ void ReviewWindow::defineKeys()
     keys.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
                   terrain_->terrain()->setDrawsShown(!terrain_->terrain()->drawsShown());
               }});
-    for (const ViewChoice& choice : viewChoices())
-        if (!choice.keys.isEmpty())
-            keys.add({choice.keys, choice.name,
-                      [this, edit = choice.edit] { preferences_->change(edit); }});
+    addViewKeys(keys, *preferences_);
     keys.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
 }

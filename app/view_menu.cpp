@@ -88,6 +88,14 @@ QList<ViewChoice> viewChoices()
     };
 }
 
+void addViewKeys(KeyTable& keys, PreferenceStore& preferences)
+{
+    for (const ViewChoice& choice : viewChoices())
+        if (!choice.keys.isEmpty())
+            keys.add({choice.keys, choice.name,
+                      [&preferences, edit = choice.edit] { preferences.change(edit); }});
+}
+
 ViewMenu::ViewMenu(PreferenceStore& preferences, const QString& newWindow, QWidget* parent)
     : QMenu(parent)
 {

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <functional>
 
+#include "app/key_table.h"
 #include "app/preference_store.h"
 
 namespace terratact {
@@ -19,6 +20,8 @@ struct ViewChoice {
 
 /// In the order of the menu; an empty name stands for a separator.
 QList<ViewChoice> viewChoices();
+
+void addViewKeys(KeyTable& keys, PreferenceStore& preferences);  ///< of the choices that have any
 
 /// The menu of them.  newWindow: when there is one, in words.
 class ViewMenu final : public QMenu {

@@ -30,7 +30,8 @@ SUBJECTS = {
     "e2e": ("core/wire/e2e", "core/wire/e2e_test", []),
     "can_codec": ("core/wire/can_codec", "core/wire/can_codec_test",
                   ["core/wire/e2e", "core/wire/frame_layout", "core/robot/measurement", "core/wire/dbc",
-                   "core/wire/dbc_file", "core/file_read", "core/text"]),
+                   "core/wire/dbc_file", "core/wire/dbc_messages", "core/wire/dbc_scanner",
+                   "core/wire/dbc_text", "core/file_read", "core/text"]),
     "command_receiver": ("core/wire/command_receiver", "core/wire/command_receiver_test",
                          ["core/wire/e2e", *BESIDE]),
 }

@@ -19,9 +19,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kLines = 3, kLinesBusy = 2;        // of the texts, seen in any case
-constexpr QMargins kCardMargins{14, 8, 14, 10};  // [px]
-constexpr int kCardSpacing = 5;
+constexpr int kLines = 3, kLinesBusy = 2;  // of the texts, seen in any case
 
 Tone toneOf(AtemPhase phase)
 {
@@ -123,7 +121,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     buttons_->addWidget(request_, 1);
     buttons_->addLayout(others, 1);
     parts_ = new QVBoxLayout;
-    parts_->setSpacing(kCardSpacing);
+    parts_->setSpacing(kSpacing);
     parts_->addWidget(texts_, 1);
     parts_->addLayout(buttons_);
     body()->addLayout(parts_, 1);
@@ -338,10 +336,10 @@ void AtemPanel::arrange()
     const bool idle = !busy || state_.phase == AtemPhase::ProposingProbe;
     const bool button = idle && !brief && !onlyShows_;
     needsButton_->setVisible(button);
-    QMargins margins = kCardMargins;
+    QMargins margins = kMargins;
     if (button) margins.setTop(1);
     body()->setContentsMargins(margins);
-    const int spacing = button ? 0 : kCardSpacing;
+    const int spacing = button ? 0 : kSpacing;
     if (body()->spacing() != spacing) body()->setSpacing(spacing);  // it lays out anew in any case
     parts_->setDirection(brief ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     texts_->setLeastLines(busy ? kLinesBusy : kLines);
@@ -351,8 +349,7 @@ int AtemPanel::leastHeight() const
 {
     const int lines = kLinesBusy * (fontMetrics().lineSpacing() + texts_->column()->spacing()) + 4;
     const int button = abort_->sizeHint().height();
-    if (narrow_)
-        return kCardMargins.top() + kCardMargins.bottom() + kCardSpacing + std::max(lines, button);
+    if (narrow_) return kMargins.top() + kMargins.bottom() + kSpacing + std::max(lines, button);
     return frameHeight() + lines + parts_->spacing() + button;
 }
 

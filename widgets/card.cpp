@@ -13,8 +13,8 @@ Card::Card(const QString& title, QWidget* parent) : QFrame(parent)
     setProperty("card", true);
     setAccessibleName(title);
     body_ = new QVBoxLayout(this);
-    body_->setContentsMargins(14, 8, 14, 10);
-    body_->setSpacing(5);
+    body_->setContentsMargins(kMargins);
+    body_->setSpacing(kSpacing);
     titleRow_ = new QHBoxLayout;
     titleRow_->setSpacing(12);
     heading_ = new QLabel(title, this);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QMargins>
 
 class QHBoxLayout;
 class QLabel;
@@ -22,6 +23,10 @@ public:
     QLabel* note() const { return note_; }
     void setTitleShown(bool shown);  ///< with its note
     int frameHeight() const;         ///< [px] above and below the body, with the title
+
+protected:
+    static constexpr QMargins kMargins{14, 8, 14, 10};  ///< [px] of the body
+    static constexpr int kSpacing = 5;                  ///< [px] within it
 
 private:
     QLabel* heading_ = nullptr;

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "core/named.h"
+
 namespace terratact {
 namespace {
 
@@ -35,9 +37,7 @@ std::string_view name(Quality quality)
 
 std::optional<Quality> qualityFromName(std::string_view text)
 {
-    for (const Quality quality : kQualities)
-        if (name(quality) == text) return quality;
-    return std::nullopt;
+    return named(text, kQualities);
 }
 
 Settings withQuality(Settings settings, Quality quality)

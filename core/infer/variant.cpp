@@ -1,20 +1,11 @@
 #include "core/infer/variant.h"
 
+#include <array>
 #include <stdexcept>
 
+#include "core/named.h"
+
 namespace terratact {
-namespace {
-
-/// The value of that name among `all`.
-template <class T, std::size_t n>
-std::optional<T> named(std::string_view text, const std::array<T, n>& all)
-{
-    for (const T value : all)
-        if (name(value) == text) return value;
-    return std::nullopt;
-}
-
-}  // namespace
 
 std::string_view name(Method method)
 {

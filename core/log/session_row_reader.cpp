@@ -1,10 +1,12 @@
 #include "core/log/session_row_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "core/log/checked_row.h"
 #include "core/log/session_schema.h"
+#include "core/named.h"
 
 namespace terratact {
 namespace {
@@ -13,16 +15,13 @@ constexpr std::int64_t kMostPerBatch = 200'000;  // frames
 
 std::optional<Origin> originFromName(std::string_view text)
 {
-    for (const Origin origin : {Origin::Sampled, Origin::Contact, Origin::Arm})
-        if (name(origin) == text) return origin;
-    return std::nullopt;
+    return named(text, std::array{Origin::Sampled, Origin::Contact, Origin::Arm});
 }
 
 std::optional<Ending> endingFromName(std::string_view text)
 {
-    for (const Ending e : {Ending::Converged, Ending::Sweeps, Ending::Time, Ending::NotSampled})
-        if (name(e) == text) return e;
-    return std::nullopt;
+    return named(text,
+                 std::array{Ending::Converged, Ending::Sweeps, Ending::Time, Ending::NotSampled});
 }
 
 std::uint64_t seedFrom(const std::string& text)

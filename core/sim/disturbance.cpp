@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/named.h"
+
 namespace terratact {
 namespace {
 
@@ -46,9 +48,7 @@ std::string_view name(Disturbance disturbance)
 
 std::optional<Disturbance> disturbanceFromName(std::string_view text)
 {
-    for (const Disturbance d : kDisturbances)
-        if (name(d) == text) return d;
-    return std::nullopt;
+    return named(text, kDisturbances);
 }
 
 SensorNoise disturbed(SensorNoise noise, Disturbance disturbance)

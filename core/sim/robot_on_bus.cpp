@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/named.h"
 #include "core/wire/telemetry.h"
 
 namespace terratact {
@@ -37,9 +38,7 @@ std::string_view name(RobotFault fault)
 
 std::optional<RobotFault> robotFaultFromName(std::string_view text)
 {
-    const auto* const found =
-        std::ranges::find(kRobotFaults, text, [](RobotFault fault) { return name(fault); });
-    return found == kRobotFaults.end() ? std::nullopt : std::optional(*found);
+    return named(text, kRobotFaults);
 }
 
 RobotOnBus::RobotOnBus(RobotModel model, SimulatedRobot robot, const Options& options)

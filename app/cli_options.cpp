@@ -1,0 +1,107 @@
+#include "app/cli_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/resources.h"
+#include "core/infer/quality.h"
+
+namespace terratact {
+namespace {
+
+/// What an estimate costs: a preset, or each number by itself.
+void addEffort(CLI::App& app, Settings& settings)
+{
+    const std::vector<CLI::Option*> numbers{
+        addNumber(app, "--sweeps", settings.draws, "Most kept sweeps K, all chains together")
+            ->check(CLI::Range(1, 10'000'000)),
+        addNumber(app, "--chains", settings.chains, "Independent chains")
+            ->check(CLI::Range(1, 4096)),
+        addNumber(app, "--burn-in", settings.burnIn, "Sweeps thrown away per chain")
+            ->check(CLI::Range(0, 1'000'000)),
+        addNumber(app, "--inducing", settings.inducing,
+                  "Predict through at most so many training rows (0: as trained)")
+            ->check(CLI::Range(0, 20'000)),
+        addChoice(app, "--precision", settings.precision, precisionFromName, "single|double",
+                  "Of sampled variances (default single)")};
+    const auto preset = [&settings](std::string_view text) -> std::optional<Settings> {
+        const auto quality = qualityFromName(text);
+        if (!quality) return std::nullopt;
+        return withQuality(settings, *quality);
+    };
+    auto* quality = addChoice(app, "--quality", settings, preset, "fast|balanced|accurate",
+                              "A preset of the five above; what it costs: docs/tradeoff.md");
+    for (CLI::Option* number : numbers) quality->excludes(number);
+}
+
+}  // namespace
+
+void addRobot(CLI::App& app, std::string& robot)
+{
+    app.add_option("--robot", robot, "Robot file")->default_str("the shipped Absolem");
+}
+
+void addModel(CLI::App& app, std::string& model)
+{
+    app.add_option("--model", model, "Model (*.ttm)")->default_str("the shipped one");
+}
+
+void useShippedRobot(std::string& robot)
+{
+    if (robot.empty()) robot = resourcePath("robots/absolem.toml");
+}
+
+void useShippedModel(std::string& model)
+{
+    if (model.empty()) model = resourcePath("models/default.ttm");
+}
+
+void addMethod(CLI::App& app, Settings& settings)
+{
+    addChoice(app, "--method", settings.method, methodFromName,
+              "pa|pac|pafc|pafac|clearance|joint|local",
+              fmt::format("Method (default {})", name(settings.method)));
+}
+
+void addMethods(CLI::App& app, std::vector<std::string>& methods)
+{
+    app.add_option("--methods", methods, "Methods to compare (default: all)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac", "clearance", "joint", "local"}));
+}
+
+std::vector<Method> methodsFrom(const std::vector<std::string>& names)
+{
+    std::vector<Method> methods;
+    for (const std::string& text : names)
+        if (const Method method = *methodFromName(text);
+            std::find(methods.begin(), methods.end(), method) == methods.end())
+            methods.push_back(method);
+    if (methods.empty()) methods.assign(kMethods.begin(), kMethods.end());
+    return methods;
+}
+
+void addSettings(CLI::App& app, Settings& settings, double& seconds)
+{
+    addChoice(app, "--ceiling", settings.ceiling, ceilingRuleFromName, "truncate|clamp|none",
+              "How the robot's body bounds samples (default truncate)");
+    addChoice(app, "--contacts", settings.contacts, contactRuleFromName, "isolated|any|none",
+              "Which force elements fix a bin (default isolated)");
+    addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")
+        ->check(CLI::Range(0.0, 1000.0));
+    addEffort(app, settings);
+    app.add_flag_callback(
+        "--full", [&settings] { settings.stopEarly = false; },
+        "Draw all K, even once the chains have converged (R-hat <= 1.01, ESS >= 400)");
+    addNumber(app, "--seconds", seconds,
+              "Most seconds of sampling per estimate (default 0: no limit); results then depend on "
+              "the machine")
+        ->check(CLI::Range(0.0, 86'400.0));
+    addChoice(app, "--scan", settings.scan, scanOrderFromName, "forward|reverse|random",
+              "Order in which a sweep visits the bins (default forward)");
+    addNumber(app, "--seed", settings.seed, "Seed of the random numbers");
+}
+
+}  // namespace terratact

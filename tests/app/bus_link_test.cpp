@@ -1,0 +1,210 @@
+// The bus as the console sees it: lost, silent, listened to, or the replay of a log.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/bus_words.h"
+#include "app/main_window.h"
+#include "app/resources.h"
+#include "app/signals_page.h"
+#include "core/sim/terrain_shapes.h"
+#include "core/wire/frame_layout.h"
+#include "drivers/candump_replay.h"
+#include "tests/support/bus_console_bench.h"
+#include "tests/support/gui.h"
+#include "tests/support/staged_robot.h"
+#include "tests/support/temporary_directory.h"
+#include "widgets/arming_control.h"
+#include "widgets/atem_panel.h"
+#include "widgets/drive_pad.h"
+#include "widgets/held_button.h"
+#include "widgets/probe_card.h"
+#include "widgets/status_header.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using gui::eventually;
+
+TEST_F(BusConsole, lostLinkIsSaidWithItsCure)
+{
+    open();
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    bus.setState(BusState::Down, "can0");
+    EXPECT_TRUE(eventually([&] {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains("ip link set can0 up")) return true;
+        return false;
+    }));
+    picture("bus-down");
+}
+
+TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
+{
+    SimulatedRobot::Options simulation;
+    simulation.startX = 2.0;
+    StagedRobot numb(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                     RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    window = console(bus.join("can0"), CanSource::Mode::Transmit,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    numb.stage({.isNumb = true});
+    EXPECT_TRUE(eventually([&] {
+        return says("TELEMETRY LOST for") && says("frames still come, heartbeat")
+            && says("no measured value is live");
+    }));
+    EXPECT_FALSE(says("nothing on this screen is live"));
+    picture("telemetry-stopped");
+    numb.stage({.isMute = true});
+    EXPECT_TRUE(eventually([&] { return says("nothing on this screen is live"); }));
+    EXPECT_FALSE(says("frames still come"));
+    window.reset();
+}
+
+TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
+{
+    const auto frame = [](std::optional<FrameKind> kind, std::optional<double> age) {
+        TappedFrame made;
+        made.kind = kind;
+        made.age = age;
+        return made;
+    };
+    EXPECT_EQ(stillComes({}), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.1), frame(FrameKind::Attitude, 0.8)}),
+              "frames still come, heartbeat 100 ms old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 3.0), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come, heartbeat 3.0 s old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, {}), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotStatus, 0.5), frame(FrameKind::Odometry, 0.02)}),
+              "frames still come, status 500 ms old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.26)}), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::ConsoleHeartbeat, 0.0), frame({}, 0.0)}), "")
+        << "neither is the robot's";
+}
+
+TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
+{
+    startRobot();
+    window = console(bus.join("can0"), CanSource::Mode::Listen,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    const QPushButton& chip = *window->header()->busButton();
+    ASSERT_TRUE(eventually([&] { return chip.text().startsWith("can0 ACTIVE"); }));
+    EXPECT_TRUE(chip.isVisible());
+    EXPECT_TRUE(eventually([&] { return chip.accessibleDescription().contains("frames/s"); }));
+    EXPECT_TRUE(chip.accessibleDescription().contains("0 error frames"))
+        << chip.accessibleDescription().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    window->header()->busButton()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(window->header()->busButton(), Qt::Key_Space);
+    EXPECT_TRUE(eventually([&] { return window->signalsPage()->isVisible(); }));
+    // The rows of the robot are as old as the frames that they came in.
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(eventually(
+        [&] { return window->readout()->ageText(RobotReadout::Pitch).endsWith(" ms"); }));
+    picture("bus-chip");
+}
+
+TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
+{
+    open(CanSource::Mode::Listen);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    EXPECT_FALSE(window->header()->arming()->armButton()->isEnabled());
+    EXPECT_TRUE(window->header()->arming()->armButton()->toolTip().contains("--transmit"));
+    EXPECT_FALSE(window->drivePad()->forwardButton()->isEnabled());
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    QTest::qWait(100);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle) << "nothing is stopped";
+    EXPECT_TRUE(says("STOP HAS NO EFFECT HERE"));
+    QPushButton& stop = *window->header()->stopButton();
+    EXPECT_EQ(stop.text(), "STOP: no commands");
+    const QImage image = gui::painted(stop);
+    EXPECT_EQ(image.pixelColor(12, image.height() / 2), theme().chip.area) << "it looks like none";
+    EXPECT_EQ(window->link()->view().frames.sent, 0U);
+    picture("listening");
+}
+
+TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
+{
+    const auto shipped = [this] {
+        return modelFileLoader(resourcePath("models/default.ttm"), model);
+    };
+    const auto recorder = bus.join("recorder", 0);
+    startRobot();
+    const auto listener = console(bus.join("can1"), CanSource::Mode::Listen, shipped());
+    const Estimates heard(listener->exploration());
+    window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());
+    const Estimates made(window->exploration());
+    gui::showActive(*window);
+    for (MainWindow* one : {listener.get(), window.get()})
+        ASSERT_TRUE(eventually([&] { return hasModel(*one); }));
+    arm();
+    ASSERT_TRUE(exploresAndProbes());
+    ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
+    const auto ledger = window->exploration().estimation().ledger().entries();
+    const TemporaryDirectory directory;
+    const std::string log = directory.write("atem.log", candumpOf(*recorder));
+    window.reset();
+
+    auto replay = CandumpReplay::open(log, {.speed = 2.0});
+    ASSERT_TRUE(replay) << replay.error().text;
+    window = console(std::move(*replay), CanSource::Mode::Replay, shipped());
+    const Estimates replayed(window->exploration());
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return replayed.all().size() == 1; }));
+    picture("following");
+    ASSERT_TRUE(eventually([&] { return window->exploration().ended(); }));
+    ASSERT_TRUE(eventually([&] { return replayed.all().size() == 2; }));
+    ASSERT_EQ(made.all().size(), 2U);
+    EXPECT_EQ(std::ranges::count(made.all()[0].origin, Origin::Arm), 0);
+    EXPECT_EQ(std::ranges::count(made.all()[1].origin, Origin::Arm), 1);
+    EXPECT_EQ(heard.all(), made.all());
+    EXPECT_EQ(replayed.all(), made.all());
+    ASSERT_EQ(ledger.size(), 1U);
+    EXPECT_EQ(listener->exploration().estimation().ledger().entries(), ledger);
+    EXPECT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+        << "what a probe would buy is known here, too";
+    EXPECT_FALSE(window->probeCard()->asks());
+    EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
+    EXPECT_EQ(listener->link()->view().frames.sent, 0U);
+}
+
+TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
+{
+    auto replay = CandumpReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
+    ASSERT_TRUE(replay) << replay.error().text;
+    window = console(std::move(*replay), CanSource::Mode::Replay, [] {
+        std::this_thread::sleep_for(500ms);  // longer than the whole log
+        return Result<LoadedModel>(madeUp());
+    });
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return says("END OF THE LOG"); }));
+    QTest::qWait(500);  // a link would be lost by now
+    EXPECT_TRUE(says("END OF THE LOG"));
+    EXPECT_FALSE(says("LINK LOST"));
+    EXPECT_TRUE(says("the log has ended"));
+    for (const Alarm& alarm : window->alarms().list().alarms()) {
+        EXPECT_EQ(alarm.severity, Severity::Caution) << alarm.text;
+        for (const char* id : {"link", "silence", "bus"}) EXPECT_NE(alarm.id, id) << alarm.text;
+    }
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(eventually([&] { return says("REPLAY can_demo.log has ended"); }));
+    for (const QLabel* label : window->findChildren<QLabel*>())
+        EXPECT_FALSE((label->text() + label->toolTip()).contains("does not exist"));
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(says("Following"));
+    EXPECT_TRUE(window->exploration().estimation().estimate()) << "its press waited for the model";
+    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    picture("end-of-the-log");
+}
+
+}  // namespace
+}  // namespace terratact

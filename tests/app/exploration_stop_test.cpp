@@ -1,0 +1,227 @@
+// STOP and its release, the lost link, and driving: what halts the robot.
+#include <QLabel>
+
+#include "app/link_status.h"
+#include "tests/support/exploration_bench.h"
+#include "widgets/status_header.h"
+
+namespace terratact {
+namespace {
+
+TEST_F(Bench, stopGoesOutAtOnceAndAgainUntilTheRobotConfirms)
+{
+    propose();
+    exploration->stop();
+    EXPECT_EQ(sent<StopCommand>(), 1) << "before any tick";
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+    tick(20);
+    const int repeated = sent<StopCommand>();
+    EXPECT_GE(repeated, 3);
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    (void)sent<StopCommand>();
+    const int confirmed = sent<StopCommand>();
+    tick(20);
+    EXPECT_EQ(sent<StopCommand>(), confirmed);
+    EXPECT_EQ(exploration->whyNotDriving(), "STOP is latched: release it first");
+}
+
+TEST_F(Bench, stopIsOnlySentUntilTheRobotConfirmsIt)
+{
+    using State = StopSight::State;
+    EXPECT_EQ(exploration->stopSight().state, State::Ready);
+    exploration->stop();
+    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "before any tick";
+    tick(10);
+    exploration->stop();  // pressing it again makes it no younger
+    tick(10);
+    EXPECT_EQ(exploration->stopSight().state, State::Sent);
+    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(exploration->stopSight().state, State::Confirmed);
+    tickInSilence(20);
+    EXPECT_EQ(exploration->stopSight().state, State::Confirmed) << "silence takes nothing back";
+    telemetry.activity = RobotActivity::Halted;
+    tick();
+    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "but telemetry does";
+    EXPECT_LT(exploration->stopSight().seconds, 0.1);
+}
+
+TEST_F(Bench, stopThatCannotLeaveIsToldOnceAndTriedAgain)
+{
+    using State = StopSight::State;
+    source.setDeaf(true);
+    exploration->stop();
+    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
+    EXPECT_EQ(exploration->stopSight().why, "the bus is off");
+    tick(20);
+    EXPECT_GE(sent<StopCommand>(), 3);
+    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
+    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    EXPECT_EQ(events.filter("STOP not sent").size(), 1);
+    source.setDeaf(false);
+    tick(10);
+    EXPECT_EQ(exploration->stopSight().state, State::Sent);
+}
+
+TEST_F(Bench, stopIsRepeatedToARobotOfWhichNothingWasEverHeard)
+{
+    Exploration another(source, RobotModel{}, *worker, Exploration::Options{});
+    another.stop();
+    for (int i = 0; i < 20; ++i) another.tick(now += 0.04, std::nullopt);
+    EXPECT_GE(sent<StopCommand>(), 3);
+    EXPECT_EQ(another.stopSight().state, StopSight::State::Sent);
+}
+
+TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->request();
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped) << "nothing but a release ends it";
+    exploration->releaseStop();
+    tick(10);
+    EXPECT_EQ(phase(), AtemPhase::Stopped) << "the robot is still latched";
+    EXPECT_GE(sent<ReleaseStopCommand>(), 2);
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    tick(10);
+    EXPECT_EQ(phase(), AtemPhase::Idle);
+}
+
+TEST_F(Bench, releaseThatTheRobotDoesNotFollowIsForgotten)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->releaseStop();
+    tick(130);  // 5.2 s
+    const int sentSoFar = sent<ReleaseStopCommand>();
+    EXPECT_TRUE(events.join('\n').contains("hold R again"));
+    tick(50);
+    EXPECT_EQ(sent<ReleaseStopCommand>(), sentSoFar);
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, stopDuringAReleaseWins)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->releaseStop();
+    exploration->stop();
+    telemetry.activity = RobotActivity::Halted;
+    tick(30);
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, aRobotThatStoppedItselfIsShownAsStopped)
+{
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, aLostLinkFailsTheExploration)
+{
+    press();
+    tickInSilence(10);
+    EXPECT_EQ(exploration->state().failure, AtemFailure::LinkLost);
+    EXPECT_FALSE(exploration->linkAlive());
+    EXPECT_FALSE(exploration->whyNotDriving().isEmpty());
+    tick();
+    EXPECT_TRUE(exploration->linkAlive());
+}
+
+TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
+{
+    propose();
+    const auto withheld = [this] {
+        const std::vector<Doubt> doubts = exploration->estimation().verdict()->doubts;
+        return std::ranges::find(doubts, Doubt::Stale) != doubts.end();
+    };
+    const double heard = now;
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter - 0.001, latest);
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter + 0.001, latest);
+    EXPECT_TRUE(withheld()) << "with the values";
+    EXPECT_TRUE(exploration->linkAlive()) << "the link is lost later";
+    now = heard + kStaleAfter + 0.001;
+    tick();
+    EXPECT_FALSE(withheld());
+}
+
+/// What a window shows of an exploration whose time is in the test's hands.
+struct LinkBench : Bench {
+    LinkBench() : display(header, banner, list, acquisition, nullptr) {}
+    void showAt(double time)
+    {
+        exploration->tick(time, latest);
+        display.show({.now = time, .newest = &*latest, .alive = exploration->linkAlive()});
+    }
+    StatusHeader header;
+    QLabel banner;
+    EventList list;
+    ScriptedSource other;
+    Acquisition acquisition{other};
+    LinkStatus display;
+};
+
+TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
+{
+    EXPECT_EQ(exploration->options().linkLostAfter, 0.25);
+    const double heard = now;
+    for (const double age : {0.0, 0.15, 0.24, 0.2499}) {
+        showAt(heard + age);
+        EXPECT_TRUE(exploration->linkAlive()) << age;
+        EXPECT_TRUE(banner.isHidden()) << age;
+        EXPECT_FALSE(header.linkText().startsWith("LINK LOST")) << age;
+    }
+    showAt(heard + 0.2501);
+    EXPECT_FALSE(exploration->linkAlive());
+    EXPECT_TRUE(banner.isVisible()) << "with the first picture after that";
+    EXPECT_EQ(banner.text(), "LINK LOST for 250 ms — nothing on this screen is live");
+    EXPECT_TRUE(header.linkText().startsWith("LINK LOST"));
+    showAt(heard + 0.26);
+    EXPECT_EQ(banner.text(), "LINK LOST for 260 ms — nothing on this screen is live");
+    now = heard + 0.26;
+    line();
+    showAt(now);
+    EXPECT_TRUE(exploration->linkAlive());
+    EXPECT_TRUE(banner.isHidden()) << "one line of telemetry is enough";
+}
+
+TEST_F(Bench, drivingEndsWithOneHaltAndOnlyIfItBegan)
+{
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), 0);
+    exploration->drive(-1);
+    exploration->halt();
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), 1);
+    propose();
+    const int before = sent<HaltCommand>();
+    exploration->drive(+1);
+    EXPECT_EQ(sent<DriveCommand>(), 1) << "not while exploring";
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), before) << "a halt would end the press";
+}
+
+TEST_F(Bench, leavingHaltsWhatWasSetInMotion)
+{
+    exploration->drive(+1);
+    exploration->leave();
+    EXPECT_EQ(sent<HaltCommand>(), 1);
+    press();
+    const int before = sent<AbortAtemCommand>();
+    exploration->leave();
+    EXPECT_EQ(sent<AbortAtemCommand>(), before + 1);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,137 @@
+// What speaks against an exploration and the other commands, and overriding what is doubtful.
+
+#include "tests/support/exploration_bench.h"
+
+namespace terratact {
+namespace {
+
+TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
+{
+    using Level = Precondition::Level;
+    const auto level = [this](const QString& words) {
+        for (const Precondition& p : exploration->preconditions())
+            if (p.text.contains(words)) return static_cast<int>(p.level);
+        return -1;
+    };
+    EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Met));
+    telemetry.roll = 0.2;
+    tick();
+    EXPECT_EQ(level("roll"), static_cast<int>(Level::Doubtful));
+    exploration->overrideDoubts();
+    EXPECT_EQ(level("roll"), static_cast<int>(Level::Overridden));
+    EXPECT_TRUE(exploration->overridden().contains("roll"));
+    EXPECT_TRUE(events.filter("overridden by the operator").size() == 1) << "it is logged";
+    telemetry.roll = 0.0;
+    tick();
+    EXPECT_TRUE(exploration->overridden().isEmpty()) << "an override must not outlive its reason";
+    exploration->overrideDoubts();
+    EXPECT_TRUE(exploration->overridden().isEmpty()) << "nor come before it";
+    telemetry.rearLeft = 0.4;
+    tick();
+    EXPECT_EQ(level("flippers differ"), static_cast<int>(Level::Doubtful));
+    tickInSilence(10);
+    EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
+}
+
+TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
+{
+    EXPECT_EQ(linesOf(exploration->preconditions()),
+              "✔ telemetry is live\n✔ STOP is not latched\n✔ model fake.ttm is ready\n"
+              "✔ left and right agree, roll is small");
+    exploration->tick(now + 0.849, latest);
+    const QString stale = "✘ no telemetry from the robot\n"
+                          "! STOP: not known, no telemetry\n"
+                          "✔ model fake.ttm is ready\n! left, right: not known, no telemetry";
+    EXPECT_EQ(linesOf(exploration->preconditions()), stale);
+    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("! STOP: not known"));
+
+    telemetry.roll = 0.2;
+    tick();
+    exploration->tick(now + 0.849, latest);
+    exploration->overrideDoubts();
+    EXPECT_EQ(exploration->overridden(), "")
+        << "of a roll that was, nobody can take anything upon him";
+    EXPECT_EQ(linesOf(exploration->preconditions()), stale);
+    tick();
+    EXPECT_TRUE(linesOf(exploration->preconditions()).contains("! roll +11.5°"));
+
+    Exploration unheard(source, RobotModel{}, *worker, Exploration::Options{});
+    unheard.tick(now, std::nullopt);
+    EXPECT_FALSE(linesOf(unheard.preconditions()).contains("✔ STOP"));
+    EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! left, right: not known"));
+}
+
+TEST_F(Bench, everyCommandListsWhatItNeeds)
+{
+    EXPECT_EQ(linesOf(exploration->toDrive()),
+              "✔ STOP is not latched\n✔ nothing is being explored\n✔ telemetry is live");
+    EXPECT_EQ(linesOf(exploration->toProbe()), "✔ telemetry is live\n✘ no probe is proposed");
+    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
+              "✔ telemetry is live\n✘ there is no STOP to release");
+    propose();
+    EXPECT_TRUE(linesOf(exploration->toDrive()).contains("✘ An exploration is running"));
+    EXPECT_EQ(linesOf(exploration->toProbe()),
+              "✔ telemetry is live\n✔ scene, settings and model are those of the question");
+    exploration->stop();
+    tick();
+    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("✘ STOP is latched: release it first"));
+    EXPECT_TRUE(linesOf(exploration->toReleaseStop()).contains("! the robot has not confirmed"));
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
+              "✔ telemetry is live\n✔ the robot says that it is stopped");
+    tickInSilence(10);
+    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
+              "✘ no telemetry from the robot\n"
+              "! the robot said that it is stopped, then no telemetry");
+}
+
+TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)
+{
+    using Level = Precondition::Level;
+    const auto levels = [this](Level level) {
+        int count = 0;
+        for (const Precondition& p : exploration->preconditions()) count += p.level == level;
+        return count;
+    };
+    telemetry.roll = 0.105;  // 6°
+    tick();
+    exploration->overrideDoubts();
+    EXPECT_EQ(exploration->overridden(), "roll +6.0°: left and right ground differ");
+    telemetry.roll = 0.15;
+    tick();
+    EXPECT_EQ(levels(Level::Overridden), 1) << "as good as the same";
+    EXPECT_TRUE(exploration->overridden().contains("6.0°")) << "what was overridden then";
+
+    telemetry.rearLeft = 0.4;
+    tick();
+    EXPECT_EQ(levels(Level::Overridden), 1);
+    EXPECT_EQ(levels(Level::Doubtful), 1) << "nobody has overridden the flippers";
+    exploration->overrideDoubts();
+    EXPECT_EQ(events.filter("overridden by the operator").size(), 2) << "each once";
+    EXPECT_EQ(levels(Level::Overridden), 2);
+
+    telemetry.roll = 0.52;  // 30°
+    tick();
+    EXPECT_EQ(levels(Level::Doubtful), 1);
+    EXPECT_FALSE(exploration->overridden().contains("roll"));
+    EXPECT_TRUE(exploration->overridden().contains("flippers"));
+    EXPECT_EQ(events.filter("the override has ended: roll +29.8°").size(), 1);
+}
+
+TEST_F(Bench, anOverrideWhoseDoubtGoesWhileExploringEndsWithItsReason)
+{
+    telemetry.roll = 0.105;
+    tick();
+    exploration->overrideDoubts();
+    exploration->request();
+    tick();
+    ASSERT_EQ(phase(), AtemPhase::Halting);
+    telemetry.roll = 0.0;
+    tick();
+    EXPECT_EQ(exploration->overridden(), "");
+    EXPECT_EQ(events.filter("the override has ended: the roll is small again").size(), 1);
+}
+
+}  // namespace
+}  // namespace terratact

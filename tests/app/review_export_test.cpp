@@ -1,0 +1,275 @@
+// What a review writes to files, and the dialog that asks which.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
+
+#include "app/numbers_page.h"
+#include "app/review_export.h"
+#include "app/review_export_dialog.h"
+#include "app/review_window.h"
+#include "app/terrain_page.h"
+#include "core/file_write.h"
+#include "tests/support/gui.h"
+#include "tests/support/review_bench.h"
+#include "tests/support/robot_session.h"
+#include "tests/support/temporary_directory.h"
+#include "widgets/look.h"
+#include "widgets/navigation_rail.h"
+#include "widgets/numbers_table.h"
+#include "widgets/terrain_profile_view.h"
+
+namespace terratact {
+namespace {
+
+using namespace gui;
+using At = RobotSessionTimes;
+
+TEST_F(ReviewOf, whatIsShownIsExported)
+{
+    record();
+    open();
+    window->goTo(At::kMarker);
+    TerrainProfileView& terrain = *window->terrainPage()->terrain();
+    for (const char* suffix : {"png", "svg", "pdf"}) {
+        const QString to = QString::fromStdString(directory.file("picture.")) + suffix;
+        EXPECT_TRUE(savePicture(terrain, to).isEmpty()) << suffix;
+        EXPECT_GT(QFileInfo(to).size(), 2000) << suffix;
+    }
+    EXPECT_FALSE(savePicture(terrain, "picture.bmp").isEmpty());
+    const QString day = QString::fromStdString(directory.file("day.png"));
+    terrain.setFixedSize(800, 400);
+    QTest::qWait(50);
+    EXPECT_TRUE(savePicture(terrain, day).isEmpty());
+    for (const ThemeName dark : {ThemeName::NightRed, ThemeName::HighContrast}) {
+        QTest::keyClick(window.get(), dark == ThemeName::NightRed ? Qt::Key_5 : Qt::Key_6,
+                        Qt::ControlModifier);
+        ASSERT_EQ(lookInForce().theme, dark);
+        QTest::qWait(50);
+        const QImage shown = gui::painted(terrain);
+        const QString to = QString::fromStdString(directory.file("dark.png"));
+        EXPECT_TRUE(savePicture(terrain, to).isEmpty());
+        EXPECT_EQ(QImage(to), QImage(day)) << "paper is white";
+        EXPECT_EQ(lookInForce().theme, dark);
+        QTest::qWait(50);
+        EXPECT_EQ(gui::painted(terrain), shown);
+    }
+    QTest::keyClick(window.get(), Qt::Key_4, Qt::ControlModifier);
+    window->numbers()->refresh(0.0);
+    NumbersTable& table = *window->numbers()->table();
+    EXPECT_FALSE(saveNumbers(window->moment(), table, "/nowhere/numbers.csv").isEmpty());
+    const std::string to = directory.file("numbers.csv");
+    EXPECT_TRUE(saveNumbers(window->moment(), table, QString::fromStdString(to)).isEmpty());
+    const std::string text = *readFile(to, 1U << 20U);
+    EXPECT_EQ(text.rfind("t_s,measured_s,pitch_rad", 0), 0U);
+    EXPECT_NE(text.find("\n2,"), std::string::npos);
+}
+
+struct ExportOf : ReviewOf {
+    /// Opens the dialog by its key.
+    ReviewExportDialog& ask()
+    {
+        press(Qt::Key_E, Qt::ControlModifier);
+        return *window->exportDialog();
+    }
+    /// Chooses by what a list says, and the name of the file.
+    void choose(const QString& what, const QString& format, const std::string& name)
+    {
+        ReviewExportDialog& dialog = ask();
+        choose(*dialog.what(), what);
+        choose(*dialog.format(), format);
+        dialog.pathEdit()->setText(QString::fromStdString(directory.file(name)));
+    }
+    static void choose(QComboBox& box, const QString& text)
+    {
+        const int index = box.findText(text, Qt::MatchStartsWith);
+        ASSERT_GE(index, 0) << text.toStdString();
+        box.setCurrentIndex(index);
+    }
+    void write()
+    {
+        ReviewExportDialog& dialog = *window->exportDialog();
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+        EXPECT_TRUE(dialog.resultLabel()->text().startsWith("Written"))
+            << dialog.resultLabel()->text().toStdString();
+    }
+    std::string written(const std::string& name)
+    {
+        return *readFile(directory.file(name), 1U << 26U);
+    }
+    /// What the command line would write.
+    std::string commandWrites(const std::string& name, const ExportSelection& selection)
+    {
+        auto session = SessionReader::open(path.toStdString());
+        const std::string to = directory.file(name);
+        EXPECT_TRUE(writeExport(*session, to, *exportFormatOf(to), selection));
+        return *readFile(to, 1U << 26U);
+    }
+    QStringList files() { return QDir(QFileInfo(path).path()).entryList(QDir::Files); }
+};
+
+TEST_F(ExportOf, whatIsVisibleAndEverythingAreWhatTheCommandLineWrites)
+{
+    record();
+    open();
+    choose("CAN frames", ".log", "all.log");
+    QTest::mouseClick(window->exportDialog()->wholeSession(), Qt::LeftButton);
+    write();
+    EXPECT_EQ(written("all.log"), commandWrites("command-all.log", {}));
+
+    window->timeline()->showSpan(1.0, 3.0);
+    choose("CAN frames", ".asc", "zoomed.asc");
+    QTest::mouseClick(window->exportDialog()->visibleSpan(), Qt::LeftButton);
+    write();
+    EXPECT_EQ(written("zoomed.asc"),
+              commandWrites("command-zoomed.asc", {.from = window->timeline()->first(),
+                                                   .to = window->timeline()->last()}));
+
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    window->goTo(1.5);
+    press(Qt::Key_B);
+    window->goTo(1.0);
+    press(Qt::Key_A);
+    const ExportSelection cursors{.what = ExportKind::Frames, .from = 1.0, .to = 1.5};
+    choose("CAN frames", ".csv", "cursors.csv");
+    EXPECT_TRUE(window->exportDialog()->visibleSpan()->text().contains("A to B"));
+    write();
+    EXPECT_EQ(written("cursors.csv"), commandWrites("command-cursors.csv", cursors));
+    EXPECT_LT(written("cursors.csv").size(), 0.5 * static_cast<double>(written("all.log").size()));
+    choose("CAN frames", ".mcap", "cursors.mcap");
+    write();
+    EXPECT_EQ(written("cursors.mcap"), commandWrites("command-cursors.mcap", cursors));
+}
+
+TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
+{
+    record();
+    open();
+    window->goTo(At::kMarker);
+    for (const char* format : {".png", ".svg", ".pdf"}) {
+        choose("Picture", format, std::string("picture") + format);
+        write();
+        EXPECT_GT(written(std::string("picture") + format).size(), 2000U);
+    }
+    choose("Numbers", ".csv", "numbers.csv");
+    write();
+    EXPECT_EQ(written("numbers.csv").rfind("t_s,measured_s,pitch_rad", 0), 0U);
+    choose("Report", ".html", "report");  // the ending is added
+    write();
+    EXPECT_NE(written("report.html").find("Scene 1 of review.tts"), std::string::npos);
+    window->goTo(0.0);
+    choose("Report", ".html", "none.html");
+    EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "no estimate stands";
+}
+
+TEST_F(ExportOf, aButtonThatCannotBePressedSaysWhyNot)
+{
+    {
+        auto writer = robotSession(path.toStdString(), 60.0, 850.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE(writer->seal());
+    }
+    open();
+    gui::TipsOfButtons tips;
+    window->rail()->choose(window->rail()->pageOf(Qt::Key_F6));
+    for (const double time : {0.0, At::kMarker}) {
+        window->goTo(time);
+        tips.look(*window);
+    }
+    window->goTo(0.0);
+    choose("Report", ".html", "report.html");
+    ReviewExportDialog& dialog = *window->exportDialog();
+    tips.look(dialog);
+    EXPECT_EQ(dialog.exportButton()->toolTip(), "No estimate stands at this time");
+    choose("Frames, signals", ".mcap", "");
+    dialog.pathEdit()->clear();
+    tips.look(dialog);
+    EXPECT_EQ(dialog.exportButton()->toolTip(), "Name the file first");
+    choose("Frames, signals", ".mcap", "big.mcap");
+    tips.look(dialog);
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    ASSERT_TRUE(dialog.writes());
+    tips.look(dialog);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+    EXPECT_EQ(tips.silent(), std::vector<std::string>());
+    for (const char* name : {"Export", "Cancel", "Choose …", "As recorded", "Estimate again (E)"})
+        EXPECT_TRUE(tips.compared().contains(name)) << name;
+}
+
+TEST_F(ExportOf, aFileThatIsThereIsReplacedOnlyByAButtonThatSaysSo)
+{
+    record();
+    open();
+    ASSERT_TRUE(writeFileAtomically(directory.file("old.log"), "old"));
+    choose("CAN frames", ".log", "old.log");
+    ReviewExportDialog& dialog = *window->exportDialog();
+    EXPECT_EQ(dialog.exportButton()->text(), "Replace the file");
+    dialog.pathEdit()->setText("/nowhere/new.log");
+    EXPECT_EQ(dialog.exportButton()->text(), "Export");
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+    EXPECT_TRUE(dialog.resultLabel()->text().startsWith("NOT WRITTEN: /nowhere/new.log"))
+        << dialog.resultLabel()->text().toStdString();
+    EXPECT_EQ(written("old.log"), "old");
+}
+
+TEST_F(ExportOf, theDialogHasRoomForEveryTextAndNamesForEveryControl)
+{
+    record();
+    for (const int scale : {100, 150, 200}) {
+        applyLook(*qApp, ThemeName::Day, scale);
+        open();
+        ReviewExportDialog& dialog = ask();
+        for (int what = 0; what < dialog.what()->count(); ++what) {
+            dialog.what()->setCurrentIndex(what);
+            QCoreApplication::processEvents();
+            EXPECT_EQ(cutText(dialog), std::vector<std::string>{}) << scale << " " << what;
+        }
+        for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
+            const auto* button = qobject_cast<const QAbstractButton*>(widget);
+            if (!widget->isVisible() || widget->objectName().startsWith("qt_")) continue;
+            if (!button && !(widget->focusPolicy() & Qt::TabFocus)) continue;
+            EXPECT_FALSE(widget->accessibleName().isEmpty()
+                         && (!button || button->text().isEmpty()))
+                << widget->metaObject()->className();
+            EXPECT_GE(widget->height(), 32) << widget->metaObject()->className();
+        }
+    }
+    applyLook(*qApp);
+}
+
+TEST_F(ExportOf, oneThatIsCancelledLeavesNoFileAndTheReviewGoesOnMeanwhile)
+{
+    {
+        auto writer = robotSession(path.toStdString(), 60.0, 850.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE(writer->seal());
+    }
+    open();
+    const QStringList before = files();
+    choose("Frames, signals", ".mcap", "big.mcap");
+    ReviewExportDialog& dialog = *window->exportDialog();
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    ASSERT_TRUE(dialog.writes()) << "does not wait";
+    EXPECT_TRUE(dialog.progressBar()->isVisible());
+    EXPECT_FALSE(dialog.exportButton()->isEnabled());
+    window->goTo(12.0);
+    EXPECT_EQ(now(), 12.0);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
+    EXPECT_TRUE(dialog.resultLabel()->text().startsWith("Cancelled"))
+        << dialog.resultLabel()->text().toStdString();
+    EXPECT_EQ(files(), before);
+    EXPECT_TRUE(dialog.isVisible());
+
+    QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+    window.reset();  // closed while it is written
+    EXPECT_EQ(files(), before);
+}
+
+}  // namespace
+}  // namespace terratact

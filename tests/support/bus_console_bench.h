@@ -1,0 +1,238 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/main_window.h"
+#include "app/robot_in_process.h"
+#include "app/steady_now.h"
+#include "core/sim/terrain_shapes.h"
+#include "core/wire/candump_log.h"
+#include "drivers/candump_replay.h"
+#include "tests/support/absolem.h"
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/staged_robot.h"
+#include "widgets/arming_control.h"
+#include "widgets/atem_panel.h"
+#include "widgets/drive_pad.h"
+#include "widgets/force_bars.h"
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/probe_card.h"
+#include "widgets/status_header.h"
+
+namespace terratact {
+
+inline LoadedModel madeUp()
+{
+    return {.estimate =
+                [](const EstimateRequest& request, const Watch&) {
+                    TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
+                    e.settings = request.settings;
+                    return e;
+                },
+            .name = "fake.ttm",
+            .details = {}};
+}
+
+/// Every estimate that an exploration comes to, the newest last.
+class Estimates {
+public:
+    explicit Estimates(Exploration& exploration)
+    {
+        QObject::connect(&exploration, &Exploration::happened, [this, &exploration] {
+            const auto& now = exploration.estimation().estimate();
+            if (now && (all_.empty() || all_.back() != *now)) all_.push_back(*now);
+        });
+    }
+    const std::vector<TerrainEstimate>& all() const { return all_; }
+
+private:
+    std::vector<TerrainEstimate> all_;
+};
+
+/// All that an end of a bus has received since it was asked last.
+inline std::vector<BusFrame> framesOf(CanBus& end)
+{
+    std::vector<BusFrame> all;
+    std::array<BusFrame, 64> frames;
+    for (;;) {
+        const auto count = end.receive(frames, std::chrono::milliseconds(0));
+        if (!count || *count == 0) return all;
+        all.insert(all.end(), frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(*count));
+    }
+}
+
+/// The same as candump -L would have written it.
+inline std::string candumpOf(CanBus& end)
+{
+    std::string log;
+    for (const BusFrame& heard : framesOf(end))
+        log += candumpLine(heard.time, "can0", heard.frame) + "\n";
+    return log;
+}
+
+/// The console with a robot in this process at the other end of a bus.
+struct BusConsole : testing::Test {
+    static void SetUpTestSuite()
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+    }
+    void open(CanSource::Mode mode = CanSource::Mode::Transmit, RobotFault fault = RobotFault::None)
+    {
+        startRobot(fault);
+        window = console(bus.join("can0"), mode, [] { return Result<LoadedModel>(madeUp()); });
+        gui::showActive(*window);
+    }
+    void startRobot(RobotFault fault = RobotFault::None)
+    {
+        SimulatedRobot::Options simulation;
+        simulation.startX = 2.0;
+        robot = std::make_unique<RobotInProcess>(
+            bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+            RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0, .fault = fault});
+    }
+    std::unique_ptr<MainWindow> console(std::unique_ptr<CanBus> end, CanSource::Mode mode,
+                                        ModelLoader loader) const
+    {
+        auto source = std::make_unique<CanSource>(
+            std::move(end), model,
+            CanSource::Options{.mode = mode,
+                               .link = {.gate = {.operatorAge = operatorAge}},
+                               .waits = mode == CanSource::Mode::Replay});
+        MainWindow::Options options;
+        options.robot = model;
+        options.link = source.get();
+        options.source = std::move(source);
+        options.model = std::move(loader);
+        options.exploration.driveSpeed = 0.02;
+        options.exploration.settings.probeAbove = 0.005;  // there is always something to probe
+        auto made = std::make_unique<MainWindow>(std::move(options));
+        made->header()->arming()->confirmButton()->setHoldTime(150);
+        made->probeCard()->approveButton()->setHoldTime(150);
+        made->resize(1280, 720);
+        return made;
+    }
+    ~BusConsole() override
+    {
+        window.reset();  // its source lives on the bus
+        robot.reset();
+    }
+    /// For whoever wants to see: pictures of the window go where TERRATACT_PICTURES says.
+    void picture(const QString& name)
+    {
+        const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
+        if (!folder.isEmpty()) window->grab().save(folder + "/" + name + ".png");
+    }
+    static bool hasModel(MainWindow& console)
+    {
+        const QList<Precondition> all = console.exploration().preconditions();
+        return std::ranges::any_of(
+            all, [](const Precondition& p) { return p.text == "model default.ttm is ready"; });
+    }
+    bool says(const QString& words) const
+    {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
+    ArmingPhase arming() const { return window->link()->view().link.arming.phase; }
+    bool holds(int key, ArmingPhase until)
+    {
+        QTest::qWait(60);  // no operator is faster, only a server that repeats a held key
+        QTest::keyPress(window.get(), static_cast<Qt::Key>(key));
+        (void)gui::eventually(
+            [&] { return arming() == until || arming() == ArmingPhase::Disarmed; });
+        QTest::keyRelease(window.get(), static_cast<Qt::Key>(key));
+        return arming() == until;
+    }
+    /// Both actions; false where something disarmed the console between them, or before the first.
+    bool arms()
+    {
+        if (!gui::eventually([&] { return window->header()->arming()->armButton()->isEnabled(); }))
+            return false;
+        QTest::qWait(400);  // the robot wants ten heartbeats
+        QTest::keyClick(window.get(), Qt::Key_M);
+        if (!gui::eventually(
+                [&] { return window->header()->arming()->confirmButton()->isVisible(); }, 2000))
+            return false;
+        picture("arming-asks");
+        return holds(Qt::Key_M, ArmingPhase::Armed);
+    }
+    void arm() { ASSERT_TRUE(arms()); }
+    /// Arms and drives, key W held; false where something disarmed the console on the way.
+    bool drives()
+    {
+        QTest::keyRelease(window.get(), Qt::Key_W);
+        if (arming() != ArmingPhase::Armed && !arms()) return false;
+        if (!gui::eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); },
+                             2000))
+            return false;
+        QTest::keyPress(window.get(), Qt::Key_W);
+        (void)gui::eventually(
+            [&] { return arming() != ArmingPhase::Armed || robotDoes(RobotActivity::Driving); });
+        return arming() == ArmingPhase::Armed && robotDoes(RobotActivity::Driving);
+    }
+    /// Explores and probes by keys; false where something disarmed the console on the way.
+    bool exploresAndProbes()
+    {
+        const auto failsOnlyDisarmed = [this] {
+            const AtemState& state = window->exploration().state();
+            EXPECT_TRUE(state.phase == AtemPhase::Failed
+                        && (state.failure == AtemFailure::Disarmed
+                            || state.failure == AtemFailure::LinkLost))
+                << describe(state.phase) << ": " << describe(state.failure);
+            return false;
+        };
+        const auto gets = [this](AtemPhase phase) {
+            (void)gui::eventually(
+                [&] {
+                    const AtemPhase now = window->exploration().state().phase;
+                    return now == phase || now == AtemPhase::Failed;
+                },
+                60000);
+            return window->exploration().state().phase == phase;
+        };
+        if (!gui::eventually([&] {
+                return window->atemPanel()->requestButton()->isEnabled()
+                    || arming() != ArmingPhase::Armed;
+            })
+            || arming() != ArmingPhase::Armed)
+            return false;
+        QTest::keyClick(window.get(), Qt::Key_A);
+        if (!gets(AtemPhase::ProposingProbe)) return failsOnlyDisarmed();
+        EXPECT_TRUE(gui::eventually([&] { return window->probeCard()->shown().has_value(); }));
+        picture("asks-for-a-probe");
+        QTest::keyPress(window.get(), Qt::Key_Space);
+        const bool presents = gets(AtemPhase::Presenting);
+        QTest::keyRelease(window.get(), Qt::Key_Space);
+        return presents || failsOnlyDisarmed();
+    }
+    bool robotDoes(RobotActivity activity) const
+    {
+        const auto latest = window->acquisition().latest();
+        return latest && latest->sample.measurement.activity == activity;
+    }
+    bool robotIs(RobotActivity activity)
+    {
+        return gui::eventually([&] { return robotDoes(activity); });
+    }
+    bool reaches(AtemPhase phase)
+    {
+        return gui::eventually([&] { return window->exploration().state().phase == phase; }, 60000);
+    }
+
+    RobotModel model = absolem();
+    double operatorAge = 1.0;  // [s] instead of 0.1: only a test that freezes the window means it
+    MemoryBus bus{steadyNow};
+    std::unique_ptr<RobotInProcess> robot;
+    std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace terratact

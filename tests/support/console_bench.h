@@ -1,0 +1,186 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/main_window.h"
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/absolem.h"
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/scripted_source.h"
+#include "tests/support/sim_source.h"
+#include "widgets/atem_panel.h"
+#include "widgets/held_button.h"
+#include "widgets/look.h"
+#include "widgets/probe_card.h"
+#include "widgets/status_header.h"
+#include "widgets/terrain_profile_view.h"
+
+namespace terratact {
+
+inline std::unique_ptr<SimSource> fastRobot(const RobotModel& robot, double startX)
+{
+    SimulatedRobot::Options options;
+    options.startX = startX;
+    return std::make_unique<SimSource>(SimulatedRobot(robot, demoTerrain(), options), 20.0);
+}
+
+/// An estimator that takes a moment and needs no model.
+inline LoadedModel madeUp()
+{
+    return {.estimate =
+                [](const EstimateRequest& request, const Watch& watch) {
+                    for (int i = 0; i < 30; ++i) {
+                        if (watch.cancelled()) throw Cancelled{};
+                        watch.progress(i / 30.0);
+                        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                    }
+                    TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
+                    e.settings = request.settings;
+                    return e;
+                },
+            .name = "fake.ttm",
+            .details = {},
+            .content = "measured"};
+}
+
+/// The console as an operator meets it, with a simulated robot or a scripted one and a made-up estimator.
+struct Console : testing::Test {
+    static void SetUpTestSuite()
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+    }
+
+    void TearDown() override
+    {
+        window.reset();
+        if (lookInForce().fontScale != 100) applyLook(*qApp);
+    }
+    void open(
+        std::unique_ptr<MeasurementSource> source,
+        ModelLoader model = [] { return Result<LoadedModel>(madeUp()); })
+    {
+        MainWindow::Options options;
+        options.robot = robot;
+        options.source = std::move(source);
+        options.model = std::move(model);
+        // This machine may be busy.
+        options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
+        options.exploration.driveSpeed = 0.05;
+        options.exploration.limits.approval = answerTime;
+        options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
+        window = std::make_unique<MainWindow>(std::move(options));
+        window->probeCard()->approveButton()->setHoldTime(150);
+        window->atemPanel()->releaseButton()->setHoldTime(150);
+        window->resize(1280, 720);
+        QObject::connect(&window->exploration(), &Exploration::decided, window.get(),
+                         [this](const char* what) { stops += std::string_view(what) == "stop"; });
+        gui::showActive(*window);
+    }
+    ScriptedSource* openScripted()
+    {
+        auto source = std::make_unique<ScriptedSource>();
+        ScriptedSource* script = source.get();
+        open(std::move(source));
+        return script;
+    }
+    bool reaches(AtemPhase phase)
+    {
+        return gui::eventually([&] { return window->exploration().state().phase == phase; }, 60000);
+    }
+    bool robotIs(RobotActivity activity)
+    {
+        return gui::eventually([&] {
+            const auto latest = window->acquisition().latest();
+            return latest && latest->sample.measurement.activity == activity;
+        });
+    }
+    bool says(const QString& words) const
+    {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
+    bool readyToExplore()
+    {
+        return gui::eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); });
+    }
+    void proposeByKeyboard()
+    {
+        ASSERT_TRUE(readyToExplore());
+        QTest::keyClick(window.get(), Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+        ASSERT_TRUE(gui::eventually([&] { return window->probeCard()->asks(); }));
+    }
+
+    /// As the desktop would bring it: what blocks the window, or holds the mouse, gets its chance.
+    void clickStop()
+    {
+        const QPushButton& stop = *window->header()->stopButton();
+        QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                          stop.mapTo(window.get(), stop.rect().center()));
+    }
+    /// How often since the last time; what is repeated until the robot confirms it is no press.
+    int stopsPressed() { return std::exchange(stops, 0); }
+    static QRect onScreen(const QWidget& widget)
+    {
+        return {widget.mapToGlobal(QPoint(0, 0)), widget.size()};
+    }
+
+    /// In every size of screen and letters: all has its room, and the letters are at least as large as was achieved.
+    void fitsEveryScreen(const char* state, std::initializer_list<int> letters)
+    {
+        struct Screen {
+            QSize size;
+            int largest;  // letters [%] that must be possible
+        };
+        constexpr Screen kScreens[]{{{1200, 680}, 150},
+                                    {{1280, 720}, 160},
+                                    {{1366, 768}, 170},
+                                    {{1440, 900}, 200},
+                                    {{1920, 1080}, 200}};
+        for (const int wanted : letters)
+            for (const Screen& screen : kScreens) {
+                window->setRoom(screen.size);
+                window->preferences().change([wanted](Preferences& p) { p.fontScale = wanted; });
+                window->resize(screen.size);
+                const std::string what = std::string(state) + ", " + std::to_string(wanted) + " %, "
+                                       + std::to_string(screen.size.width());
+                EXPECT_GE(lookInForce().fontScale, std::min(wanted, screen.largest)) << what;
+                EXPECT_EQ(window->preferences().current().fontScale, wanted);
+                (void)gui::eventually([&] { return gui::cramped(*window).empty(); },
+                                      1000);  // laid out
+                EXPECT_EQ(gui::cramped(*window), std::vector<std::string>()) << what;
+                EXPECT_EQ(window->size(), screen.size) << what;
+                const QPushButton& stop = *window->header()->stopButton();
+                EXPECT_TRUE(stop.isVisible() && window->header()->rect().contains(stop.geometry()))
+                    << what;
+                const QWidget& terrain = *window->terrain()->parentWidget();
+                EXPECT_GE(terrain.width(), window->atemPanel()->width()) << what;
+                for (const std::string& text : gui::elidedText(*window))
+                    EXPECT_NE(text, window->header()->sourceName().toStdString()) << what;
+                const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
+                if (!folder.isEmpty())
+                    window->grab().save(QStringLiteral("%1/letters_%2_%3_%4.png")
+                                            .arg(folder, state)
+                                            .arg(wanted)
+                                            .arg(screen.size.width()));
+            }
+    }
+
+    RobotModel robot = absolem();
+    double answerTime = AtemLimits{}.approval;  // [s]
+    int stops = 0;
+    std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace terratact
