@@ -3,7 +3,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QHeaderView>
 #include <QImage>
 #include <QLabel>
@@ -24,6 +23,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paint_watch.h"
+
 /// What the GUI tests share.
 namespace terratact::gui {
 
@@ -31,9 +32,6 @@ namespace terratact::gui {
 inline constexpr std::array kHostile{
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::max(), -1e300};
-
-/// A paint that takes longer than this hangs; a healthy one takes milliseconds.
-inline constexpr qint64 kHang = 2000;  // [ms]
 
 /// Runs the event loop until the condition holds; false after `patience`.
 template <class Condition>
@@ -263,16 +261,17 @@ inline std::vector<std::string> cramped(const QWidget& window)
     return found;
 }
 
-/// Paints a widget, one pixel to a point whatever the screen has; fails by returning a null image when that takes as
-/// long as a hang.
+/// Paints a widget, one pixel to a point whatever the screen has; fails by returning a null image, and paints nothing,
+/// where a painter would be asked for what is not finite or far off: Qt may take seconds for it (PaintWatch).
 inline QImage painted(QWidget& widget)
 {
-    QElapsedTimer timer;
-    timer.start();
+    PaintWatch watch(widget.size());
+    widget.render(&watch);
+    if (watch.hostile() > 0) return {};
     QImage image(widget.size(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     widget.render(&image);
-    return timer.elapsed() < kHang ? image : QImage();
+    return image;
 }
 
 /// How many different colours an image has: more than a handful when something was drawn.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <qwt_abstract_legend.h>
+#include <qwt_plot_curve.h>
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
@@ -16,6 +17,7 @@ namespace terratact {
 namespace {
 
 using gui::painted;
+using gui::PaintWatch;
 
 Outline square(double left, double bottom, double right, double top)
 {
@@ -464,7 +466,7 @@ TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
         view.setEstimate(e);
         view.setArmTip(ArmTip{.bin = 5});
         const QImage image = painted(view);
-        ASSERT_FALSE(image.isNull()) << "painting hung on " << bad;
+        ASSERT_FALSE(image.isNull()) << "a painter gets " << bad;
         EXPECT_GT(gui::colours(image), 20);
         EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), theme().contact)) << bad;
         (void)view.binText(5);
@@ -502,6 +504,27 @@ TEST_F(TerrainView, nothingButHostileNumbersLeavesAPicture)
         for (Heights* h : {&e.height, &e.sd, &e.q10, &e.q90, &e.ceiling}) h->fill(bad);
         view.setEstimate(e);
         ASSERT_FALSE(painted(view).isNull());
+    }
+}
+
+TEST(PaintWatch, seesANumberThatACurveOfQwtPassesOn)
+{
+    QwtPlot plot;
+    plot.resize(400, 300);
+    plot.setAutoReplot(false);
+    plot.setAxisScale(QwtPlot::xBottom, 0.0, 4.0);
+    plot.setAxisScale(QwtPlot::yLeft, 0.0, 4.0);
+    auto* curve = new QwtPlotCurve;
+    curve->attach(&plot);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double y : {2.0, nan}) {
+        curve->setSamples(QPolygonF{{0, 1}, {1, 2}, {2, y}, {3, 3}});
+        plot.replot();
+        PaintWatch watch(plot.size());
+        QPainter painter(&watch);
+        plot.drawCanvas(&painter);
+        painter.end();
+        EXPECT_EQ(watch.hostile() > 0, y != 2.0) << y;
     }
 }
 
