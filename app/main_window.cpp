@@ -435,7 +435,7 @@ void MainWindow::redraw(double now)
     linkStatus_->showArming(sights_->panel(now));
     showTerrain(now);
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
-                       terrainPage_->isVisible());
+                       terrainPage_->isVisible() && !probeCard()->isCovered());
     stopDisplay_->show(exploration_->stopSight());
     showPanelLost();
     notice_->look(now, !stopDisplay_->isLate());

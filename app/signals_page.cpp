@@ -69,6 +69,25 @@ std::vector<SignalRow> rowsOf(const Measurement& m)
     return rows;
 }
 
+DbcReading readDbcFiles(const QStringList& paths)
+{
+    DbcReading reading;
+    auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
+    if (!protocol) reading.troubles.push_back(protocol.error().text);
+    if (protocol) reading.protocol = *std::move(protocol);
+
+    auto book = std::make_shared<DbcBook>();
+    for (const QString& path : paths) {
+        const Status added = book->add(path.toStdString());
+        if (!added) reading.troubles.push_back(added.error().text);
+        reading.files.emplace_back(path, added ? std::optional(book->files().back().frames)
+                                               : std::nullopt);
+    }
+    reading.troubles.insert(reading.troubles.end(), book->remarks().begin(), book->remarks().end());
+    reading.book = std::move(book);
+    return reading;
+}
+
 }  // namespace
 
 QString loadWords(const BusLoad& load, const BitRate& bitrate)
@@ -121,6 +140,7 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
     dbcFiles_->setAccessibleName(tr("DBC files"));
     dbcTroubles_->setAccessibleName(tr("What is wrong with the DBC files"));
     setTone(*dbcTroubles_, Tone::Doubt);
+    reader_.setMaxThreadCount(1);
     readDbc();
     connect(&preferences_, &PreferenceStore::changed, this, [this](const Preferences& before) {
         if (preferences_.current().dbc != before.dbc) readDbc();
@@ -161,29 +181,35 @@ void SignalsPage::addTools(QHBoxLayout& row)
     connect(forget, &QPushButton::clicked, this, [this] { link_->tap().forgetExtremes(); });
 }
 
+/// In a thread of its own: a large file takes longer than an armed robot waits for the operator's sign of life.
 void SignalsPage::readDbc()
 {
-    QStringList files;
-    std::vector<std::string> troubles;
-    auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
-    if (!protocol) troubles.push_back(protocol.error().text);
-    protocol_ = protocol ? *std::move(protocol) : std::vector<DbcMessage>();
+    const int job = ++readings_;
+    reader_.start([this, job, paths = preferences_.current().dbc] {
+        DbcReading reading = readDbcFiles(paths);
+        QMetaObject::invokeMethod(
+            this,
+            [this, job, reading = std::move(reading)] {
+                if (job == readings_) useDbc(reading);
+            },
+            Qt::QueuedConnection);
+    });
+}
 
-    auto book = std::make_shared<DbcBook>();
-    for (const QString& path : preferences_.current().dbc) {
-        const Status added = book->add(path.toStdString());
+void SignalsPage::useDbc(const DbcReading& reading)
+{
+    QStringList files, sentences;
+    for (const auto& [path, frames] : reading.files) {
         const QString name = QFileInfo(path).fileName();
-        if (!added) troubles.push_back(added.error().text);
-        files << (added ? tr("%1 (frames: %2)").arg(name).arg(book->files().back().frames)
-                        : tr("%1 (not used)").arg(name));
+        files << (frames ? tr("%1 (frames: %2)").arg(name).arg(*frames)
+                         : tr("%1 (not used)").arg(name));
     }
-    troubles.insert(troubles.end(), book->remarks().begin(), book->remarks().end());
-    QStringList sentences;
-    for (const std::string& trouble : troubles) {
+    for (const std::string& trouble : reading.troubles) {
         std::fprintf(stderr, "terratact-console: %s\n", trouble.c_str());
         sentences << words::sentence(trouble);
     }
-    book_ = std::move(book);
+    protocol_ = reading.protocol;
+    book_ = reading.book;
     link_->tap().describe(book_);
     showDbc(files, sentences);
 }

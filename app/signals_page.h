@@ -2,7 +2,12 @@
 
 #include <QString>
 #include <QStringList>
+#include <QThreadPool>
+#include <cstddef>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/bus_tap.h"
@@ -25,6 +30,15 @@ class RawTrace;
 /// "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)"; without a bit rate "---".
 QString loadWords(const BusLoad& load, const BitRate& bitrate);
 
+/// The protocol's DBC file and those of the operator, read.
+struct DbcReading {
+    std::vector<DbcMessage> protocol;  ///< empty: its file could not be used
+    std::shared_ptr<const DbcBook> book;
+    std::vector<std::pair<QString, std::optional<std::size_t>>>
+        files;                          ///< frames used; empty: none is
+    std::vector<std::string> troubles;  ///< a sentence each
+};
+
 /// What is on the bus: its load, every signal, and the newest frames as they were.  Preferred DBC files say what
 /// frames mean that are not the robot's; what is wrong with them, the page and stderr say.
 class SignalsPage final : public Page {
@@ -46,6 +60,7 @@ public:
 private:
     void addTools(QHBoxLayout& row);
     void readDbc();
+    void useDbc(const DbcReading& reading);
     void showDbc(const QStringList& files, const QStringList& troubles);
     void addDbcFile();
     void refreshBus(double now);
@@ -54,6 +69,7 @@ private:
     const Acquisition& acquisition_;
     CanSource* link_;
     PreferenceStore& preferences_;
+    int readings_ = 0;                  ///< of the DBC files that were asked for
     std::vector<DbcMessage> protocol_;  ///< empty: its file could not be used
     std::shared_ptr<const DbcBook> book_;
     QLabel* headline_ = nullptr;
@@ -62,6 +78,7 @@ private:
     SignalTable* table_ = nullptr;
     RawTrace* trace_ = nullptr;              ///< null without a bus
     double shownAt_ = 0.0, tracedAt_ = 0.0;  ///< [s]
+    QThreadPool reader_;  ///< of DBC files, one after the other; waited for before all else goes
 };
 
 }  // namespace terratact

@@ -1,5 +1,6 @@
 #include "widgets/probe_card.h"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -211,8 +212,20 @@ const ProbeProposal* ProbeCard::told() const
 std::optional<quint64> ProbeCard::shown() const
 {
     if (!proposal_ || painted_ != proposal_->id) return std::nullopt;
-    if (!isVisible() || window()->isMinimized()) return std::nullopt;
+    if (!isVisible() || window()->isMinimized() || isCovered()) return std::nullopt;
     return proposal_->id;
+}
+
+bool ProbeCard::isCovered() const
+{
+    const QRect here(mapToGlobal(QPoint()), size());
+    return std::ranges::any_of(QApplication::topLevelWidgets(), [&](const QWidget* other) {
+        const Qt::WindowType type = other->windowType();
+        const bool isDialog = type == Qt::Window || type == Qt::Dialog || type == Qt::Tool;
+        return isDialog && other->isVisible() && !other->isMinimized() && other->parentWidget()
+            && other->parentWidget()->window() == window()
+            && other->frameGeometry().intersects(here);
+    });
 }
 
 void ProbeCard::paintEvent(QPaintEvent* event)

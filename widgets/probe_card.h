@@ -76,6 +76,8 @@ public:
     bool tells() const;  ///< what a probe would buy, without asking for it
     /// The proposal that the operator has before him, by its id: the card is seen and was painted with it.
     std::optional<quint64> shown() const;
+    bool isCovered()
+        const;  ///< by another window of this one's, such as a file dialog; in part is enough
     HoldToConfirmButton* approveButton() const { return approve_; }
     QPushButton* refuseButton() const { return refuse_; }
     QPushButton* otherButton(std::size_t i) const { return others_.at(i); }

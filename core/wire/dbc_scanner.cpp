@@ -176,13 +176,12 @@ void DbcScanner::skipSection()
 void DbcScanner::fail(std::string_view expected)
 {
     if (!failure_.empty()) return;
-    const std::size_t end = std::min(text_.find_first_of(" \t\r\n;", at_), text_.size());
+    skipBlanks();
+    // A word, or a semicolon alone.
+    const std::size_t end = std::min(text_.find_first_of(" \t\r\n;", at_ + 1), text_.size());
     const std::string_view found = text_.substr(at_, end - at_);
     failure_ = fmt::format("line {}: {}, found {}; mend the line, or have the file exported anew",
-                           line_, expected,
-                           at_ == text_.size() ? "the end of the file"
-                           : found.empty()     ? "the end of the line"
-                                               : shown(found));
+                           line_, expected, found.empty() ? "the end of the file" : shown(found));
     at_ = text_.size();
 }
 

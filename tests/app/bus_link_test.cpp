@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
+#include "widgets/event_list.h"
 #include "widgets/held_button.h"
 #include "widgets/probe_card.h"
 #include "widgets/status_header.h"
@@ -65,6 +67,44 @@ TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
     numb.stage({.isMute = true});
     EXPECT_TRUE(eventually([&] { return says("nothing on this screen is live"); }));
     EXPECT_FALSE(says("frames still come"));
+    window.reset();
+}
+
+TEST_F(BusConsole, aDriveThatWaitsForTheRobotGoesWithItsKey)
+{
+    SimulatedRobot::Options simulation;
+    simulation.startX = 2.0;
+    StagedRobot slow(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                     RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    window = console(bus.join("can0"), CanSource::Mode::Transmit,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    Exploration& exploration = window->exploration();
+    ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
+    const auto way = [&] { return window->acquisition().latest()->sample.measurement.travelled; };
+    const auto explores = [&] {
+        const auto said = window->link()->view().link.robot;
+        return said && said->exploring;
+    };
+    /// The robot is slow to end what it explored; nothing comes of it once it has.
+    const auto waitsInVain = [&](const std::function<void()>& end) {
+        for (int attempt = 0; attempt < 3 && arming() != ArmingPhase::Armed; ++attempt)
+            (void)arms();
+        ASSERT_EQ(arming(), ArmingPhase::Armed);
+        slow.stage({.explores = true});
+        ASSERT_TRUE(eventually(explores));
+        const auto before = way();
+        exploration.drive(+1);
+        end();
+        slow.stage({});
+        ASSERT_TRUE(eventually([&] { return !explores(); }));
+        QTest::qWait(300);  // nothing is what comes
+        EXPECT_EQ(way(), before);
+        EXPECT_EQ(window->events()->findItems("command not sent", Qt::MatchContains).size(), 0);
+    };
+    waitsInVain([&] { exploration.halt(); });
+    waitsInVain([&] { window->link()->disarm(); });
+    waitsInVain([&] { exploration.stop(); });
     window.reset();
 }
 

@@ -251,6 +251,10 @@ TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
     EXPECT_TRUE(eventually([&] { return valueOf("Oxygen") == "no such signal"; }));
     EXPECT_EQ(window->preferences().current().dbc, QStringList());
     EXPECT_FALSE(page->removeDbcButton()->isVisible());
+
+    window->preferences().change([&](Preferences& p) { p.dbc << file("gas.dbc"); });
+    EXPECT_FALSE(page->removeDbcButton()->isVisible()) << "no file is read in this thread";
+    EXPECT_TRUE(eventually([&] { return page->removeDbcButton()->isVisible(); }));
 }
 
 TEST_F(Pages, whatIsTypedIntoTheFilterMovesNoRobot)

@@ -1,6 +1,8 @@
 // The console with the operator's panel beside it.
 #include <gtest/gtest.h>
 
+#include <QDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 
@@ -231,6 +233,28 @@ TEST_F(PanelConsole, diagnosticsTellHowThePanelFares)
     board.close(PanelContact::Stop, false);
     EXPECT_TRUE(eventually([&] { return says("of 1\n"); }))
         << window->diagnosticsPage()->text().toStdString();
+}
+
+TEST_F(PanelConsole, aQuestionUnderAnotherWindowIsNeitherSeenNorApproved)
+{
+    openSimulated();
+    ASSERT_NO_FATAL_FAILURE(propose());
+    const ProbeCard& card = *window->probeCard();
+    QDialog dialog(window.get());
+    dialog.setGeometry(QRect(card.mapToGlobal(QPoint()), card.size() / 2));
+    dialog.show();
+    EXPECT_TRUE(eventually([&] { return !card.shown(); }));
+    const auto* banner = window->findChild<QLabel*>("question");
+    EXPECT_TRUE(eventually([&] { return banner->isVisible(); }));
+    board.close(PanelContact::Approve, true);
+    EXPECT_TRUE(eventually([&] {
+        return !window->events()->findItems("not on the screen", Qt::MatchContains).empty();
+    }));
+    QTest::qWait(1000 * PanelControl::kApproveHold + 200);  // nothing is what comes
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
+    board.close(PanelContact::Approve, false);
+    dialog.close();
+    EXPECT_TRUE(eventually([&] { return card.shown() && !banner->isVisible(); }));
 }
 
 TEST_F(PanelConsole, aPanelThatWasNeverThereIsMissedWithoutASTOPToRelease)
