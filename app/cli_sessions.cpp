@@ -14,12 +14,14 @@ void addSessionFiles(CLI::App& app, Files& files)
     app.add_option("files", files, "Sessions (*.tts)")->required();
 }
 
-void addSessionInfo(CLI::App& session, Job& job)
+/// One that only needs to know which sessions.
+void addOfFiles(CLI::App& session, Job& job, const std::string& name, const std::string& text,
+                Status (*run)(const Files&))
 {
-    auto* c = session.add_subcommand("info", "What is in them, and whether it holds");
+    auto* c = session.add_subcommand(name, text);
     const auto files = std::make_shared<Files>();
     addSessionFiles(*c, *files);
-    c->callback([files, &job] { job = [files] { return showSessions(*files); }; });
+    c->callback([files, run, &job] { job = [files, run] { return run(*files); }; });
 }
 
 void addSessionVerify(CLI::App& session, Job& job)
@@ -32,14 +34,6 @@ void addSessionVerify(CLI::App& session, Job& job)
                   "Last link of the chain as it was noted elsewhere: shows that nothing was "
                   "cut off");
     c->callback([o, &job] { job = [o] { return verifySessions(*o); }; });
-}
-
-void addSessionRecover(CLI::App& session, Job& job)
-{
-    auto* c = session.add_subcommand("recover", "Close sessions whose program died");
-    const auto files = std::make_shared<Files>();
-    addSessionFiles(*c, *files);
-    c->callback([files, &job] { job = [files] { return recoverSessions(*files); }; });
 }
 
 void addSessionExport(CLI::App& session, Job& job)
@@ -144,9 +138,9 @@ void addSessions(CLI::App& app, Job& job)
     auto* session = app.add_subcommand("session", "Look at recorded sessions, check and export "
                                                   "them: docs/sessions.md");
     session->require_subcommand(1);
-    addSessionInfo(*session, job);
+    addOfFiles(*session, job, "info", "What is in them, and whether it holds", showSessions);
     addSessionVerify(*session, job);
-    addSessionRecover(*session, job);
+    addOfFiles(*session, job, "recover", "Close sessions whose program died", recoverSessions);
     addSessionExport(*session, job);
     addSessionScenes(*session, job);
     addSessionReport(*session, job);
