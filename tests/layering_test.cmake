@@ -5,6 +5,8 @@
 #   widgets  the values of core that they draw, text, Qt, Qwt
 #   app      all four (its command line: no Qt)
 #   tests    anything, through headers
+# And nothing that has to be answered before all else: a modal window would stand between the operator and STOP:
+#   widgets, app  no box of Qt's that asks, no exec() but the application's, no loop of events, no modality
 # And the same seed gives the same draws with every compiler and standard library (docs/extremes.md):
 #   core/{infer,learn}  no distribution nor shuffle of the standard library, whose algorithms differ from one to the next
 #   build files         no option that lets a compiler reorder sums or forget NaN
@@ -19,6 +21,7 @@ set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|n
 set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
 set(widgets_core "^core/(text|robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
 
+set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
 set(unlike "std::([a-z_]+_distribution|shuffle|sample|generate_canonical|random_device)")
 # A campaign's rows for a search and a simulated scanner's noise: what training draws is kept in the model.
 set(may_be_unlike "^core/learn/training\\.cpp$")
@@ -115,6 +118,12 @@ foreach(file IN LISTS building own files)
   refuse("${loose}" "asks for" ": a NaN would go unseen and sums come out differently")
   if(file MATCHES "^core/(infer|learn)/" AND NOT file MATCHES "${may_be_unlike}")
     refuse("${unlike}" "draws with" ", which differs between standard libraries")
+  endif()
+endforeach()
+
+foreach(file IN LISTS files)
+  if(file MATCHES "^(widgets|app)/")
+    refuse("${blocking}" "shows" ": a modal window stands between the operator and STOP")
   endif()
 endforeach()
 

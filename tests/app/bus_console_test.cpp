@@ -4,7 +4,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -191,36 +194,148 @@ struct Freeze {
     }
 };
 
+/// How long this process' threads have been kept from running [s], by the kernel's account; 0 where it keeps none.
+double keptWaiting()
+{
+    double nanoseconds = 0.0;
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
+        std::ifstream file(thread.path() / "schedstat");
+        double ran = 0.0, waited = 0.0;
+        if (file >> ran >> waited) nanoseconds += waited;
+    }
+    return 1e-9 * nanoseconds;
+}
+
 TEST_F(BusConsole, frozenWindowStopsTheDrive)
 {
+    constexpr int kGoes = 4;
+    constexpr double kLimit = 0.1;  // [s]
     operatorAge = GateLimits{}.operatorAge;
     const auto recorder = bus.join("recorder", 0);
     open();
-    // On a busy machine this window may have been held up for 100 ms before, and the drive has ended with that; or the
-    // thread that sends, between its look at the clock and the bus.  Too late in every go is the console's fault.
-    Freeze freeze;
-    std::vector<double> last;  // frames that keep it driving, since the freeze began
-    for (int go = 0; go < 20 && last.size() < 4 && (last.empty() || last.back() > 0.1); ++go) {
+    int judged = 0, strictly = 0;
+    for (int go = 0; go < 40 && (judged < kGoes || strictly == 0) && !HasFailure(); ++go) {
         if (!drives()) continue;
+        Freeze freeze;
         freeze.began = steadyNow();
+        const double waited = keptWaiting();
         std::this_thread::sleep_for(1s);
+        const double kept = keptWaiting() - waited;
         freeze.ended = steadyNow();
         freeze.frames = framesOf(*recorder);
-        if (freeze.timesOf(FrameKind::Drive).empty()) continue;
-        last.push_back(0.0);
+        // On a busy machine this window may have been held up for 100 ms before, and the drive has ended with that.
+        const std::vector<double> drives = freeze.timesOf(FrameKind::Drive);
+        if (drives.empty()) continue;
+        ++judged;
+        double last = 0.0;  // frame that keeps it driving, since the freeze began
         for (const FrameKind kind : {FrameKind::Drive, FrameKind::ConsoleHeartbeat})
-            for (const double at : freeze.timesOf(kind))
-                last.back() = std::max(last.back(), at - freeze.began);
+            for (const double at : freeze.timesOf(kind)) last = std::max(last, at - freeze.began);
+        // The thread that sends may have been kept waiting between its look at the clock and the bus.
+        EXPECT_LE(last, kLimit + kept);
+        EXPECT_LE(static_cast<double>(drives.size()), kLimit / ConsoleLink::kDrivePeriod + 2.0);
+        strictly += last <= kLimit;
+        const std::vector<double> disarmings = freeze.timesOf(FrameKind::Arm);
+        ASSERT_EQ(disarmings.size(), 1U) << "while the window stood still";
+        EXPECT_GT(disarmings.front(), drives.back());
+        EXPECT_TRUE(robotIs(RobotActivity::Halted));
+        QTest::keyRelease(window.get(), Qt::Key_W);
+        EXPECT_EQ(arming(), ArmingPhase::Disarmed);
     }
-    ASSERT_FALSE(last.empty()) << "it never drove into a freeze";
-    EXPECT_LE(last.back(), 0.1) << "in " << last.size() << " goes";
-    const std::vector<double> drives = freeze.timesOf(FrameKind::Drive);
-    const std::vector<double> disarmings = freeze.timesOf(FrameKind::Arm);
-    ASSERT_EQ(disarmings.size(), 1U) << "while the window stood still";
-    EXPECT_GT(disarmings.front(), drives.back());
-    EXPECT_TRUE(robotIs(RobotActivity::Halted));
-    QTest::keyRelease(window.get(), Qt::Key_W);
-    EXPECT_EQ(arming(), ArmingPhase::Disarmed);
+    EXPECT_GE(judged, kGoes) << "it hardly ever drove into a freeze";
+    EXPECT_GT(strictly, 0) << "later than " << kLimit << " s in each of " << judged << " goes";
+}
+
+QString modelInUse(MainWindow& console)
+{
+    return console.exploration().estimation().model().name;
+}
+
+/// Counts what a window's thread is woken for: events that somebody has posted to it, most of them queued signals.
+class Posts final : public QObject {
+public:
+    Posts() { qApp->installEventFilter(this); }
+    /// Those that are there now.
+    int take()
+    {
+        count_ = 0;
+        QCoreApplication::sendPostedEvents();
+        return count_;
+    }
+
+protected:
+    bool eventFilter(QObject* /*receiver*/, QEvent* /*event*/) override
+    {
+        ++count_;
+        return false;
+    }
+
+private:
+    int count_ = 0;
+};
+
+TEST_F(BusConsole, aFloodOfFramesIsNoFloodOfSignals)
+{
+    constexpr std::uint64_t kFlood = 20'000;
+    open(CanSource::Mode::Listen);
+    ASSERT_TRUE(eventually([&] { return !modelInUse(*window).isEmpty(); }));
+    Posts posts;
+    // The window's thread does nothing else while all of them are read.
+    (void)posts.take();
+    const std::uint64_t before = window->link()->view().frames.received;
+    for (std::uint64_t i = 0; i < kFlood; ++i)
+        bus.put({.id = 0x100 + static_cast<std::uint32_t>(i % 200), .length = 8, .data = {}});
+    for (const double end = steadyNow() + 60.0; steadyNow() < end;) {
+        if (window->link()->view().frames.received >= before + kFlood) break;
+        std::this_thread::sleep_for(1ms);
+    }
+    ASSERT_GE(window->link()->view().frames.received, before + kFlood);
+    EXPECT_LT(posts.take(), 20) << "for " << kFlood << " frames";
+}
+
+TEST_F(BusConsole, aFloodOfTelemetryIsNoFloodOfSignalsNorOfPictures)
+{
+    constexpr int kFlood = 5000;
+    constexpr double kPictures = 25.0;  // [Hz]
+    /// As many lines as it is asked for, each another, some thousand a second.
+    struct Burst final : MeasurementSource {
+        std::atomic<int> left = 1;
+        std::string name() const override { return "BURST"; }
+        Result<std::optional<Sample>> next(std::chrono::milliseconds) override
+        {
+            std::this_thread::sleep_for(50us);
+            if (left.load() == 0) return std::optional<Sample>{};
+            Sample sample;
+            sample.measurement.pitch = 0.01 * (--left % 10);
+            return std::optional(sample);
+        }
+        Status send(const Command&) override { return Done{}; }
+    };
+    MainWindow::Options options;
+    options.robot = model;
+    auto source = std::make_unique<Burst>();
+    std::atomic<int>& left = source->left;
+    options.source = std::move(source);
+    options.model = [] { return Result<LoadedModel>(madeUp()); };
+    window = std::make_unique<MainWindow>(std::move(options));
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return !modelInUse(*window).isEmpty() && left == 0; }));
+    Posts posts;
+    (void)posts.take();
+    left = kFlood;
+    for (const double end = steadyNow() + 60.0; left > 0 && steadyNow() < end;)
+        std::this_thread::sleep_for(1ms);
+    ASSERT_EQ(left, 0);
+    EXPECT_LT(posts.take(), 20) << "for " << kFlood << " lines";
+
+    const double began = steadyNow();
+    const auto pictures = window->meter().frames().count();
+    const auto lines = window->acquisition().latest()->count;
+    left = std::numeric_limits<int>::max();
+    QTest::qWait(1000);
+    left = 0;
+    EXPECT_LE(static_cast<double>(window->meter().frames().count() - pictures),
+              kPictures * (steadyNow() - began) + 2.0);
+    EXPECT_GT(window->acquisition().latest()->count, lines + 100);
 }
 
 TEST_F(BusConsole, disarmedRobotEndsTheExploration)
