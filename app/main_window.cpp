@@ -303,11 +303,17 @@ void MainWindow::offerQualities()
         const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& p) {
             return p.method == method && p.quality == quality;
         });
-        lines << (cost == costs.end()
-                      ? tr("%1: not measured (terratact tradeoff)").arg(names.back())
+        if (cost == costs.end()) {
+            lines << tr("%1: not measured (terratact tradeoff)").arg(names.back());
+            continue;
+        }
+        const QString time = words::number(cost->milliseconds, 1);
+        const QString error = words::number(cost->errorMm, 0);
+        lines << (isClosedForm(method)
+                      ? tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")
+                            .arg(names.back(), time, error)
                       : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
-                            .arg(names.back(), words::number(cost->milliseconds, 1),
-                                 words::number(cost->offMm, 1), words::number(cost->errorMm, 0)));
+                            .arg(names.back(), time, words::number(cost->offMm, 1), error));
     }
     header()->setQualities(names, lines, static_cast<int>(preferences_->current().quality));
 }
