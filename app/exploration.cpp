@@ -481,6 +481,7 @@ QString Exploration::stateWords() const
     case StopSight::State::NotSent: return tr("STOP not sent: %1").arg(stop.why);
     case StopSight::State::Ready:
     case StopSight::State::Confirmed:
+    case StopSight::State::Elsewhere:
     case StopSight::State::NoEffect: return {};
     }
     return {};

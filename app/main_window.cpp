@@ -442,7 +442,9 @@ void MainWindow::redraw(double now)
     showTerrain(now);
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
                        terrainPage_->isVisible());
-    stopDisplay_->show(exploration_->stopSight());
+    const StopSight stop = exploration_->stopSight();
+    const bool elsewhere = stop.state == StopSight::State::NoEffect && remoteStop_.exists();
+    stopDisplay_->show(elsewhere ? StopSight{.state = StopSight::State::Elsewhere} : stop);
     showPanelLost();
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
@@ -559,7 +561,8 @@ void MainWindow::releaseStop()
 void MainWindow::open()
 {
     openInAnotherWindow(
-        *this, stopLine_ ? stopLineName() : std::string(),
+        *this, QString::fromStdString(recorder_ ? recorder_->folder() : sessionFolder()),
+        stopLine_ ? stopLineName() : std::string(),
         [this](const QString& why) { events()->add(why, Weight::Bad, QTime::currentTime()); });
 }
 
@@ -570,11 +573,7 @@ void MainWindow::defineKeys()
 
     keys.addGroup(tr("Pages"));
     addPageKeys();
-    addHelpKey(QStringLiteral("<p>")
-               + tr("Terratact %1. Based in part on the work of the Qwt project "
-                    "(http://qwt.sf.net).")
-                     .arg(QApplication::applicationVersion())
-               + QStringLiteral("</p>"));
+    addHelpKeys();
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
               tr("open a session, a log or scenes in another window"),
               [this] { open(); }});
