@@ -156,6 +156,9 @@ void Canvas::marker(Shape shape, Point c, double size, Colour fill, const Stroke
     case Shape::Triangle:
         path({{c.x, c.y - r}, {c.x + r, c.y + 0.8 * r}, {c.x - r, c.y + 0.8 * r}});
         break;
+    case Shape::TriangleDown:
+        path({{c.x, c.y + r}, {c.x + r, c.y - 0.8 * r}, {c.x - r, c.y - 0.8 * r}});
+        break;
     case Shape::Diamond:
         path({{c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}});
         break;

@@ -38,7 +38,7 @@ struct TextStyle {
     Align align = Align::Left;
 };
 
-enum class Shape { Circle, Square, Triangle, Diamond };
+enum class Shape { Circle, Square, Triangle, TriangleDown, Diamond };
 
 /// What our figures are drawn with: lines, areas, markers and text on a white sheet.
 class Canvas {

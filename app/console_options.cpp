@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/about.h"
 #include "app/console_window.h"
 #include "app/preferences.h"
 
@@ -80,9 +81,8 @@ void declareLook(CLI::App& app, ConsoleOptions& options)
 
 void declareOptions(CLI::App& app, ConsoleOptions& options)
 {
-    app.set_version_flag(
-        "--version", std::string("terratact-console ") + TERRATACT_VERSION
-                         + "\nBased in part on the work of the Qwt project (http://qwt.sf.net).");
+    app.set_version_flag("--version",
+                         std::string("terratact-console ") + TERRATACT_VERSION + '\n' + kQwtCredit);
     declareRobot(app, options);
     declareFile(app, options);
     app.add_option("--panel", options.panel,

@@ -1,5 +1,6 @@
 #include "app/console_sights.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -44,6 +45,16 @@ RobotReadout::Ages agesOf(const BusTap& tap, double now)
     return ages;
 }
 
+/// [s] of the oldest of the frames that the forces come in; empty: none has arrived.
+std::optional<double> forcesAgeOf(const BusTap& tap, double now)
+{
+    using enum FrameKind;
+    std::optional<double> oldest;
+    for (const FrameKind kind : {LeftForces1To3, LeftForces4To6, RightForces1To3, RightForces4To6})
+        if (const auto age = tap.age(kind, now)) oldest = std::max(*age, oldest.value_or(0.0));
+    return oldest;
+}
+
 }  // namespace
 
 LinkSight ConsoleSights::link(double now, const std::optional<Received>& newest) const
@@ -86,7 +97,10 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
     if (newest) {
         sight.measurement = &newest->sample.measurement;
         sight.age = now - secondsOf(newest->arrived);
-        if (parts_.link && !sight.ended) sight.ages = agesOf(parts_.link->tap(), now);
+        if (parts_.link && !sight.ended) {
+            sight.ages = agesOf(parts_.link->tap(), now);
+            sight.forcesAge = forcesAgeOf(parts_.link->tap(), now);
+        }
         sight.count = newest->count;
         sight.forces = &forcesOf(*newest);
         sight.truth = &newest->sample.truth;

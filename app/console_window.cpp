@@ -1,7 +1,9 @@
 #include "app/console_window.h"
 
 #include <QApplication>
+#include <QKeySequence>
 #include <QLabel>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
@@ -13,9 +15,10 @@
 #include <QWindow>
 #include <algorithm>
 
-#include "app/key_sheet.h"
+#include "app/about.h"
 #include "app/letters.h"
 #include "app/remote_stop.h"
+#include "app/text_sheet.h"
 #include "app/vector_registers.h"
 #include "app/view_menu.h"
 #include "widgets/calm_wheel.h"
@@ -28,6 +31,8 @@ namespace terratact {
 namespace {
 
 const QString kPageArea = QStringLiteral("pageArea");
+constexpr QKeyCombination kKeysKey(Qt::Key_F1), kAboutKey(Qt::CTRL, Qt::Key_F1);
+constexpr int kAboutWide = 620;  // [px] at 100 %
 
 }  // namespace
 
@@ -40,7 +45,6 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     rail_ = new NavigationRail(this);
     pages_ = new QStackedWidget(this);
     connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
-    connect(header_, &StatusHeader::helpRequested, this, &ConsoleWindow::showHelp);
 
     right_ = new QVBoxLayout;
     right_->setSpacing(0);
@@ -136,7 +140,18 @@ void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& new
 
 void ConsoleWindow::addHelpTool()
 {
-    rail_->addTool(header_->helpButton());
+    QPushButton* help = addTool(tr("Help\nF1"), tr("Every key, and what this program is"));
+    help->setAccessibleName(tr("Help"));
+    help->setObjectName(QStringLiteral("help"));
+    auto* menu = new QMenu(help);
+    const auto offer = [this, menu](const QString& text, QKeyCombination key,
+                                    void (ConsoleWindow::*open)()) {
+        const QString keys = QKeySequence(key).toString(QKeySequence::NativeText);
+        connect(menu->addAction(text + QLatin1Char('\t') + keys), &QAction::triggered, this, open);
+    };
+    offer(tr("Keys"), kKeysKey, &ConsoleWindow::showKeys);
+    offer(tr("About Terratact"), kAboutKey, &ConsoleWindow::showAbout);
+    help->setMenu(menu);
 }
 
 void ConsoleWindow::addBelowPages(QWidget* widget)
@@ -155,13 +170,13 @@ void ConsoleWindow::addPageKeys()
                    }});
 }
 
-void ConsoleWindow::addHelpKey(const QString& footer)
+void ConsoleWindow::addHelpKeys()
 {
-    footer_ = footer;
-    keys_.add({{Qt::Key_F1, Qt::Key_Question}, tr("this sheet"), [this] { showHelp(); }});
+    keys_.add({{kKeysKey, Qt::Key_Question}, tr("this sheet"), [this] { showKeys(); }});
+    keys_.add({{kAboutKey}, tr("what this program is"), [this] { showAbout(); }});
 }
 
-void ConsoleWindow::addDeadStopKey()
+void ConsoleWindow::addRemoteStop()
 {
     constexpr int kFor = 8000;  // [ms]
     auto* banner = new QLabel(this);
@@ -174,13 +189,19 @@ void ConsoleWindow::addDeadStopKey()
     connect(end, &QTimer::timeout, banner, &QWidget::hide);
     const auto say = [this, banner, end](const QString& text) {
         banner->setText(text);
-        banner->setGeometry(header_->geometry());  // upon it: nothing moves
+        QRect place = header_->geometry();  // upon it: nothing moves
+        if (const QPushButton& stop = *header_->stopButton(); stop.isVisible())
+            place.setRight(place.left() + stop.x() - 1);  // which may have to be pressed again
+        banner->setGeometry(place);
         banner->raise();
         banner->show();
         end->start();
     };
     auto* remote = new RemoteStop(this);
     connect(remote, &RemoteStop::said, banner, say);
+    header_->setStop({.state = StopSight::State::Elsewhere});
+    header_->stopButton()->setVisible(remote->exists());
+    connect(header_, &StatusHeader::stopPressed, remote, &RemoteStop::press);
     keys_.add({.keys = {Qt::Key_F12},
                .meaning = remote->exists() ? tr("STOP, of the console that opened this window")
                                            : tr("no STOP: this window has no robot"),
@@ -193,13 +214,30 @@ void ConsoleWindow::addDeadStopKey()
                .everywhere = true});
 }
 
-void ConsoleWindow::showHelp()
+void ConsoleWindow::showKeys()
 {
-    if (!help_) help_ = new KeySheet(this);
-    help_->setKeys(keys_.html() + footer_, roomBelowHeader());
-    putBelowHeader(*help_);
-    help_->show();
-    help_->raise();
+    if (!keySheet_) keySheet_ = new TextSheet(tr("Keys"), {Qt::Key_F1, Qt::Key_Question}, this);
+    keySheet_->setText(keys_.html() + QStringLiteral("<p>%1</p>").arg(aboutLine().toHtmlEscaped()),
+                       roomBelowHeader());
+    showSheet(*keySheet_);
+}
+
+void ConsoleWindow::showAbout()
+{
+    if (!about_) {
+        about_ = new TextSheet(tr("About Terratact"), {Qt::Key_F1}, this);
+        about_->setObjectName(QStringLiteral("about"));
+    }
+    about_->setText(aboutHtml(), roomBelowHeader(), scaled(kAboutWide));
+    showSheet(*about_);
+}
+
+void ConsoleWindow::showSheet(TextSheet& sheet) const
+{
+    putBelowHeader(sheet);
+    sheet.show();
+    sheet.raise();
+    sheet.activateWindow();
 }
 
 void ConsoleWindow::setRoom(QSize room)

@@ -14,10 +14,10 @@ class QStackedWidget;
 namespace terratact {
 
 class ElidedLabel;
-class KeySheet;
 class NavigationRail;
 class PreferenceStore;
 class StatusHeader;
+class TextSheet;
 
 /// The frame of the program's windows: the header, strips below it, and the rail beside the pages, of which one
 /// is seen.  Keys do what the table of the window says, which F1 shows.
@@ -57,18 +57,17 @@ protected:
     QPushButton* addTool(const QString& text, const QString& tip);  ///< to the rail
     /// newWindow: when what needs a new window gets one, in words.
     void addViewTool(PreferenceStore& preferences, const QString& newWindow);
-    void addHelpTool();
+    void addHelpTool();  ///< the sheet of the keys, and what this program is
     void addBelowPages(QWidget* widget);
     QStackedWidget* pages() const { return pages_; }
 
     KeyTable& keyTable() { return keys_; }
     void addPageKeys();  ///< of the pages there are
-    /// F1 and ? show the sheet of the keys, with this below; HTML.
-    void addHelpKey(const QString& footer = {});
+    void addHelpKeys();  ///< F1 and ? show the sheet of the keys, Ctrl+F1 what this program is
 
-    /// For a window without a robot: STOP's key stops that of the console that opened the window, and says what became
-    /// of it, loudly; without one it says so.
-    void addDeadStopKey();
+    /// For a window without a robot: STOP, button and key, stops that of the console that opened the window, and says
+    /// what became of it, loudly.  Without one there is no button, and the key says so.
+    void addRemoteStop();
 
     /// The look from now on; wanted: letters [%].
     void setLook(ThemeName theme, int wanted);
@@ -81,7 +80,9 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    void showHelp();
+    void showKeys();
+    void showAbout();
+    void showSheet(TextSheet& sheet) const;
     bool pressesStopBesidePopup(const QEvent& event) const;
     QLabel* addStrip(QLabel* strip, const QString& look);
     QSize room() const;
@@ -90,7 +91,6 @@ private:
     void keepOnScreen();
 
     KeyTable keys_;
-    QString footer_;
     ThemeName theme_;
     int wanted_;         ///< letters [%]
     QSize room_;         ///< invalid: the screen's
@@ -103,7 +103,8 @@ private:
     QBoxLayout* banners_ = nullptr;  ///< side by side
     QBoxLayout* strips_ = nullptr;
     QBoxLayout* right_ = nullptr;
-    KeySheet* help_ = nullptr;
+    TextSheet* keySheet_ = nullptr;
+    TextSheet* about_ = nullptr;
 };
 
 }  // namespace terratact

@@ -50,7 +50,7 @@ void Exploration::takeAdvice()
 
 void Exploration::askAnew()
 {
-    if (!probes_.current()) return;
+    if (!probes_.stands()) return;  // the same words on other grounds would be another question
     probes_.propose(probes_.current()->bin);
     if (state_.phase == AtemPhase::ProposingProbe) emit proposed();
 }
@@ -124,7 +124,7 @@ void Exploration::refuse(quint64 proposal)
 
 void Exploration::choose(quint64 proposal, int bin)
 {
-    if (!probes_.isCurrent(proposal) || !probes_.mayPropose(bin)) return;
+    if (!probes_.isCurrent(proposal) || !probes_.stands() || !probes_.mayPropose(bin)) return;
     emit decided("choose", words::binName(bin));
     probes_.propose(bin);
     emit proposed();
@@ -481,6 +481,7 @@ QString Exploration::stateWords() const
     case StopSight::State::NotSent: return tr("STOP not sent: %1").arg(stop.why);
     case StopSight::State::Ready:
     case StopSight::State::Confirmed:
+    case StopSight::State::Elsewhere:
     case StopSight::State::NoEffect: return {};
     }
     return {};
@@ -518,7 +519,7 @@ QList<Precondition> Exploration::toProbe() const
     QList<Precondition> list{Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
     const bool asks = state_.phase == AtemPhase::ProposingProbe && probes_.current();
-    return list << (asks ? Preconditions::stands(probes_.grounds() == probes_.proposedOn())
+    return list << (asks ? Preconditions::stands(probes_.stands())
                          : Preconditions::noProbeProposed());
 }
 

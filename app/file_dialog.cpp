@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHash>
 #include <QLineEdit>
 #include <utility>
 
@@ -11,6 +12,13 @@
 
 namespace terratact {
 namespace {
+
+/// Where the last file was chosen, by the dialog's title.
+QHash<QString, QString>& lastFolders()
+{
+    static QHash<QString, QString> folders;
+    return folders;
+}
 
 /// Without the boxes of QFileDialog, each of which would block every window until it is answered.
 class FileDialog final : public QFileDialog {
@@ -26,10 +34,15 @@ public:
         setNameFilter(wish.filter);
         setAttribute(Qt::WA_DeleteOnClose);
         const QFileInfo start(wish.start);
-        if (start.isDir())
-            setDirectory(wish.start);
-        else if (!wish.start.isEmpty())
+        const bool isFile = !wish.start.isEmpty() && !start.isDir();
+        const QString folder = lastFolders().value(wish.title, wish.start);
+        if (isFile)
             selectFile(start.absoluteFilePath());
+        else if (!folder.isEmpty())
+            setDirectory(folder);
+        connect(this, &QFileDialog::fileSelected, this, [title = wish.title](const QString& file) {
+            lastFolders()[title] = QFileInfo(file).absolutePath();
+        });
         if (auto* const name = findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
             connect(name, &QLineEdit::textEdited, this,
                     [this, usual = labelText(FileName)] { setLabelText(FileName, usual); });

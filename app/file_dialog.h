@@ -12,7 +12,9 @@ namespace terratact {
 struct FileWish {
     enum class Kind : std::uint8_t { Existing, ToWrite };
     QString title;
-    QString start{};   ///< a file or a folder; empty: where the program was started
+    /// A file; or a folder, for the first time: a dialog with this title begins where the last one's file was.  Empty:
+    /// where the program was started.
+    QString start{};
     QString filter{};  ///< as QFileDialog has it
     Kind kind = Kind::Existing;
 };

@@ -303,11 +303,17 @@ void MainWindow::offerQualities()
         const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& p) {
             return p.method == method && p.quality == quality;
         });
-        lines << (cost == costs.end()
-                      ? tr("%1: not measured (terratact tradeoff)").arg(names.back())
+        if (cost == costs.end()) {
+            lines << tr("%1: not measured (terratact tradeoff)").arg(names.back());
+            continue;
+        }
+        const QString time = words::number(cost->milliseconds, 1);
+        const QString error = words::number(cost->errorMm, 0);
+        lines << (isClosedForm(method)
+                      ? tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")
+                            .arg(names.back(), time, error)
                       : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
-                            .arg(names.back(), words::number(cost->milliseconds, 1),
-                                 words::number(cost->offMm, 1), words::number(cost->errorMm, 0)));
+                            .arg(names.back(), time, words::number(cost->offMm, 1), error));
     }
     header()->setQualities(names, lines, static_cast<int>(preferences_->current().quality));
 }
@@ -436,7 +442,9 @@ void MainWindow::redraw(double now)
     showTerrain(now);
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
                        terrainPage_->isVisible() && !probeCard()->isCovered());
-    stopDisplay_->show(exploration_->stopSight());
+    const StopSight stop = exploration_->stopSight();
+    const bool elsewhere = stop.state == StopSight::State::NoEffect && remoteStop_.exists();
+    stopDisplay_->show(elsewhere ? StopSight{.state = StopSight::State::Elsewhere} : stop);
     showPanelLost();
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
@@ -553,7 +561,8 @@ void MainWindow::releaseStop()
 void MainWindow::open()
 {
     openInAnotherWindow(
-        *this, stopLine_ ? stopLineName() : std::string(),
+        *this, QString::fromStdString(recorder_ ? recorder_->folder() : sessionFolder()),
+        stopLine_ ? stopLineName() : std::string(),
         [this](const QString& why) { events()->add(why, Weight::Bad, QTime::currentTime()); });
 }
 
@@ -564,11 +573,7 @@ void MainWindow::defineKeys()
 
     keys.addGroup(tr("Pages"));
     addPageKeys();
-    addHelpKey(QStringLiteral("<p>")
-               + tr("Terratact %1. Based in part on the work of the Qwt project "
-                    "(http://qwt.sf.net).")
-                     .arg(QApplication::applicationVersion())
-               + QStringLiteral("</p>"));
+    addHelpKeys();
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
               tr("open a session, a log or scenes in another window"),
               [this] { open(); }});

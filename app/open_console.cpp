@@ -117,16 +117,22 @@ MainWindow::Options windowOptions(const ConsoleOptions& options, const RobotMode
     return window;
 }
 
+SessionRetention retentionOf(const Preferences& preferences)
+{
+    return {.days = static_cast<double>(preferences.keepDays),
+            .gigabytes = static_cast<double>(preferences.keepGigabytes)};
+}
+
 /// Looks after the earlier recordings, once there is a window to tell of it.
 void keepHouse(Lasting& lasting, std::vector<std::string> earlier, MainWindow& window)
 {
-    const Preferences& preferences = window.preferences().current();
+    const PreferenceStore& preferences = window.preferences();
     if (!lasting.house)
-        lasting.house.emplace(
-            std::move(earlier),
-            SessionRetention{.days = static_cast<double>(preferences.keepDays),
-                             .gigabytes = static_cast<double>(preferences.keepGigabytes)});
+        lasting.house.emplace(std::move(earlier), retentionOf(preferences.current()));
     SessionHousekeeping* house = &*lasting.house;
+    QObject::connect(&preferences, &PreferenceStore::changed, house, [house, &preferences] {
+        house->setLimits(retentionOf(preferences.current()));
+    });
     const auto tell = [house, events = window.events()] {
         for (const QString& sentence : house->takeNews())
             events->add(sentence, Weight::Doubt, QTime::currentTime());

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QtEndian>
@@ -36,12 +37,13 @@ FileKind kindOfFile(const QString& path)
     return line.contains("pitch_rad") && line.contains(',') ? FileKind::Scenes : FileKind::Log;
 }
 
-void openInAnotherWindow(QWidget& parent, const std::string& stopLine,
+void openInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
                          std::function<void(const QString& why)> failed)
 {
     const QString filter =
         OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)");
-    askForFile(parent, {.title = OpenFile::tr("Open"), .filter = filter},
+    const QString start = QFileInfo(folder).isDir() ? folder : QString();
+    askForFile(parent, {.title = OpenFile::tr("Open"), .start = start, .filter = filter},
                [stopLine, failed = std::move(failed)](const QString& path) {
                    QProcess program;
                    program.setProgram(QCoreApplication::applicationFilePath());

@@ -45,6 +45,8 @@ public:
     bool mayPropose(int bin) const;  ///< the advice ranks it
     /// Fingerprint of what current() rested on when it was proposed.
     const std::string& proposedOn() const { return proposedOn_; }
+    /// There is a question, and what it rests on is as it was then.
+    bool stands() const { return current_ && grounds() == proposedOn_; }
     /// Of what it rests on now; empty where nothing is proposed or estimated.
     std::string grounds() const;
 

@@ -10,6 +10,7 @@
 
 #include "app/canvas.h"
 #include "app/figure_colours.h"
+#include "core/infer/provenance.h"
 
 namespace terratact {
 namespace {
@@ -23,38 +24,32 @@ constexpr Colour kSampled{0x12804a}, kContact{0x1558a6}, kArm{0x6a1b9a}, kPrior{
     kDoubt{0x8f5200};
 constexpr Colour kPriorZone{0xfff4d2}, kTruth{0xd32f2f}, kPrevious{0x7fa8cc};
 
-/// The four kinds of bin a person must tell apart.
-enum class Kind { Sampled, Contact, Arm, Prior };
-constexpr std::array kKinds{Kind::Sampled, Kind::Contact, Kind::Arm, Kind::Prior};
-
 struct Look {
     Shape shape;
     double size;
     Colour colour;
-    bool open;
-    std::string_view words;
+    bool open = false;
 };
 
-Look lookOf(Kind kind)
+/// As on the screen, with its pattern.
+Look lookOf(Provenance provenance)
 {
-    switch (kind) {
-    case Kind::Sampled: return {Shape::Circle, 11.0, kSampled, false, "sampled"};
-    case Kind::Contact: return {Shape::Square, 13.0, kContact, false, "contact"};
-    case Kind::Arm: return {Shape::Triangle, 16.0, kArm, false, "arm"};
-    case Kind::Prior: return {Shape::Diamond, 16.0, kPrior, true, "prior only"};
+    switch (provenance) {
+    case Provenance::Arm: return {Shape::Triangle, 16.0, kArm};
+    case Provenance::Contact: return {Shape::Square, 13.0, kContact};
+    case Provenance::Constrained: return {Shape::TriangleDown, 14.0, kSampled};
+    case Provenance::Sampled: return {Shape::Circle, 11.0, kSampled};
+    case Provenance::PriorOnly: return {Shape::Diamond, 16.0, kPrior, true};
     }
     return {};
 }
 
-Kind kindOf(const TerrainEstimate& estimate, int bin)
+Stroke barStroke(Provenance provenance)
 {
-    if (estimate.priorOnly(bin)) return Kind::Prior;
-    switch (estimate.origin[static_cast<std::size_t>(bin)]) {
-    case Origin::Sampled: return Kind::Sampled;
-    case Origin::Contact: return Kind::Contact;
-    case Origin::Arm: return Kind::Arm;
-    }
-    return Kind::Sampled;
+    const BarPattern pattern = barPattern(provenance);
+    Stroke stroke{lookOf(provenance).colour, pattern.width, pattern.dashes};
+    for (double& dash : stroke.dashes) dash *= pattern.width;
+    return stroke;
 }
 
 /// Equal axes: metres to pixels, the picture's range fitted into the plot area.
@@ -244,7 +239,8 @@ private:
     {
         const double top = axes_.y(high), bottom = axes_.y(low);
         canvas_.line({x, top}, {x, bottom}, stroke);
-        for (const double y : {top, bottom}) canvas_.line({x - cap, y}, {x + cap, y}, stroke);
+        for (const double y : {top, bottom})
+            canvas_.line({x - cap, y}, {x + cap, y}, {stroke.colour, 2.0, {}});
     }
 
     void drawPrevious(const TerrainEstimate& previous)
@@ -258,10 +254,10 @@ private:
     void drawBin(int bin)
     {
         const auto i = static_cast<std::size_t>(bin);
-        const Look look = lookOf(kindOf(input_.estimate, bin));
+        const Provenance known = provenance(input_.estimate, bin);
         const Point at = axes_.at(binCentre(bin), input_.estimate.height[i]);
-        drawBar(at.x, input_.estimate.q10[i], input_.estimate.q90[i], 7.0, {look.colour, 2.0, {}});
-        drawMark(canvas_, look, at);
+        drawBar(at.x, input_.estimate.q10[i], input_.estimate.q90[i], 7.0, barStroke(known));
+        drawMark(canvas_, lookOf(known), at);
     }
 
     static void drawMark(Canvas& canvas, const Look& look, Point at)
@@ -289,15 +285,17 @@ private:
     void drawKey()
     {
         std::vector<KeyEntry> entries;
-        for (const Kind kind : kKinds) {
-            if (!present(kind)) continue;
-            const Look look = lookOf(kind);
-            entries.push_back({std::string(look.words), [look](Canvas& canvas, Point at) {
-                                   if (look.open)
-                                       canvas.fillRectangle({at.x - 15.0, at.y - 11.0},
-                                                            {at.x + 15.0, at.y + 11.0}, kPriorZone);
-                                   drawMark(canvas, look, at);
-                               }});
+        for (const Provenance known : kProvenances) {
+            if (!present(known)) continue;
+            entries.push_back(
+                {std::string(name(known)), [known](Canvas& canvas, Point at) {
+                     const Look look = lookOf(known);
+                     if (look.open)
+                         canvas.fillRectangle({at.x - 15.0, at.y - 11.0},
+                                              {at.x + 15.0, at.y + 11.0}, kPriorZone);
+                     canvas.line({at.x - 15.0, at.y}, {at.x + 15.0, at.y}, barStroke(known));
+                     drawMark(canvas, look, at);
+                 }});
         }
         addLine(entries, "mean", {kSampled, 2.5, {}});
         entries.push_back(
@@ -324,10 +322,10 @@ private:
                            }});
     }
 
-    bool present(Kind kind) const
+    bool present(Provenance known) const
     {
         for (int bin = 0; bin < kBins; ++bin)
-            if (kindOf(input_.estimate, bin) == kind) return true;
+            if (provenance(input_.estimate, bin) == known) return true;
         return false;
     }
 
@@ -352,9 +350,9 @@ void drawProfile(Canvas& canvas, const FigureInput& input)
 std::string profileTable(const TerrainEstimate& estimate, const std::optional<Heights>& truth)
 {
     std::string table =
-        "   bin  height    sd    80 % band        ceiling  source       R-hat    ESS";
+        "   bin  height    sd    80 % band        ceiling  source        R-hat    ESS";
     table += truth ? "    truth  error\n" : "\n";
-    table += "    [m]     [m]  [mm]          [m]            [m]                             ";
+    table += "    [m]     [m]  [mm]          [m]            [m]                              ";
     table += truth ? "      [m]   [mm]\n" : "\n";
     auto out = std::back_inserter(table);
     for (std::size_t i = 0; i < kBins; ++i) {
@@ -362,9 +360,9 @@ std::string profileTable(const TerrainEstimate& estimate, const std::optional<He
         const std::string ceiling =
             std::isfinite(estimate.ceiling[i]) ? fmt::format("{:+.3f}", estimate.ceiling[i]) : "-";
         fmt::format_to(
-            out, "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<10} {:7.3f} {:6.0f}",
+            out, "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<11} {:7.3f} {:6.0f}",
             binCentre(bin), estimate.height[i], 1000.0 * estimate.sd[i], estimate.q10[i],
-            estimate.q90[i], ceiling, lookOf(kindOf(estimate, bin)).words, estimate.rhat[i],
+            estimate.q90[i], ceiling, name(provenance(estimate, bin)), estimate.rhat[i],
             estimate.ess[i]);
         if (truth)
             fmt::format_to(out, "   {:+.3f}  {:+5.0f}", (*truth)[i],

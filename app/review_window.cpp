@@ -114,7 +114,6 @@ ReviewWindow::~ReviewWindow() = default;
 void ReviewWindow::buildHeader()
 {
     header()->setSource(tr("REVIEW · %1").arg(QString::fromStdString(session_.start().source)));
-    header()->stopButton()->hide();
     header()->arming()->hide();
     header()->qualityButton()->hide();
     state_ = addStrip(QStringLiteral("reviewStrip"));
@@ -457,7 +456,8 @@ void ReviewWindow::exportShown()
 void ReviewWindow::open()
 {
     player_->pause();
-    openInAnotherWindow(*this, {}, [this](const QString& why) {
+    const QString folder = QFileInfo(QString::fromStdString(session_.path())).absolutePath();
+    openInAnotherWindow(*this, folder, {}, [this](const QString& why) {
         trouble_ = why;
         showState();
     });
@@ -487,8 +487,8 @@ void ReviewWindow::defineKeys()
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("export to a file"), [this] {
                   exportShown();
               }});
-    addHelpKey();
-    addDeadStopKey();
+    addHelpKeys();
+    addRemoteStop();
 
     keys.addGroup(tr("View"));
     const auto zoom = [this](double factor) {

@@ -56,9 +56,8 @@ ScenesWindow::ScenesWindow(Options options)
     setWindowTitle(tr("SCENES — %1 — Terratact").arg(name));
     header()->setSource(tr("SCENES OF A FILE"));
     header()->setModel(tr("model loading …"), Tone::Doubt);
-    for (QWidget* const unused :
-         std::initializer_list<QWidget*>{header()->stopButton(), header()->arming(),
-                                         header()->qualityButton(), header()->alarmsButton()})
+    for (QWidget* const unused : std::initializer_list<QWidget*>{
+             header()->arming(), header()->qualityButton(), header()->alarmsButton()})
         unused->hide();
     state_ = addStrip(QStringLiteral("reviewStrip"));
     page_ = new TerrainPage(options_.robot, this);
@@ -184,8 +183,8 @@ void ScenesWindow::defineKeys()
     step({Qt::Key_Comma, Qt::Key_PageUp}, tr("scene before"), [this] { go(-1); });
     step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
     step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
-    addHelpKey();
-    addDeadStopKey();
+    addHelpKeys();
+    addRemoteStop();
 }
 
 }  // namespace terratact

@@ -2,6 +2,8 @@
 
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
+#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -12,7 +14,7 @@
 namespace terratact {
 
 /// Looks after the recordings of earlier runs in a thread of its own, however large they are: closes those whose program
-/// died, then deletes what is beyond the user's limits.  Between two files it can be ended.
+/// died, then deletes what is beyond the user's limits.  Between two files it can be ended.  GUI thread only.
 class SessionHousekeeping final : public QObject {
     Q_OBJECT
 public:
@@ -21,6 +23,11 @@ public:
     ~SessionHousekeeping() override;
 
     void start();  ///< at the first call
+    /// Other limits from now on.  They delete once they have stood for the grace, so that a number that is being typed,
+    /// or was mistaken, deletes nothing.
+    void setLimits(const SessionRetention& limits);
+    void setGrace(int milliseconds) { grace_.setInterval(milliseconds); }
+    static constexpr int kGrace = 10'000;  ///< [ms]
 
     /// What there was to tell since the last call, a sentence each.
     QStringList takeNews();
@@ -33,8 +40,12 @@ private:
     void tell(const std::vector<std::string>& sentences);
 
     std::vector<std::string> paths_;
-    SessionRetention limits_;
+    SessionRetention wanted_;
+    QTimer grace_;
     std::mutex mutex_;  // guards what follows
+    SessionRetention limits_;
+    bool due_ = true;  ///< they have not been applied yet
+    std::condition_variable_any limitsSet_;
     QStringList news_;
     std::jthread thread_;  // last: it ends before all else goes
 };

@@ -71,6 +71,7 @@ public:
     void setOn(bool on);
 
     RecordingState state() const;
+    const std::string& folder() const { return options_.folder; }  ///< of its files
 
 private:
     using Row = std::variant<ModelRow, SceneRow, EstimateRow, ProposalRow, EventRow>;
@@ -138,6 +139,7 @@ std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& pat
 struct SessionRetention {
     double days = 0.0;
     double gigabytes = 0.0;  ///< of all sessions together
+    bool operator==(const SessionRetention&) const = default;
 };
 
 /// Deletes the oldest closed ones of these sessions, the oldest first, beyond the limits; one sentence for each.

@@ -16,6 +16,7 @@
 #include "core/infer/provenance.h"
 #include "core/infer/verdict.h"
 #include "core/terrain/body_ceiling.h"
+#include "core/text.h"
 
 namespace terratact {
 
@@ -72,7 +73,7 @@ std::vector<std::vector<std::string>> tableOf(const TerrainEstimate& e, const Sc
                          fmt::format("{:.0f}", 1000.0 * e.sd[i]), signedNumber(e.q10[i], 3),
                          signedNumber(e.q90[i], 3),
                          std::isfinite(e.ceiling[i]) ? signedNumber(e.ceiling[i], 3) : "none",
-                         std::string(name(provenance(e, bin))), fmt::format("{:.3f}", e.rhat[i]),
+                         std::string(name(provenance(e, bin))), rhatText(e.rhat[i]),
                          fmt::format("{:.0f}", e.ess[i])});
         if (scene.truth) table.back().push_back(signedNumber(scene.truth->at(i), 3));
     }

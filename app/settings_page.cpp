@@ -277,10 +277,12 @@ void SettingsPage::buildRecording(QFormLayout* form)
              tr("Frames, scenes, estimates, what was shown and decided, in one file per session"),
              &Preferences::record);
     whole(form, tr("Delete a session after"), 0, kMostDays, tr("days"),
-          tr("At the next start; never: nothing is deleted"), &Preferences::keepDays)
+          tr("Once it has stood for ten seconds; never: nothing is deleted"),
+          &Preferences::keepDays)
         ->setSpecialValueText(tr("never"));
     whole(form, tr("Delete the oldest beyond"), 0, kMostGigabytes, tr("GB"),
-          tr("Of all sessions together, at the next start"), &Preferences::keepGigabytes)
+          tr("Of all sessions together, once it has stood for ten seconds"),
+          &Preferences::keepGigabytes)
         ->setSpecialValueText(tr("never"));
 }
 
@@ -349,12 +351,16 @@ void SettingsPage::showCosts()
             return c.method == store_.current().method && c.quality == quality;
         });
         const QString word = words::sentence(name(quality));
-        quality_->setItemText(i, cost == presets_.end()
-                                     ? tr("%1: not measured").arg(word)
+        if (cost == presets_.end()) {
+            quality_->setItemText(i, tr("%1: not measured").arg(word));
+            continue;
+        }
+        const QString time = words::number(cost->milliseconds, 1);
+        const QString error = words::number(cost->errorMm, 0);
+        quality_->setItemText(i, isClosedForm(cost->method)
+                                     ? tr("%1: %2 ms, %3 mm (exact)").arg(word, time, error)
                                      : tr("%1: %2 ms, %3 mm (± %4 mm)")
-                                           .arg(word, words::number(cost->milliseconds, 1),
-                                                words::number(cost->errorMm, 0),
-                                                words::number(cost->offMm, 1)));
+                                           .arg(word, time, error, words::number(cost->offMm, 1)));
     }
 }
 

@@ -37,6 +37,7 @@ QString StopDisplay::late(const StopSight& sight)
             .arg(age);
     case StopSight::State::Ready:
     case StopSight::State::Confirmed:
+    case StopSight::State::Elsewhere:
     case StopSight::State::NoEffect: return {};
     }
     return {};

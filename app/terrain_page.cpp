@@ -28,8 +28,9 @@ namespace {
 constexpr int kBetween = 10;                       // [px] cards
 constexpr int kToSpare = 10;                       // [px] before cards have to leave
 constexpr QSize kLeastTerrain{420, 230};           // [px]
-constexpr int kColumn = 404, kNarrowColumn = 300;  // [px] of the decisions, at 100 %
-constexpr int kTightTerrain = 300;  // [px] the terrain is the largest part there, too
+constexpr int kColumn = 404, kNarrowColumn = 260;  // [px] of the decisions, at 100 %
+// [px] of the terrain beside them, likewise: it is the largest part by far
+constexpr int kRoomyTerrain = 540, kTightTerrain = 340;
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)
@@ -317,12 +318,13 @@ void TerrainPage::setTight(bool tight)
     rows_->setContentsMargins(12, margin, 12, margin);
     atem_->setNarrow(tight);
     probe_->setNarrow(tight);
+    drive_->setNarrow(tight);
     for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
         card->setFixedWidth(scaled(tight ? kNarrowColumn : kColumn));
     // A banner's line is the terrain's and the question's, where it would else make the cards leave.
     if (window_)
         terrain_->setMinimumSize(kLeastTerrain - QSize(0, tight ? 0 : window_->bannerLine()));
-    terrainCard_->setMinimumWidth(tight ? scaled(kTightTerrain) : 0);
+    if (window_) terrainCard_->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
     // Driving is needed at any time; the rest of its card is looked up.
     if (tight)
         decide_->addWidget(drive_);
@@ -382,6 +384,10 @@ void TerrainPage::setThreshold(double newtons)
 void TerrainPage::showThreshold()
 {
     forces_->setThreshold(threshold_);
+    if (forcesAge_) {
+        thresholdText_->setText(tr("%1 s old").arg(words::number(*forcesAge_, 1)));
+        return setTone(*thresholdText_, Tone::Bad);
+    }
     const bool raw = forces_->unit() == ForceBars::Unit::Volts;
     const QString value = words::number(threshold_, 1);
     if (fontScale_ > 100 || forces_->arrays() > 2)  // no room for a word
@@ -416,6 +422,7 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     if (!sight.measurement) {
         readout_->clearMeasurement();
         forces_->clearForces();
+        showForcesAge(sight);
         robotAge_->setText(QString());
         return;
     }
@@ -430,10 +437,9 @@ void TerrainPage::showRobot(const TerrainSight& sight)
             readout_->setMeasurement(*sight.measurement, sight.age, captured);
         showAge(sight);
     }
-    if (!fresh) {
-        showAge(sight);  // it grows
-        return forces_->clearForces();
-    }
+    if (!fresh) showAge(sight);  // it grows
+    showForcesAge(sight);
+    if (!fresh || forcesAge_) return forces_->clearForces();
     if (sight.count == shownCount_ || !sight.forces) return;
     if (sight.forcesBefore)
         forces_->setForces(*sight.forces, sight.now, *sight.forcesBefore);
@@ -461,6 +467,21 @@ void TerrainPage::showAge(const TerrainSight& sight)
         text = tr("%1 old").arg(words::age(sight.age));
     robotAge_->setText(text);
     setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+}
+
+/// How old the forces are that are shown stands as their card's tip, and of those that are not shown any more upon it.
+void TerrainPage::showForcesAge(const TerrainSight& sight)
+{
+    const double age = sight.forcesAge.value_or(sight.age);
+    const bool isScene = !sight.measurement || sight.measurement == sight.scene;  // of a file
+    const auto said =
+        isScene || sight.ended || age <= kStaleAfter ? std::nullopt : std::optional(age);
+    if (sight.numbersDue || said != forcesAge_)
+        thresholdText_->setToolTip(isScene ? QString()
+                                           : tr("the forces are %1 old").arg(words::age(age)));
+    if (said == forcesAge_) return;
+    forcesAge_ = said;
+    showThreshold();
 }
 
 void TerrainPage::showEstimate(const TerrainSight& sight)

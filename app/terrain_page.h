@@ -45,6 +45,7 @@ struct TerrainSight {
     double numbersFor = 0.0;                   ///< [s] at most, until they are shown anew
     std::uint64_t count = 0;                   ///< another for another measurement
     const std::vector<ForceArray>* forces = nullptr;  ///< of it
+    std::optional<double> forcesAge{};  ///< [s] of the oldest; empty: they are of that age
     /// Set: the peaks are of these, whatever was shown before.
     const std::vector<TimedForces>* forcesBefore = nullptr;
     const std::optional<Heights>* truth = nullptr;  ///< that its source knows
@@ -139,6 +140,7 @@ private:
     void showPose(const TerrainSight& sight);
     void showVerdict(const TerrainSight& sight);
     void showProbe(const TerrainSight& sight);
+    void showForcesAge(const TerrainSight& sight);
     void showThreshold();
     void fit();
     void setTight(bool tight);
@@ -157,6 +159,7 @@ private:
     QSize roomyNeeds_, tightNeeds_;  ///< [px]
     int columnWidth_ = 404;          ///< [px] at 100 %
     double threshold_ = 0.0;
+    std::optional<double> forcesAge_;  ///< [s] where it is said: they are not shown any more
 
     // Qt's parents own the widgets.
     VerdictStrip* verdict_ = nullptr;

@@ -23,6 +23,12 @@ std::string randomErrorText(double sd, int decimals)
                             : fmt::format("{:.{}f}", sd, decimals);
 }
 
+std::string rhatText(double rhat)
+{
+    constexpr double kMost = 100.0;
+    return rhat > kMost ? fmt::format("> {:.0f}", kMost) : fmt::format("{:.3f}", rhat);
+}
+
 std::optional<double> numberFrom(std::string_view text)
 {
     double value = 0.0;

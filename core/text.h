@@ -12,6 +12,10 @@ std::string numberText(double value);
 /// The sd of something that was drawn at random, which is never 0: "0.01", or "< 0.01" where it would round to 0.
 std::string randomErrorText(double sd, int decimals);
 
+/// R-hat as people read it: "1.061", or "> 100", where no more matters than that it is far too large: of chains that are
+/// stuck it would be infinite.
+std::string rhatText(double rhat);
+
 /// The number a text spells, in full, the same in every locale; empty where it spells none or one beyond
 /// a double.  "nan" and "inf" are numbers here: whoever reads must check.
 std::optional<double> numberFrom(std::string_view text);

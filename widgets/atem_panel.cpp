@@ -322,6 +322,7 @@ void AtemPanel::forbidCommands()
 void AtemPanel::setNarrow(bool narrow)
 {
     narrow_ = narrow;
+    setTitle(narrow ? tr("Exploration") : tr("Exploration (ATEM)"));
     arrange();
     showButtons();
 }

@@ -27,6 +27,11 @@ Card::Card(const QString& title, QWidget* parent) : QFrame(parent)
     body_->addLayout(titleRow_);
 }
 
+void Card::setTitle(const QString& title)
+{
+    heading_->setText(title);
+}
+
 void Card::setTitleShown(bool shown)
 {
     heading_->setVisible(shown);

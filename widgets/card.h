@@ -21,6 +21,7 @@ public:
         return titleRow_;
     }  ///< for controls that belong beside the title
     QLabel* note() const { return note_; }
+    void setTitle(const QString& title);
     void setTitleShown(bool shown);  ///< with its note
     int frameHeight() const;         ///< [px] above and below the body, with the title
 

@@ -1,6 +1,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <vector>
 
 #include "widgets/words.h"
 
@@ -161,6 +162,16 @@ namespace {
     QT_TRANSLATE_NOOP("core", "not sent, the kernel's queue is full"),
     QT_TRANSLATE_NOOP("core", "not readable"),
     QT_TRANSLATE_NOOP("core", "the panel is absent"),
+    QT_TRANSLATE_NOOP("core", "the lines were refused"),
+    QT_TRANSLATE_NOOP("core", "another program, or the kernel,"),
+    QT_TRANSLATE_NOOP(
+        "core", "a line is in use by another program, or by the kernel; gpioinfo shows which"),
+    QT_TRANSLATE_NOOP("core", "the chip is gone: unplugged, or its driver was removed"),
+    QT_TRANSLATE_NOOP("core", "reading an edge"),
+    QT_TRANSLATE_NOOP("core", "reading a level"),
+    QT_TRANSLATE_NOOP("core", "reading the levels"),
+    QT_TRANSLATE_NOOP("core", "waiting for an edge"),
+    QT_TRANSLATE_NOOP("core", "setting an output"),
     QT_TRANSLATE_NOOP("core", "No such file or directory"),
     QT_TRANSLATE_NOOP("core", "Permission denied"),
     QT_TRANSLATE_NOOP("core", "Operation not permitted"),
@@ -176,7 +187,86 @@ namespace {
     QT_TRANSLATE_NOOP("core", "No buffer space available"),
 };
 
+/// What a text has %1, %2 … for, in their places.
+template <class Value>
+QString filled(const QString& text, Value&& valueOf)
+{
+    static const QRegularExpression kPlace(QStringLiteral("%([1-9])"));
+    QString result;
+    qsizetype done = 0;
+    for (auto place = kPlace.globalMatch(text); place.hasNext();) {
+        const QRegularExpressionMatch match = place.next();
+        result += text.mid(done, match.capturedStart() - done) + valueOf(match.captured(1).toInt());
+        done = match.capturedEnd();
+    }
+    return result + text.mid(done);
+}
+
+/// Sentences with places for more than numbers.  What stands there is a sentence again, where it is known.
+const char* const kOpenSentences[]{
+    // Chains that are stuck: "> 100" is no number.
+    QT_TRANSLATE_NOOP("core",
+                      "chains not converged: R-hat %1 (limit %2), effective draws %3 (limit %4)"),
+    // NOLINTNEXTLINE(bugprone-suspicious-missing-comma)
+    QT_TRANSLATE_NOOP("core", "chains not converged when time was out: R-hat %1 (limit %2), "
+                              "effective draws %3 (limit %4)"),
+    // Of the panel's chip and its lines.
+    QT_TRANSLATE_NOOP("core", "no GPIO chip named %1: this computer has none (no /dev/gpiochip*); "
+                              "plug it in, or load its driver"),
+    QT_TRANSLATE_NOOP("core", "no GPIO chip labelled %1: this computer has none (no "
+                              "/dev/gpiochip*); plug it in, or load its driver"),
+    QT_TRANSLATE_NOOP("core", "no GPIO chip named %1: there is %2"),
+    QT_TRANSLATE_NOOP("core", "no GPIO chip labelled %1: there is %2"),
+    QT_TRANSLATE_NOOP("core",
+                      "several GPIO chips named %1: there is %2; say the chip's name instead"),
+    QT_TRANSLATE_NOOP("core",
+                      "several GPIO chips labelled %1: there is %2; say the chip's name instead"),
+    QT_TRANSLATE_NOOP("core",
+                      "%1 has no line named %2: its lines have no names: say offset instead"),
+    QT_TRANSLATE_NOOP("core", "%1 has no line named %2: it has %3 and more"),
+    QT_TRANSLATE_NOOP("core", "%1 has no line named %2: it has %3"),
+    QT_TRANSLATE_NOOP("core", "%1 has several lines named %2: say offset instead"),
+    QT_TRANSLATE_NOOP("core", "%1 has no line %2: it has 0 to %3"),
+    QT_TRANSLATE_NOOP("core", "line %1 of %2 is asked for twice"),
+    QT_TRANSLATE_NOOP("core", "line %1 of %2 is in use: %3 holds it; end that program, or wire the "
+                              "panel to another line"),
+    QT_TRANSLATE_NOOP("core", "it is open to the group %1; run: %2 (and log in again)"),
+    QT_TRANSLATE_NOOP("core", "it is open to root only; run: %1 (and restart)"),
+    QT_TRANSLATE_NOOP("core", "the panel's %1 does not obey: %2"),
+    QT_TRANSLATE_NOOP("core", "the panel's button %1 was held when the panel came up: it counts as "
+                              "not pressed until it is let go; if nobody holds it, its contact "
+                              "sticks or its wires touch"),
+    QT_TRANSLATE_NOOP("core", "the panel's button %1 has been held for longer than anybody "
+                              "presses: it counts as not pressed until it is let go; if nobody "
+                              "holds it, its contact sticks or its wires touch"),
+};
+
 /// As it is among those; empty: it is not.
+QString translatedOpen(const QString& whole)
+{
+    static const QRegularExpression kPlaces(QStringLiteral("\\\\%[1-9]"));
+    static const auto kPatterns = [] {
+        std::vector<QRegularExpression> patterns;
+        for (const char* source : kOpenSentences) {
+            QString pattern = QRegularExpression::escape(QString::fromUtf8(source));
+            patterns.emplace_back(QRegularExpression::anchoredPattern(
+                pattern.replace(kPlaces, QStringLiteral("(.+?)"))));
+        }
+        return patterns;
+    }();
+    for (std::size_t i = 0; i < kPatterns.size(); ++i) {
+        const QRegularExpressionMatch match = kPatterns[i].match(whole);
+        if (!match.hasMatch()) continue;
+        const QString found = QCoreApplication::translate("core", kOpenSentences[i]);
+        if (found == QString::fromUtf8(kOpenSentences[i])) return {};
+        return filled(found, [&match](int place) {
+            return words::sentence(match.captured(place).toStdString());
+        });
+    }
+    return {};
+}
+
+/// As it is among those with numbers; empty: it is not.
 QString translated(const QString& whole)
 {
     static const QRegularExpression kNumber(
@@ -194,16 +284,7 @@ QString translated(const QString& whole)
     pattern += whole.mid(done);
     const QString found = QCoreApplication::translate("core", pattern.toUtf8().constData());
     if (found == pattern) return {};
-    QString result;
-    static const QRegularExpression kPlace(QStringLiteral("%([1-9])"));
-    done = 0;
-    for (auto place = kPlace.globalMatch(found); place.hasNext();) {
-        const QRegularExpressionMatch match = place.next();
-        result += found.mid(done, match.capturedStart() - done)
-                + numbers.value(match.captured(1).toInt() - 1);
-        done = match.capturedEnd();
-    }
-    return result + found.mid(done);
+    return filled(found, [&numbers](int place) { return numbers.value(place - 1); });
 }
 
 }  // namespace
@@ -212,12 +293,14 @@ QString words::sentence(std::string_view english)
 {
     const QString whole = text(english);
     if (QString known = translated(whole); !known.isEmpty()) return known;
+    if (QString known = translatedOpen(whole); !known.isEmpty()) return known;
     // "models/mine.ttm: cannot be opened: No such file or directory"
     const QString kJoint = QStringLiteral(": ");
-    QStringList parts = whole.split(kJoint);
-    for (QString& part : parts)
-        if (const QString known = translated(part); !known.isEmpty()) part = known;
-    return parts.join(kJoint);
+    const qsizetype at = whole.indexOf(kJoint);
+    if (at < 0) return whole;
+    const QString first = whole.left(at), known = translated(first);
+    return (known.isEmpty() ? first : known) + kJoint
+         + sentence(whole.mid(at + kJoint.size()).toStdString());
 }
 
 }  // namespace terratact

@@ -22,8 +22,9 @@ DrivePad::DrivePad(QWidget* parent) : QWidget(parent)
         row->addWidget(held, 1);
         return held;
     };
-    back_ = button(tr("◀ hold: back (S)"), tr("Hold to drive back"), -1);
-    forward_ = button(tr("hold: forward (W) ▶"), tr("Hold to drive forward"), +1);
+    back_ = button({}, tr("Hold to drive back"), -1);
+    forward_ = button({}, tr("Hold to drive forward"), +1);
+    setNarrow(false);
     setPreconditions({});
 }
 
@@ -35,6 +36,15 @@ void DrivePad::setPreconditions(const QList<Precondition>& preconditions)
         button->setEnabled(firstMissing(preconditions).isEmpty());
         button->setToolTip(tip.trimmed());
     }
+}
+
+void DrivePad::setNarrow(bool narrow)
+{
+    const auto lines = [narrow](QString text) {
+        return narrow ? text.replace(QLatin1String(": "), QLatin1String(":\n")) : text;
+    };
+    back_->setText(lines(tr("◀ hold: back (S)")));
+    forward_->setText(lines(tr("hold: forward (W) ▶")));
 }
 
 void DrivePad::setProminent(bool prominent)

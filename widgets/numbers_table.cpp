@@ -53,7 +53,7 @@ void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
         set(bin, From, provenanceWord(provenance(e, bin)));
         set(bin, Step,
             bin + 1 < kBins && !e.draws.empty() ? words::number(steps[i].p, 3) : words::kNothing);
-        set(bin, Rhat, words::number(e.rhat[i], 3));
+        set(bin, Rhat, words::rhat(e.rhat[i]));
         set(bin, Ess, words::number(e.ess[i], 0));
         set(bin, TwoHeaps,
             modes[i] ? tr("%1 (%2 %) or %3 (%4 %)")

@@ -239,13 +239,14 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     if (proposal_ == proposal) return;
     // A hold begun on another question does not count for this one.
     const bool isNew = !proposal_ || proposal_->id != proposal.id;
-    if (isNew) approve_->letGo();
+    if (isNew) {
+        approve_->letGo();
+        whyVoid_.clear();
+    }
     proposal_ = proposal;
     worth_.reset();
     showFacts();
-    approve_->setText(tr("hold to approve probe at %1 (Space)").arg(words::binName(proposal.bin)));
-    approve_->setAccessibleName(
-        tr("Hold to approve the probe of bin %1").arg(words::binName(proposal.bin)));
+    showApproval();
     showPage(kQuestion);
     update();  // all of it
     if (isNew) announce(*this);
@@ -271,6 +272,7 @@ void ProbeCard::showFacts()
     showWorth();
     const QLabel* const lines[]{where_, predicted_, band_, variance_, question_};
     QStringList all;
+    if (isVoid()) all << decided_->text();
     for (const QLabel* line : lines) all << line->text();
     setAccessibleDescription(all.join(QStringLiteral("; ")));
 }
@@ -287,7 +289,7 @@ void ProbeCard::showWorth()
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
                                   : tr("this bin to ± %1 m").arg(words::number(p.armSd, 2));
     // Where the card has more to say, cost and variance share a line.
-    const bool joined = narrow_ || tells() || p.answer != Outlook::CannotTell;
+    const bool joined = narrow_ || tells() || isVoid() || p.answer != Outlook::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(seconds));
@@ -316,7 +318,7 @@ QString ProbeCard::questionText() const
 
 void ProbeCard::showAnswer()
 {
-    setTone(*decided_, asks() ? Tone::Good : Tone::Muted);
+    setTone(*decided_, isVoid() ? Tone::Bad : asks() ? Tone::Good : Tone::Muted);
     if (tells()) {
         decided_->setText(whyNotAsked_);
         decided_->setVisible(!whyNotAsked_.isEmpty());
@@ -324,8 +326,10 @@ void ProbeCard::showAnswer()
     }
     const bool decided = proposal_ && proposal_->answer != Outlook::CannotTell;
     const QString answer = decided ? wordOf(proposal_->answer) : QString();
-    decided_->setVisible(decided && !narrow_ && proposal_->worth);
-    if (decided)
+    decided_->setVisible(isVoid() || (decided && !narrow_ && proposal_->worth));
+    if (isVoid())
+        decided_->setText(tr("Cannot be approved: %1").arg(whyVoid_));
+    else if (decided)
         decided_->setText((proposal_->tellsOfStep() ? tr("%1 stands: a probe makes it surer.")
                                                     : tr("%1 stands: only the shape would gain."))
                               .arg(answer));
@@ -344,6 +348,7 @@ void ProbeCard::showOthers()
     const std::vector<ProbeWorth> offered = told() ? told()->others : std::vector<ProbeWorth>();
     for (std::size_t i = 0; i < kOthers; ++i) {
         others_[i]->setVisible(i < offered.size());
+        others_[i]->setEnabled(!isVoid());
         if (i >= offered.size()) continue;
         const ProbeWorth& other = offered[i];
         const QString bin = words::binName(other.bin);
@@ -353,36 +358,57 @@ void ProbeCard::showOthers()
         const QString all =
             tr("Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit")
                 .arg(bin, percent(other.varianceShare), words::number(other.bitsAfter, 2));
-        others_[i]->setToolTip(all);
+        others_[i]->setToolTip(isVoid() ? tr("Cannot be approved: %1").arg(whyVoid_) : all);
         others_[i]->setAccessibleName(all);
     }
 }
 
 void ProbeCard::showRanking()
 {
-    QStringList bins;
+    QStringList bins;  // a line each: a line that breaks within one cannot be compared
     for (const ProbeWorth& other : told()->others) {
         if (bins.size() == static_cast<qsizetype>(kOthers)) break;
-        bins << tr("%1: %2 %, %3 bit")
+        bins << tr("or at %1: %2 %, %3 bit")
                     .arg(words::binName(other.bin), percent(other.varianceShare),
                          words::number(other.bitsAfter, 2));
     }
-    ranking_->setText(tr("or at %1").arg(bins.join(QStringLiteral(" · "))));
+    ranking_->setText(bins.join(QLatin1Char('\n')));
     ranking_->setVisible(tells() && !bins.isEmpty());
 }
 
 void ProbeCard::setTimeLeft(double seconds)
 {
     const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then no");
-    note()->setText(asks() ? left.arg(words::countdown(seconds)) : QString());
-    setTone(*note(), seconds < 10.0 ? Tone::Bad : Tone::Accent);
+    note()->setText(isVoid() ? tr("void")
+                    : asks() ? left.arg(words::countdown(seconds))
+                             : QString());
+    setTone(*note(), isVoid() || seconds < 10.0 ? Tone::Bad : Tone::Accent);
 }
 
 void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
 {
+    const QString missing = firstMissing(preconditions);
     const QString how =
-        tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing");
+        missing.isEmpty()
+            ? tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing")
+            : tr("Cannot be approved: %1").arg(missing);
     approve_->setToolTip((how + QLatin1Char('\n') + linesOf(preconditions)).trimmed());
+    if (missing == whyVoid_) return;
+    whyVoid_ = missing;
+    if (!asks()) return;
+    showFacts();
+    showApproval();
+    if (isVoid()) announce(*this);
+}
+
+void ProbeCard::showApproval()
+{
+    const QString bin = words::binName(proposal_->bin);
+    approve_->setEnabled(!isVoid());
+    approve_->setText(isVoid() ? tr("approval void: probe at %1").arg(bin)
+                               : tr("hold to approve probe at %1 (Space)").arg(bin));
+    approve_->setAccessibleName(isVoid() ? tr("The probe of bin %1 cannot be approved").arg(bin)
+                                         : tr("Hold to approve the probe of bin %1").arg(bin));
 }
 
 void ProbeCard::setProbing(int bin, double elapsed, double expected)

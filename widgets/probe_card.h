@@ -60,7 +60,8 @@ public:
 
     void setProposal(const ProbeProposal& proposal);
     void setTimeLeft(double seconds);
-    void setPreconditions(const QList<Precondition>& preconditions);  ///< of approving, as its tip
+    /// Of approving, as its tip.  Where one is missing the question is void: it cannot be approved, and says why.
+    void setPreconditions(const QList<Precondition>& preconditions);
     /// The arm is on its way to `bin` for `elapsed` of about `expected` seconds.
     void setProbing(int bin, double elapsed, double expected);
     /// What the probe would buy that nobody is asked for here, and why not; its id and answer do not matter.
@@ -101,6 +102,8 @@ private:
     void showWorth();
     QString questionText() const;
     void showAnswer();
+    void showApproval();
+    bool isVoid() const { return asks() && !whyVoid_.isEmpty(); }
     void showOthers();
     void showRanking();
     void showPage(int page);
@@ -108,6 +111,7 @@ private:
     std::optional<ProbeProposal> proposal_,
         worth_;            ///< asked for; only told.  One of them, or neither
     QString whyNotAsked_;  ///< of worth_
+    QString whyVoid_;      ///< of proposal_; empty: it may be approved
     quint64 painted_ = 0;  ///< id of the proposal that was painted last
     QStackedLayout* pages_ = nullptr;
     QLabel* nothing_ = nullptr;

@@ -14,13 +14,14 @@
 namespace terratact {
 namespace {
 
-constexpr double kThin = 2.0, kWide = 5.0;  // [px]
-constexpr double kFarthest = 1e4;           // [px] beyond every screen
+constexpr double kThin = 2.0;      // [px]
+constexpr double kFarthest = 1e4;  // [px] beyond every screen
 
-QPen patterned(const QColor& colour, const QList<qreal>& dashes)
+QPen barPen(Provenance provenance, const QColor& colour)
 {
-    QPen pen(colour, kThin, Qt::CustomDashLine, Qt::FlatCap);
-    pen.setDashPattern(dashes);  // in widths
+    const BarPattern pattern = barPattern(provenance);
+    QPen pen(colour, pattern.width, Qt::SolidLine, Qt::FlatCap);
+    if (!pattern.dashes.empty()) pen.setDashPattern({pattern.dashes.begin(), pattern.dashes.end()});
     return pen;
 }
 
@@ -29,21 +30,18 @@ QPen patterned(const QColor& colour, const QList<qreal>& dashes)
 ProvenanceMark markOf(Provenance provenance)
 {
     const Theme& t = theme();
-    const auto solid = [](const QColor& colour, double width) {
-        return QPen(colour, width, Qt::SolidLine, Qt::FlatCap);
+    const auto mark = [provenance](QwtSymbol::Style shape, const QColor& line, const QColor& fill,
+                                   int size) {
+        return ProvenanceMark{shape, line, fill, size, barPen(provenance, line)};
     };
     switch (provenance) {
-    case Provenance::Arm: return {QwtSymbol::Triangle, t.arm, t.arm, 13, solid(t.arm, kWide)};
-    case Provenance::Contact:
-        return {QwtSymbol::Rect, t.contact, t.contact, 11, solid(t.contact, kThin)};
-    case Provenance::Constrained:
-        return {QwtSymbol::DTriangle, t.sampled, t.sampled, 11,
-                patterned(t.sampled, {3.0, 1.5, 1.0, 1.5})};
-    case Provenance::Sampled:
-        return {QwtSymbol::Ellipse, t.sampled, t.sampled, 10, patterned(t.sampled, {6.0, 2.0})};
+    case Provenance::Arm: return mark(QwtSymbol::Triangle, t.arm, t.arm, 13);
+    case Provenance::Contact: return mark(QwtSymbol::Rect, t.contact, t.contact, 11);
+    case Provenance::Constrained: return mark(QwtSymbol::DTriangle, t.sampled, t.sampled, 11);
+    case Provenance::Sampled: return mark(QwtSymbol::Ellipse, t.sampled, t.sampled, 10);
     case Provenance::PriorOnly: break;
     }
-    return {QwtSymbol::Diamond, t.prior, t.card, 14, patterned(t.prior, {1.0, 1.0})};
+    return mark(QwtSymbol::Diamond, t.prior, t.card, 14);
 }
 
 PatternBar::PatternBar(const QPen& pen) : QwtIntervalSymbol(QwtIntervalSymbol::Bar)

@@ -18,7 +18,7 @@ struct ProvenanceMark {
     QwtSymbol::Style shape;
     QColor line, fill;
     int size = 0;  ///< [px] at 100 %
-    QPen bar;      ///< solid and wide, solid, dashed, dash and dot, dotted
+    QPen bar;      ///< as barPattern() has it
 };
 ProvenanceMark markOf(Provenance provenance);  ///< in the theme in force
 

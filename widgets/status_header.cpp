@@ -51,7 +51,8 @@ int widthWith(const QPushButton& button, const QString& text)
 QString stopText(StopSight::State state)
 {
     switch (state) {
-    case StopSight::State::Ready: return StatusHeader::tr("STOP (F12)");
+    case StopSight::State::Ready:
+    case StopSight::State::Elsewhere: return StatusHeader::tr("STOP (F12)");
     case StopSight::State::Sent: return StatusHeader::tr("STOP SENT …");
     case StopSight::State::NotSent: return StatusHeader::tr("STOP NOT SENT");
     case StopSight::State::Confirmed: return StatusHeader::tr("STOPPED (F12)");
@@ -67,6 +68,8 @@ QString stopMeaning(const StopSight& sight)
     case StopSight::State::Ready:
         return StatusHeader::tr(
             "Halts the robot at once and latches; F12 does the same everywhere");
+    case StopSight::State::Elsewhere:
+        return StatusHeader::tr("Halts the robot of the console that opened this window");
     case StopSight::State::Sent:
         return StatusHeader::tr("STOP was sent, the robot has not confirmed it; it is sent again");
     case StopSight::State::NotSent: return StatusHeader::tr("STOP was not sent: %1").arg(sight.why);
@@ -82,7 +85,8 @@ QString stopMeaning(const StopSight& sight)
 QString stopRole(StopSight::State state)
 {
     switch (state) {
-    case StopSight::State::Ready: return QStringLiteral("stop");
+    case StopSight::State::Ready:
+    case StopSight::State::Elsewhere: return QStringLiteral("stop");
     case StopSight::State::Sent:
     case StopSight::State::NotSent: return QStringLiteral("stopSent");
     case StopSight::State::Confirmed: return QStringLiteral("stopped");
@@ -145,9 +149,6 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     quality_->setToolTip(tr("How much time an estimate may take for its accuracy"));
     quality_->setVisible(false);
     arming_ = new ArmingControl(this);
-    help_ = new QPushButton(tr("Keys\nF1"), this);
-    help_->setFocusPolicy(Qt::TabFocus);
-    help_->setToolTip(tr("Every key, and what this program is"));
     stop_ = new QPushButton(this);
     stop_->setFocusPolicy(Qt::TabFocus);
     stop_->setAccessibleName(tr("STOP"));
@@ -168,7 +169,6 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     whole->addWidget(stop_);
     setLines(1);
     keepRoom();
-    connect(help_, &QPushButton::clicked, this, &StatusHeader::helpRequested);
     connect(stop_, &QPushButton::pressed, this, &StatusHeader::stopPressed);
 }
 

@@ -18,7 +18,8 @@ struct StopSight {
         Sent,       ///< on its way: the robot has not said that it is stopped
         NotSent,    ///< asked for, but it could not leave
         Confirmed,  ///< the robot says that it is stopped
-        NoEffect,   ///< no command leaves from here, STOP neither
+        Elsewhere,  ///< it goes to the console that opened this window, which says what becomes of it
+        NoEffect,  ///< no command leaves from here, STOP neither
     };
     State state = State::Ready;
     double seconds = 0.0;  ///< [s] of Sent and NotSent: since it was asked for
@@ -54,7 +55,6 @@ public:
         return arming_;
     }  ///< to be hidden where nothing is to be armed
     QPushButton* stopButton() const { return stop_; }
-    QPushButton* helpButton() const { return help_; }
     QPushButton* qualityButton() const { return quality_; }
     QPushButton* alarmsButton() const { return alarms_; }
     QPushButton* busButton() const { return bus_; }
@@ -68,7 +68,6 @@ protected:
 
 signals:
     void stopPressed();
-    void helpRequested();
     void alarmsRequested();
     void busRequested();
     void qualityChosen(int index);
@@ -99,7 +98,6 @@ private:
     QPushButton* bus_ = nullptr;
     QPushButton* quality_ = nullptr;
     ArmingControl* arming_ = nullptr;
-    QPushButton* help_ = nullptr;
     QPushButton* stop_ = nullptr;
 };
 

@@ -37,6 +37,12 @@ inline QString randomError(double sd, int decimals)
     return std::isfinite(sd) ? text(randomErrorText(sd, decimals)) : kNothing;
 }
 
+/// As the core says it: "1.061", or "> 100".
+inline QString rhat(double value)
+{
+    return std::isfinite(value) ? text(rhatText(value)) : kNothing;
+}
+
 /// "83" of 0.83.
 inline QString percent(double share)
 {

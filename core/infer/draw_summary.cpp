@@ -10,6 +10,7 @@
 
 #include "core/infer/convergence.h"
 #include "core/infer/quantile.h"
+#include "core/text.h"
 
 namespace terratact {
 
@@ -34,10 +35,10 @@ void judge(TerrainEstimate& estimate, const GibbsDraws& draws)
         worstRhat <= kRhatLimit && worstEss >= kEssLimit && draws.burnInLeftOut == 0;
     if (!estimate.converged)
         estimate.warnings.push_back(
-            fmt::format("chains not converged{}: R-hat {:.3f} (limit {}), effective draws {:.0f} "
+            fmt::format("chains not converged{}: R-hat {} (limit {}), effective draws {:.0f} "
                         "(limit {:.0f})",
-                        estimate.ending == Ending::Time ? " when time was out" : "", worstRhat,
-                        kRhatLimit, worstEss, kEssLimit));
+                        estimate.ending == Ending::Time ? " when time was out" : "",
+                        rhatText(worstRhat), kRhatLimit, worstEss, kEssLimit));
 }
 
 /// All draws in ascending order.

@@ -27,4 +27,17 @@ std::string_view name(Provenance provenance)
     return {};
 }
 
+BarPattern barPattern(Provenance provenance)
+{
+    constexpr double kThin = 2.0, kWide = 5.0;  // [px]
+    switch (provenance) {
+    case Provenance::Arm: return {kWide};
+    case Provenance::Contact: return {kThin};
+    case Provenance::Constrained: return {kThin, {3.0, 1.5, 1.0, 1.5}};
+    case Provenance::Sampled: return {kThin, {6.0, 2.0}};
+    case Provenance::PriorOnly: return {kThin, {1.0, 1.0}};
+    }
+    return {};
+}
+
 }  // namespace terratact

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "core/infer/estimate.h"
 
@@ -27,5 +28,13 @@ Provenance provenance(const TerrainEstimate& estimate, int bin);
 
 /// "arm", "contact", "constrained", "sampled", "prior only".
 std::string_view name(Provenance provenance);
+
+/// How the bar of its band is drawn, on screens as in figures: no two alike, so that they are told apart without colours.
+struct BarPattern {
+    double width = 0.0;            ///< [px] at 100 %
+    std::vector<double> dashes{};  ///< on, off, … in widths; empty: solid
+};
+/// Wide, solid, dash and dot, dashed, dotted.
+BarPattern barPattern(Provenance provenance);
 
 }  // namespace terratact

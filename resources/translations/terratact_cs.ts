@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="cs" sourcelanguage="en">
 <context>
+    <name>About</name>
+    <message>
+        <source>Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
+        <translation>Částečně založeno na práci projektu Qwt (http://qwt.sf.net).</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s console of a tracked rescue robot. Where cameras see nothing, it estimates the terrain from what body, flippers and arm feel, and says how sure that is.</source>
+        <translation>Konzole operátora pásového záchranného robota. Kde kamery nic nevidí, odhaduje terén z toho, co cítí tělo, flippery a rameno, a říká, jak jisté to je.</translation>
+    </message>
+    <message>
+        <source>Copyright %1 Terratact contributors. MIT licence: free to use, to change and to pass on; without any warranty.</source>
+        <translation>Copyright %1 přispěvatelé Terratactu. Licence MIT: lze volně užívat, měnit a předávat dál; bez jakékoli záruky.</translation>
+    </message>
+    <message>
+        <source>It uses Qt %1 (https://www.qt.io), a library of its own under the GNU LGPL, version 3, which may be replaced by another version of it.</source>
+        <translation>Používá Qt %1 (https://www.qt.io), samostatnou knihovnu pod licencí GNU LGPL verze 3, kterou lze nahradit její jinou verzí.</translation>
+    </message>
+    <message>
+        <source>Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</source>
+        <translation>Další knihovny: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (volné dílo), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</translation>
+    </message>
+    <message>
+        <source>All licences in full: %1</source>
+        <translation>Všechny licence v plném znění: %1</translation>
+    </message>
+</context>
+<context>
     <name>BusWords</name>
     <message>
         <source>%1 works</source>
@@ -258,8 +285,12 @@
         <translation>sběrnice</translation>
     </message>
     <message>
-        <source>! %1 lost</source>
-        <translation>! %1 ztraceno</translation>
+        <source>! %1 dropped</source>
+        <translation>! ztraceno %1</translation>
+    </message>
+    <message>
+        <source>! %1 errors</source>
+        <translation>! chyb %1</translation>
     </message>
 </context>
 <context>
@@ -1371,6 +1402,114 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>No buffer space available</source>
         <translation>není místo ve vyrovnávací paměti</translation>
     </message>
+    <message>
+        <source>the lines were refused</source>
+        <translation>linky byly odmítnuty</translation>
+    </message>
+    <message>
+        <source>another program, or the kernel,</source>
+        <translation>jiný program nebo jádro</translation>
+    </message>
+    <message>
+        <source>a line is in use by another program, or by the kernel; gpioinfo shows which</source>
+        <translation>některou linku používá jiný program nebo jádro; gpioinfo ukáže kterou</translation>
+    </message>
+    <message>
+        <source>the chip is gone: unplugged, or its driver was removed</source>
+        <translation>čip zmizel: byl odpojen, nebo byl odebrán jeho ovladač</translation>
+    </message>
+    <message>
+        <source>reading an edge</source>
+        <translation>čtení hrany</translation>
+    </message>
+    <message>
+        <source>reading a level</source>
+        <translation>čtení úrovně</translation>
+    </message>
+    <message>
+        <source>reading the levels</source>
+        <translation>čtení úrovní</translation>
+    </message>
+    <message>
+        <source>waiting for an edge</source>
+        <translation>čekání na hranu</translation>
+    </message>
+    <message>
+        <source>setting an output</source>
+        <translation>nastavení výstupu</translation>
+    </message>
+    <message>
+        <source>no GPIO chip named %1: this computer has none (no /dev/gpiochip*); plug it in, or load its driver</source>
+        <translation>žádný čip GPIO jménem %1: tento počítač nemá žádný (není /dev/gpiochip*); připojte jej, nebo nahrajte jeho ovladač</translation>
+    </message>
+    <message>
+        <source>no GPIO chip labelled %1: this computer has none (no /dev/gpiochip*); plug it in, or load its driver</source>
+        <translation>žádný čip GPIO s označením %1: tento počítač nemá žádný (není /dev/gpiochip*); připojte jej, nebo nahrajte jeho ovladač</translation>
+    </message>
+    <message>
+        <source>no GPIO chip named %1: there is %2</source>
+        <translation>žádný čip GPIO jménem %1: je tu %2</translation>
+    </message>
+    <message>
+        <source>no GPIO chip labelled %1: there is %2</source>
+        <translation>žádný čip GPIO s označením %1: je tu %2</translation>
+    </message>
+    <message>
+        <source>several GPIO chips named %1: there is %2; say the chip&apos;s name instead</source>
+        <translation>několik čipů GPIO jménem %1: je tu %2; uveďte místo toho jméno čipu</translation>
+    </message>
+    <message>
+        <source>several GPIO chips labelled %1: there is %2; say the chip&apos;s name instead</source>
+        <translation>několik čipů GPIO s označením %1: je tu %2; uveďte místo toho jméno čipu</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: its lines have no names: say offset instead</source>
+        <translation>%1 nemá linku jménem %2: jeho linky nemají jména: uveďte místo toho offset</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: it has %3 and more</source>
+        <translation>%1 nemá linku jménem %2: má %3 a další</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: it has %3</source>
+        <translation>%1 nemá linku jménem %2: má %3</translation>
+    </message>
+    <message>
+        <source>%1 has several lines named %2: say offset instead</source>
+        <translation>%1 má několik linek jménem %2: uveďte místo toho offset</translation>
+    </message>
+    <message>
+        <source>%1 has no line %2: it has 0 to %3</source>
+        <translation>%1 nemá linku %2: má 0 až %3</translation>
+    </message>
+    <message>
+        <source>it is open to the group %1; run: %2 (and log in again)</source>
+        <translation>je otevřen skupině %1; spusťte: %2 (a znovu se přihlaste)</translation>
+    </message>
+    <message>
+        <source>it is open to root only; run: %1 (and restart)</source>
+        <translation>je otevřen jen správci (root); spusťte: %1 (a restartujte)</translation>
+    </message>
+    <message>
+        <source>the panel&apos;s %1 does not obey: %2</source>
+        <translation>%1 panelu neposlouchá: %2</translation>
+    </message>
+    <message>
+        <source>the panel&apos;s button %1 was held when the panel came up: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
+        <translation>tlačítko %1 na panelu bylo drženo, když panel naběhl: počítá se jako nestisknuté, dokud se neuvolní; nikdo-li je nedrží, vázne jeho kontakt, nebo se dotýkají jeho vodiče</translation>
+    </message>
+    <message>
+        <source>the panel&apos;s button %1 has been held for longer than anybody presses: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
+        <translation>tlačítko %1 na panelu je drženo déle, než kdo tiskne: počítá se jako nestisknuté, dokud se neuvolní; nikdo-li je nedrží, vázne jeho kontakt, nebo se dotýkají jeho vodiče</translation>
+    </message>
+    <message>
+        <source>line %1 of %2 is asked for twice</source>
+        <translation>linka %1 čipu %2 je požadována dvakrát</translation>
+    </message>
+    <message>
+        <source>line %1 of %2 is in use: %3 holds it; end that program, or wire the panel to another line</source>
+        <translation>linka %1 čipu %2 je obsazena: drží ji %3; ukončete ten program, nebo zapojte panel na jinou linku</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1705,6 +1844,10 @@ Poslední deaktivace: %1</translation>
         <source>not ready: doubtful</source>
         <translation>nepřipraveno: sporné</translation>
     </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Průzkum</translation>
+    </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
@@ -1793,6 +1936,32 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>SAFE MODE: default settings, none are read or saved · to leave it, start without --safe-mode</source>
         <translation>NOUZOVÝ REŽIM: výchozí nastavení, nic se nečte ani neukládá · ukončíte ho spuštěním bez --safe-mode</translation>
+    </message>
+    <message>
+        <source>Help
+F1</source>
+        <translation>Nápověda
+F1</translation>
+    </message>
+    <message>
+        <source>Every key, and what this program is</source>
+        <translation>Všechny klávesy a co je tento program</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Nápověda</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+    <message>
+        <source>About Terratact</source>
+        <translation>O programu Terratact</translation>
+    </message>
+    <message>
+        <source>what this program is</source>
+        <translation>co je tento program</translation>
     </message>
 </context>
 <context>
@@ -2273,10 +2442,6 @@ Poslední deaktivace: %1</translation>
         <translation>Zatím bez odhadu: model se načítá</translation>
     </message>
     <message>
-        <source>STOP has no effect: %1</source>
-        <translation>STOP nepůsobí: %1</translation>
-    </message>
-    <message>
         <source>the robot says that it is stopped</source>
         <translation>robot hlásí, že je zastaven</translation>
     </message>
@@ -2303,6 +2468,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>No estimate: the robot was stopped</source>
         <translation>Bez odhadu: robot byl zastaven</translation>
+    </message>
+    <message>
+        <source>Not offered when the estimate came: explore again to be asked</source>
+        <translation>Nenabídnuto, když odhad přišel: k dotazu prozkoumejte znovu</translation>
     </message>
 </context>
 <context>
@@ -2391,13 +2560,6 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
-    <name>terratact::KeySheet</name>
-    <message>
-        <source>Keys</source>
-        <translation>Klávesy</translation>
-    </message>
-</context>
-<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>Terratact — %1</source>
@@ -2438,10 +2600,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>no model</source>
         <translation>bez modelu</translation>
-    </message>
-    <message>
-        <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
-        <translation>Terratact %1. Zčásti založen na práci projektu Qwt (http://qwt.sf.net).</translation>
     </message>
     <message>
         <source>STOP, in every window</source>
@@ -2642,6 +2800,22 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>PANEL LOST, which means STOP: connect the operator&apos;s panel, then hold R; or start without --panel</source>
         <translation>PANEL ZTRACEN, což znamená STOP: připojte panel operátora a podržte R; nebo spusťte bez --panel</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, exact quantiles by a formula, mean error %3 mm</source>
+        <translation>%1: %2 ms, přesné kvantily podle vzorce, střední chyba %3 mm</translation>
+    </message>
+    <message>
+        <source>the robot stays: %1</source>
+        <translation>robot zůstává: %1</translation>
+    </message>
+    <message>
+        <source>STOP has no effect: %1</source>
+        <translation>STOP nepůsobí: %1</translation>
+    </message>
+    <message>
+        <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
+        <translation>PANEL ZTRACEN: připojte panel operátora, nebo spusťte bez --panel</translation>
     </message>
 </context>
 <context>
@@ -2947,12 +3121,24 @@ Poslední deaktivace: %1</translation>
         <translation>nic se nežádá</translation>
     </message>
     <message>
-        <source>%1: %2 %, %3 bit</source>
-        <translation>%1: %2 %, %3 bit</translation>
+        <source>Cannot be approved: %1</source>
+        <translation>Nelze schválit: %1</translation>
     </message>
     <message>
-        <source>or at %1</source>
-        <translation>nebo v %1</translation>
+        <source>void</source>
+        <translation>neplatí</translation>
+    </message>
+    <message>
+        <source>approval void: probe at %1</source>
+        <translation>schválení neplatí: sonda v %1</translation>
+    </message>
+    <message>
+        <source>The probe of bin %1 cannot be approved</source>
+        <translation>Sondu bodu %1 nelze schválit</translation>
+    </message>
+    <message>
+        <source>or at %1: %2 %, %3 bit</source>
+        <translation>nebo v %1: %2 %, %3 bit</translation>
     </message>
 </context>
 <context>
@@ -4140,20 +4326,12 @@ Poslední deaktivace: %1</translation>
         <translation>dnech</translation>
     </message>
     <message>
-        <source>At the next start; never: nothing is deleted</source>
-        <translation>Při příštím startu; nikdy: nic se nemaže</translation>
-    </message>
-    <message>
         <source>Delete the oldest beyond</source>
         <translation>Nejstarší smazat nad</translation>
     </message>
     <message>
         <source>GB</source>
         <translation>GB</translation>
-    </message>
-    <message>
-        <source>Of all sessions together, at the next start</source>
-        <translation>Všech relací dohromady, při příštím startu</translation>
     </message>
     <message>
         <source>Opens the console anew</source>
@@ -4210,6 +4388,18 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
         <translation>Nejistý: podle rozptylu, jako v článku. Výrok: podle entropie jeho otázky, ať je sd jakákoli, a jen dokud je otevřená</translation>
+    </message>
+    <message>
+        <source>Once it has stood for ten seconds; never: nothing is deleted</source>
+        <translation>Jakmile hodnota platí deset sekund; nikdy: nic se nemaže</translation>
+    </message>
+    <message>
+        <source>Of all sessions together, once it has stood for ten seconds</source>
+        <translation>Všech záznamů dohromady, jakmile hodnota platí deset sekund</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (exact)</source>
+        <translation>%1: %2 ms, %3 mm (přesně)</translation>
     </message>
 </context>
 <context>
@@ -4445,16 +4635,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Kolik času smí odhad stát za svou přesnost</translation>
     </message>
     <message>
-        <source>Keys
-F1</source>
-        <translation>Klávesy
-F1</translation>
-    </message>
-    <message>
-        <source>Every key, and what this program is</source>
-        <translation>Všechny klávesy a co je tento program</translation>
-    </message>
-    <message>
         <source>STOP (F12)</source>
         <translation>STOP (F12)</translation>
     </message>
@@ -4533,6 +4713,10 @@ F1</translation>
     <message>
         <source>All of it: F5</source>
         <translation>Vše: F5</translation>
+    </message>
+    <message>
+        <source>Halts the robot of the console that opened this window</source>
+        <translation>Zastaví robota konzole, která otevřela toto okno</translation>
     </message>
 </context>
 <context>
@@ -4665,6 +4849,10 @@ F1</translation>
         <source>The estimate is being computed</source>
         <translation>Odhad se počítá</translation>
     </message>
+    <message>
+        <source>the forces are %1 old</source>
+        <translation>síly jsou staré %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -4779,6 +4967,21 @@ F1</translation>
     <message>
         <source>from: %1 (%2)</source>
         <translation>z: %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TextSheet</name>
+    <message>
+        <source>Copy as text</source>
+        <translation>Kopírovat jako text</translation>
+    </message>
+    <message>
+        <source>All of it, for a report</source>
+        <translation>Vše, do hlášení</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Zavřít (Esc)</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>About</name>
+    <message>
+        <source>Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
+        <translation>Beruht zum Teil auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s console of a tracked rescue robot. Where cameras see nothing, it estimates the terrain from what body, flippers and arm feel, and says how sure that is.</source>
+        <translation>Die Bedienkonsole eines Rettungsroboters auf Ketten. Wo Kameras nichts sehen, schätzt sie das Gelände aus dem, was Rumpf, Flipper und Arm spüren, und sagt, wie sicher das ist.</translation>
+    </message>
+    <message>
+        <source>Copyright %1 Terratact contributors. MIT licence: free to use, to change and to pass on; without any warranty.</source>
+        <translation>Copyright %1 die Mitwirkenden an Terratact. MIT-Lizenz: frei zu benutzen, zu ändern und weiterzugeben; ohne jede Gewährleistung.</translation>
+    </message>
+    <message>
+        <source>It uses Qt %1 (https://www.qt.io), a library of its own under the GNU LGPL, version 3, which may be replaced by another version of it.</source>
+        <translation>Benutzt Qt %1 (https://www.qt.io), eine eigenständige Bibliothek unter der GNU LGPL, Version 3, die durch eine andere Version von ihr ersetzt werden darf.</translation>
+    </message>
+    <message>
+        <source>Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</source>
+        <translation>Weitere Bibliotheken: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (gemeinfrei), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</translation>
+    </message>
+    <message>
+        <source>All licences in full: %1</source>
+        <translation>Alle Lizenzen im Wortlaut: %1</translation>
+    </message>
+</context>
+<context>
     <name>BusWords</name>
     <message>
         <source>%1 works</source>
@@ -258,8 +285,12 @@
         <translation>Bus</translation>
     </message>
     <message>
-        <source>! %1 lost</source>
+        <source>! %1 dropped</source>
         <translation>! %1 verloren</translation>
+    </message>
+    <message>
+        <source>! %1 errors</source>
+        <translation>! %1 Fehler</translation>
     </message>
 </context>
 <context>
@@ -1371,6 +1402,114 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>No buffer space available</source>
         <translation>kein Platz im Puffer</translation>
     </message>
+    <message>
+        <source>the lines were refused</source>
+        <translation>die Leitungen wurden verweigert</translation>
+    </message>
+    <message>
+        <source>another program, or the kernel,</source>
+        <translation>ein anderes Programm oder der Kernel</translation>
+    </message>
+    <message>
+        <source>a line is in use by another program, or by the kernel; gpioinfo shows which</source>
+        <translation>eine Leitung wird von einem anderen Programm oder vom Kernel benutzt; gpioinfo zeigt welche</translation>
+    </message>
+    <message>
+        <source>the chip is gone: unplugged, or its driver was removed</source>
+        <translation>der Chip ist weg: abgezogen, oder sein Treiber wurde entfernt</translation>
+    </message>
+    <message>
+        <source>reading an edge</source>
+        <translation>Lesen einer Flanke</translation>
+    </message>
+    <message>
+        <source>reading a level</source>
+        <translation>Lesen eines Pegels</translation>
+    </message>
+    <message>
+        <source>reading the levels</source>
+        <translation>Lesen der Pegel</translation>
+    </message>
+    <message>
+        <source>waiting for an edge</source>
+        <translation>Warten auf eine Flanke</translation>
+    </message>
+    <message>
+        <source>setting an output</source>
+        <translation>Setzen eines Ausgangs</translation>
+    </message>
+    <message>
+        <source>no GPIO chip named %1: this computer has none (no /dev/gpiochip*); plug it in, or load its driver</source>
+        <translation>kein GPIO-Chip namens %1: dieser Rechner hat keinen (kein /dev/gpiochip*); bitte anstecken oder seinen Treiber laden</translation>
+    </message>
+    <message>
+        <source>no GPIO chip labelled %1: this computer has none (no /dev/gpiochip*); plug it in, or load its driver</source>
+        <translation>kein GPIO-Chip mit der Bezeichnung %1: dieser Rechner hat keinen (kein /dev/gpiochip*); bitte anstecken oder seinen Treiber laden</translation>
+    </message>
+    <message>
+        <source>no GPIO chip named %1: there is %2</source>
+        <translation>kein GPIO-Chip namens %1: es gibt %2</translation>
+    </message>
+    <message>
+        <source>no GPIO chip labelled %1: there is %2</source>
+        <translation>kein GPIO-Chip mit der Bezeichnung %1: es gibt %2</translation>
+    </message>
+    <message>
+        <source>several GPIO chips named %1: there is %2; say the chip&apos;s name instead</source>
+        <translation>mehrere GPIO-Chips namens %1: es gibt %2; bitte statt dessen den Namen des Chips angeben</translation>
+    </message>
+    <message>
+        <source>several GPIO chips labelled %1: there is %2; say the chip&apos;s name instead</source>
+        <translation>mehrere GPIO-Chips mit der Bezeichnung %1: es gibt %2; bitte statt dessen den Namen des Chips angeben</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: its lines have no names: say offset instead</source>
+        <translation>%1 hat keine Leitung namens %2: seine Leitungen haben keine Namen: bitte statt dessen offset angeben</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: it has %3 and more</source>
+        <translation>%1 hat keine Leitung namens %2: er hat %3 und weitere</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: it has %3</source>
+        <translation>%1 hat keine Leitung namens %2: er hat %3</translation>
+    </message>
+    <message>
+        <source>%1 has several lines named %2: say offset instead</source>
+        <translation>%1 hat mehrere Leitungen namens %2: bitte statt dessen offset angeben</translation>
+    </message>
+    <message>
+        <source>%1 has no line %2: it has 0 to %3</source>
+        <translation>%1 hat keine Leitung %2: er hat 0 bis %3</translation>
+    </message>
+    <message>
+        <source>it is open to the group %1; run: %2 (and log in again)</source>
+        <translation>offen für die Gruppe %1; ausführen: %2 (und neu anmelden)</translation>
+    </message>
+    <message>
+        <source>it is open to root only; run: %1 (and restart)</source>
+        <translation>offen nur für root; ausführen: %1 (und neu starten)</translation>
+    </message>
+    <message>
+        <source>the panel&apos;s %1 does not obey: %2</source>
+        <translation>%1 des Pults gehorcht nicht: %2</translation>
+    </message>
+    <message>
+        <source>the panel&apos;s button %1 was held when the panel came up: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
+        <translation>der Knopf %1 des Pults war gedrückt, als das Pult hochkam: er gilt als nicht gedrückt, bis er losgelassen wird; hält ihn niemand, klemmt sein Kontakt oder seine Drähte berühren sich</translation>
+    </message>
+    <message>
+        <source>the panel&apos;s button %1 has been held for longer than anybody presses: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
+        <translation>der Knopf %1 des Pults ist länger gedrückt, als jemand drückt: er gilt als nicht gedrückt, bis er losgelassen wird; hält ihn niemand, klemmt sein Kontakt oder seine Drähte berühren sich</translation>
+    </message>
+    <message>
+        <source>line %1 of %2 is asked for twice</source>
+        <translation>Leitung %1 von %2 wird zweimal verlangt</translation>
+    </message>
+    <message>
+        <source>line %1 of %2 is in use: %3 holds it; end that program, or wire the panel to another line</source>
+        <translation>Leitung %1 von %2 ist in Gebrauch: %3 hält sie; jenes Programm beenden oder das Pult an eine andere Leitung anschließen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -1705,6 +1844,10 @@ Zuletzt gesperrt: %1</translation>
         <source>not ready: doubtful</source>
         <translation>nicht bereit: zweifelhaft</translation>
     </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Erkundung</translation>
+    </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
@@ -1793,6 +1936,32 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>SAFE MODE: default settings, none are read or saved · to leave it, start without --safe-mode</source>
         <translation>SICHERER MODUS: Standardeinstellungen, nichts wird gelesen oder gespeichert · zum Verlassen ohne --safe-mode starten</translation>
+    </message>
+    <message>
+        <source>Help
+F1</source>
+        <translation>Hilfe
+F1</translation>
+    </message>
+    <message>
+        <source>Every key, and what this program is</source>
+        <translation>Alle Tasten, und was dieses Programm ist</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>About Terratact</source>
+        <translation>Über Terratact</translation>
+    </message>
+    <message>
+        <source>what this program is</source>
+        <translation>was dieses Programm ist</translation>
     </message>
 </context>
 <context>
@@ -2273,10 +2442,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Noch keine Schätzung: das Modell wird geladen</translation>
     </message>
     <message>
-        <source>STOP has no effect: %1</source>
-        <translation>STOP wirkt nicht: %1</translation>
-    </message>
-    <message>
         <source>the robot says that it is stopped</source>
         <translation>der Roboter meldet, dass er gestoppt ist</translation>
     </message>
@@ -2303,6 +2468,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>No estimate: the robot was stopped</source>
         <translation>Keine Schätzung: der Roboter wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>Not offered when the estimate came: explore again to be asked</source>
+        <translation>Nicht angeboten, als die Schätzung kam: erneut erkunden, um gefragt zu werden</translation>
     </message>
 </context>
 <context>
@@ -2391,13 +2560,6 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
-    <name>terratact::KeySheet</name>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-</context>
-<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>Terratact — %1</source>
@@ -2438,10 +2600,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>no model</source>
         <translation>kein Modell</translation>
-    </message>
-    <message>
-        <source>Terratact %1. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
-        <translation>Terratact %1. Beruht teilweise auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
     </message>
     <message>
         <source>STOP, in every window</source>
@@ -2642,6 +2800,22 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>PANEL LOST, which means STOP: connect the operator&apos;s panel, then hold R; or start without --panel</source>
         <translation>PULT VERLOREN, das heißt STOP: das Bedienpult anschließen, dann R halten; oder ohne --panel starten</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, exact quantiles by a formula, mean error %3 mm</source>
+        <translation>%1: %2 ms, exakte Quantile aus einer Formel, mittlerer Fehler %3 mm</translation>
+    </message>
+    <message>
+        <source>the robot stays: %1</source>
+        <translation>der Roboter bleibt: %1</translation>
+    </message>
+    <message>
+        <source>STOP has no effect: %1</source>
+        <translation>STOP wirkt nicht: %1</translation>
+    </message>
+    <message>
+        <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
+        <translation>PULT VERLOREN: das Bedienpult anschließen oder ohne --panel starten</translation>
     </message>
 </context>
 <context>
@@ -2947,12 +3121,24 @@ Zuletzt gesperrt: %1</translation>
         <translation>nichts gefragt</translation>
     </message>
     <message>
-        <source>%1: %2 %, %3 bit</source>
-        <translation>%1: %2 %, %3 bit</translation>
+        <source>Cannot be approved: %1</source>
+        <translation>Kann nicht genehmigt werden: %1</translation>
     </message>
     <message>
-        <source>or at %1</source>
-        <translation>oder bei %1</translation>
+        <source>void</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>approval void: probe at %1</source>
+        <translation>Genehmigung ungültig: Sondierung bei %1</translation>
+    </message>
+    <message>
+        <source>The probe of bin %1 cannot be approved</source>
+        <translation>Die Sondierung von Feld %1 kann nicht genehmigt werden</translation>
+    </message>
+    <message>
+        <source>or at %1: %2 %, %3 bit</source>
+        <translation>oder bei %1: %2 %, %3 bit</translation>
     </message>
 </context>
 <context>
@@ -4140,20 +4326,12 @@ Zuletzt gesperrt: %1</translation>
         <translation>Tagen</translation>
     </message>
     <message>
-        <source>At the next start; never: nothing is deleted</source>
-        <translation>Beim nächsten Start; nie: nichts wird gelöscht</translation>
-    </message>
-    <message>
         <source>Delete the oldest beyond</source>
         <translation>Die ältesten löschen über</translation>
     </message>
     <message>
         <source>GB</source>
         <translation>GB</translation>
-    </message>
-    <message>
-        <source>Of all sessions together, at the next start</source>
-        <translation>Aller Sitzungen zusammen, beim nächsten Start</translation>
     </message>
     <message>
         <source>Opens the console anew</source>
@@ -4210,6 +4388,18 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
         <translation>Unsicher: nach der Varianz, wie im Artikel. Urteil: nach der Entropie seiner Frage, gleich wie groß die sd ist, und nur solange sie offen ist</translation>
+    </message>
+    <message>
+        <source>Once it has stood for ten seconds; never: nothing is deleted</source>
+        <translation>Sobald der Wert zehn Sekunden steht; nie: nichts wird gelöscht</translation>
+    </message>
+    <message>
+        <source>Of all sessions together, once it has stood for ten seconds</source>
+        <translation>Aller Sitzungen zusammen, sobald der Wert zehn Sekunden steht</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (exact)</source>
+        <translation>%1: %2 ms, %3 mm (exakt)</translation>
     </message>
 </context>
 <context>
@@ -4445,16 +4635,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Wie viel Zeit eine Schätzung für ihre Genauigkeit brauchen darf</translation>
     </message>
     <message>
-        <source>Keys
-F1</source>
-        <translation>Tasten
-F1</translation>
-    </message>
-    <message>
-        <source>Every key, and what this program is</source>
-        <translation>Alle Tasten, und was dieses Programm ist</translation>
-    </message>
-    <message>
         <source>STOP (F12)</source>
         <translation>STOP (F12)</translation>
     </message>
@@ -4533,6 +4713,10 @@ F1</translation>
     <message>
         <source>All of it: F5</source>
         <translation>Alles: F5</translation>
+    </message>
+    <message>
+        <source>Halts the robot of the console that opened this window</source>
+        <translation>Hält den Roboter der Konsole an, die dieses Fenster geöffnet hat</translation>
     </message>
 </context>
 <context>
@@ -4665,6 +4849,10 @@ F1</translation>
         <source>The estimate is being computed</source>
         <translation>Die Schätzung wird berechnet</translation>
     </message>
+    <message>
+        <source>the forces are %1 old</source>
+        <translation>die Kräfte sind %1 alt</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -4779,6 +4967,21 @@ F1</translation>
     <message>
         <source>from: %1 (%2)</source>
         <translation>aus: %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TextSheet</name>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
+    </message>
+    <message>
+        <source>All of it, for a report</source>
+        <translation>Alles, für einen Bericht</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
     </message>
 </context>
 <context>

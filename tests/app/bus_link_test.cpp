@@ -150,6 +150,11 @@ TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
     QTest::keyClick(window.get(), Qt::Key_F2);
     EXPECT_TRUE(eventually(
         [&] { return window->readout()->ageText(RobotReadout::Pitch).endsWith(" ms"); }));
+    EXPECT_TRUE(eventually([&] {
+        for (const QLabel* label : window->forces()->parentWidget()->findChildren<QLabel*>())
+            if (label->toolTip().startsWith("the forces are")) return true;
+        return false;
+    })) << "and so are the forces";
     picture("bus-chip");
 }
 

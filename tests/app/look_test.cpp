@@ -329,6 +329,36 @@ TEST(TerrainPageAlone, saysNoTelemetryYoungerThanItMayBe)
     EXPECT_EQ(says(1.27, false, 0.24), "1.3 s old") << "and it grows";
 }
 
+TEST(TerrainPageAlone, saysHowOldTheForcesAreThatItShowsNoMore)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const Measurement m;
+    std::vector<ForceArray> forces(1);
+    for (ForceElement& element : forces[0].elements) element.newtons = 3.0;
+    std::uint64_t shows = 0;
+    const auto says = [&](double age, std::optional<double> forcesAge) {
+        TerrainSight sight;
+        sight.measurement = &m;
+        sight.age = age;
+        sight.forces = &forces;
+        sight.forcesAge = forcesAge;
+        sight.count = ++shows;
+        page.setSight(sight);
+        for (const QLabel* label : page.forces()->parentWidget()->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().endsWith(" old")) return label->text();
+        return QString();
+    };
+    EXPECT_EQ(says(0.05, {}), "");
+    EXPECT_EQ(page.forces()->numberText(0), "3.0");
+    EXPECT_EQ(says(0.05, 0.44), "0.4 s old") << "their frames alone are missing";
+    EXPECT_EQ(page.forces()->numberText(0), "--");
+    EXPECT_EQ(says(0.05, 0.06), "") << "they are back";
+    EXPECT_EQ(page.forces()->numberText(0), "3.0");
+    EXPECT_EQ(says(1.27, {}), "1.3 s old") << "with all telemetry";
+    EXPECT_EQ(page.forces()->numberText(0), "--");
+}
+
 TEST(TerrainPageAlone, saysThatFlippersMoveOnlyWhileTheyDo)
 {
     TerrainPage page(absolem());

@@ -16,6 +16,7 @@
 
 #include "app/numbers_page.h"
 #include "app/settings_page.h"
+#include "app/text_sheet.h"
 #include "core/learn/model_file.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/gui.h"
@@ -316,18 +317,18 @@ TEST_F(Console, theSheetOfKeysLeavesTheHeaderFreeAndAllOfItCanBeReached)
         window->preferences().change([=](Preferences& p) { p.fontScale = letters; });
         window->resize(1200, 680);
         QTest::keyClick(window.get(), Qt::Key_F1);
-        auto* sheet = window->findChild<QScrollArea*>(QString(), Qt::FindDirectChildrenOnly);
+        auto* sheet = window->findChild<TextSheet*>();
         ASSERT_TRUE(sheet && QTest::qWaitForWindowExposed(sheet)) << letters;
         EXPECT_TRUE(sheet->isWindow());
         EXPECT_FALSE(sheet->frameGeometry().intersects(onScreen(*window->header()))) << letters;
         EXPECT_TRUE(onScreen(*window).contains(sheet->frameGeometry())) << letters;
-        EXPECT_EQ(sheet->horizontalScrollBar()->maximum(), 0) << letters << ": lines are whole";
-        const QWidget& text = *sheet->widget();
+        const QScrollArea& area = *sheet->area();
+        EXPECT_EQ(area.horizontalScrollBar()->maximum(), 0) << letters << ": lines are whole";
+        const QWidget& text = *area.widget();
         EXPECT_GE(text.height(), text.hasHeightForWidth() ? text.heightForWidth(text.width())
                                                           : text.sizeHint().height())
             << letters;
-        EXPECT_LE(text.height(),
-                  sheet->viewport()->height() + sheet->verticalScrollBar()->maximum())
+        EXPECT_LE(text.height(), area.viewport()->height() + area.verticalScrollBar()->maximum())
             << letters;
         if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty()) {
             QPixmap both = window->grab();
@@ -336,9 +337,9 @@ TEST_F(Console, theSheetOfKeysLeavesTheHeaderFreeAndAllOfItCanBeReached)
         }
         clickStop();
         EXPECT_EQ(stopsPressed(), 1) << letters;
-        if (const int below = sheet->verticalScrollBar()->maximum(); below > 0) {
-            QTest::keyClick(sheet, Qt::Key_PageDown);
-            EXPECT_GT(sheet->verticalScrollBar()->value(), 0) << "by key, too";
+        if (const int below = area.verticalScrollBar()->maximum(); below > 0) {
+            QTest::keyClick(sheet->focusWidget(), Qt::Key_PageDown);
+            EXPECT_GT(area.verticalScrollBar()->value(), 0) << "by key, too";
         }
         QTest::keyClick(sheet, Qt::Key_Escape);
         EXPECT_FALSE(sheet->isVisible());

@@ -298,7 +298,7 @@ TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
 {
     openScripted();
     const QString fast =
-        QStringLiteral("fast: 0.5 ms, quantiles ± 0.2 mm from a long run, mean error 25 mm");
+        QStringLiteral("fast: 0.5 ms, exact quantiles by a formula, mean error 25 mm");
     const auto offered = [&] { return window->header()->qualityButton()->menu()->actions(); };
     ASSERT_TRUE(eventually([&] { return offered()[0]->text() == fast; }))
         << offered()[0]->text().toStdString();
@@ -310,6 +310,9 @@ TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
     const Settings& settings = window->exploration().options().settings;
     EXPECT_EQ(settings, withQuality(settings, Quality::Fast));
     EXPECT_NE(settings, withQuality(settings, Quality::Balanced));
+    window->preferences().change([](Preferences& p) { p.method = Method::Pafac; });
+    EXPECT_EQ(offered()[0]->text(),
+              QStringLiteral("fast: 4.0 ms, quantiles ± 11.3 mm from a long run, mean error 34 mm"));
 }
 
 TEST_F(Console, escapeAbortsAnExploration)

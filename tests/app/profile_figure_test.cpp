@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
 
+#include "app/canvas.h"
+#include "core/infer/provenance.h"
 #include "tests/support/picture.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
@@ -67,6 +70,7 @@ TEST_F(ProfileFigure, is1200By700WithAWhiteMarginAllAround)
     input.previous = input.estimate;
     input.truth = input.estimate.height;
     input.estimate.origin[6] = Origin::Contact;  // with every entry the key is two rows long
+    input.estimate.ceiling[5] = -0.22;
     input.estimate.origin[9] = Origin::Arm;
     input.estimate.ceiling[10] = std::numeric_limits<double>::infinity();
     const Picture picture = drawn(input);
@@ -94,6 +98,42 @@ TEST_F(ProfileFigure, showsEveryKindOfBinInItsOwnColourAndOnlyWhereThereIsOne)
         EXPECT_GT(all.count(colour), 30) << std::hex << colour;
     }
     EXPECT_EQ(plain.count(kTruth), 0);
+}
+
+TEST_F(ProfileFigure, tellsKindsOfBinApartByPatternsThatAreTheScreens)
+{
+    const auto dashesOf = [](const FigureInput& input) {
+        static const std::regex kDashes("stroke-dasharray[:=]\"?([0-9.]+(?:[, ]+[0-9.]+)*)");
+        const std::string svg = svgText(kProfileWidth, kProfileHeight,
+                                        [&](Canvas& canvas) { drawProfile(canvas, input); });
+        std::set<std::string> found;
+        for (std::sregex_iterator at(svg.begin(), svg.end(), kDashes), end; at != end; ++at) {
+            std::string dashes = (*at)[1].str();
+            std::erase(dashes, ',');
+            found.insert(dashes);
+        }
+        return found;
+    };
+    FigureInput input = flatGround();
+    input.estimate.origin.fill(Origin::Contact);
+    const std::set<std::string> solid = dashesOf(input);  // of the ceilings
+    input.estimate.origin[4] = Origin::Sampled;
+    EXPECT_EQ(dashesOf(input).count("12 4"), 1U) << "6 and 2 widths of 2 px";
+    EXPECT_EQ(dashesOf(input).size(), solid.size() + 1);
+    input.estimate.origin[5] = Origin::Sampled;
+    input.estimate.ceiling[5] = -0.215;
+    EXPECT_EQ(dashesOf(input).count("6 3 2 3"), 1U) << "constrained by the body";
+    input.estimate.origin[10] = Origin::Sampled;
+    input.estimate.ceiling[10] = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(dashesOf(input).count("2 2"), 1U) << "prior only";
+    EXPECT_EQ(dashesOf(input).size(), solid.size() + 3);
+    for (const Provenance one : kProvenances)
+        for (const Provenance other : kProvenances)
+            if (one != other) {
+                EXPECT_FALSE(barPattern(one).width == barPattern(other).width
+                             && barPattern(one).dashes == barPattern(other).dashes)
+                    << name(one) << " and " << name(other);
+            }
 }
 
 TEST_F(ProfileFigure, hasEqualAxes)
@@ -156,7 +196,7 @@ TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
     truth[10] = -0.29;
     const std::string table = profileTable(e, truth);
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);
-    EXPECT_NE(table.find("  -0.3  -0.240    10  -0.260 … -0.220    -0.200  sampled      1.000   "
+    EXPECT_NE(table.find("  -0.3  -0.240    10  -0.260 … -0.220    -0.200  sampled       1.000   "
                          "1000   -0.240     +0\n"),
               std::string::npos)
         << table;
@@ -166,7 +206,7 @@ TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
     EXPECT_NE(table.find("  +0.6  -0.240    10  -0.260 … -0.220    -0.200  arm "),
               std::string::npos)
         << table;
-    EXPECT_NE(table.find("  +0.7  -0.240    10  -0.260 … -0.220         -  prior only   1.000   "
+    EXPECT_NE(table.find("  +0.7  -0.240    10  -0.260 … -0.220         -  prior only    1.000   "
                          "1000   -0.290    +50\n"),
               std::string::npos)
         << table;

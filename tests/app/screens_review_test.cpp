@@ -10,10 +10,13 @@
 #include <QScrollBar>
 #include <QTableWidget>
 
+#include "app/about.h"
+#include "app/remote_stop.h"
 #include "app/resources.h"
 #include "app/review_events_page.h"
 #include "app/review_export_dialog.h"
 #include "app/settings_page.h"
+#include "app/text_sheet.h"
 #include "app/training_page.h"
 #include "app/view_menu.h"
 #include "app/what_if_page.h"
@@ -129,6 +132,11 @@ TEST_F(Screens, result)
             console->preferences().change([theme = theme](Preferences& p) { p.theme = theme; });
             picture(name, {moved});
         }
+        press(Qt::Key_F1, Qt::ControlModifier);
+        auto* about = console->findChild<TextSheet*>(QStringLiteral("about"));
+        ASSERT_TRUE(about && about->isVisible());
+        pictureWith(*about, "about", {QCoreApplication::translate("About", kQwtCredit)});
+        about->close();
     });
 }
 
@@ -175,18 +183,21 @@ TEST_F(Screens, menus)
             return menu && menu->actions().first()->text().contains(QStringLiteral(" ms"));
         };
         ASSERT_TRUE(eventually(isMeasured));
-        pictureOfMenu(*console->header()->qualityButton(), "menu_quality",
-                      {MainWindow::tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error "
-                                      "%4 mm")});
+        pictureOfMenu(
+            *console->header()->qualityButton(), "menu_quality",
+            {MainWindow::tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")});
         pictureOfMenu(*console->viewButton(), "menu_terrain",
                       {MainWindow::tr("Some of the draws as thin lines (D)"),
                        MainWindow::tr("A second method beside it"), QStringLiteral("joint")});
         pictureOfMenu(*console->atemPanel()->needsButton(), "menu_needs",
                       {AtemPanel::tr("exploring"), AtemPanel::tr("releasing STOP")});
+        auto* help = console->rail()->findChild<QPushButton*>(QStringLiteral("help"));
         QPushButton* view = nullptr;
         for (QPushButton* button : console->rail()->findChildren<QPushButton*>())
-            if (button->menu()) view = button;
-        ASSERT_TRUE(view);
+            if (button->menu() && button != help) view = button;
+        ASSERT_TRUE(view && help);
+        pictureOfMenu(*help, "menu_help",
+                      {ConsoleWindow::tr("Keys"), ConsoleWindow::tr("About Terratact")});
         pictureOfMenu(*view, "menu_view",
                       {ViewMenu::tr("layout: drive"), ViewMenu::tr("colours: night, red"),
                        ViewMenu::tr("larger letters"), ViewMenu::tr("language: %1")});
@@ -250,6 +261,11 @@ TEST_F(Screens, review)
         pictureWith(*banner, "review_has_no_stop",
                     {ConsoleWindow::tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to "
                                        "the console's own window")});
+        qputenv(kStopLineVariable, "nobody");
+        openReview();
+        qunsetenv(kStopLineVariable);
+        EXPECT_TRUE(review->header()->stopButton()->isVisible());
+        picture("review_with_the_stop_of_its_console", {StatusHeader::tr("STOP (F12)")});
         unsay(recordedModel);
     });
 }

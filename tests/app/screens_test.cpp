@@ -56,8 +56,9 @@ const std::vector<Chapter>& chapters()
          {"page_numbers", "page_alarms", "page_signals", "page_training", "page_settings",
           "page_diagnostics", "layout_drive", "layout_review", "keys", "smallest",
           "settings_down_to_the_model_card", "letters_200_percent",
-          "letters_200_percent_page_robot", "ghost", "ghost_by_night", "ghost_in_high_contrast"}},
-        {"menus", {"menu_quality", "menu_terrain", "menu_needs", "menu_view"}},
+          "letters_200_percent_page_robot", "ghost", "ghost_by_night", "ghost_in_high_contrast",
+          "about"}},
+        {"menus", {"menu_quality", "menu_terrain", "menu_needs", "menu_view", "menu_help"}},
         {"stop",
          {"stop_not_confirmed", "stopped", "hold_to_release_stop_at_half", "stop_not_sent"}},
         {"trouble",
@@ -69,8 +70,8 @@ const std::vector<Chapter>& chapters()
         {"training", {"training_running", "training_compared"}},
         {"review",
          {"review", "review_events", "what_if", "what_if_by_another_method",
-          "review_letters_200_percent_page_robot", "export", "export_written",
-          "review_has_no_stop"}},
+          "review_letters_200_percent_page_robot", "export", "export_written", "review_has_no_stop",
+          "review_with_the_stop_of_its_console"}},
         {"scenes", {"scenes", "scenes_keys"}},
     };
     return kChapters;
@@ -403,7 +404,8 @@ TEST_F(Screens, probe)
             if (exploration.state().phase == AtemPhase::ProposingProbe) break;
         }
         picture("question_of_another_model",
-                {Preconditions::tr("scene, settings or model have changed since the question")});
+                {Preconditions::tr("scene, settings or model have changed since the question"),
+                 ProbeCard::tr("void"), ProbeCard::tr("approval void: probe at %1")});
         approve();
         ASSERT_TRUE(reaches(AtemPhase::Failed));
         picture("approval_void", {told(describe(AtemFailure::ApprovalVoid))});

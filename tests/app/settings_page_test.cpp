@@ -76,7 +76,9 @@ struct SettingsInForce : testing::Test {
         };
         options.recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
-        options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
+        options.presets = {"measured",
+                           {{Method::Local, Quality::Fast, 0.5, 0.0, 25.0},
+                            {Method::Pafac, Quality::Fast, 4.0, 11.3, 34.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
         QTest::keyClick(window.get(), Qt::Key_F7);
@@ -182,10 +184,12 @@ TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
 TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
 {
     EXPECT_TRUE(eventually([&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); }));
-    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("± 0.2 mm"));
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("(exact)"));
     EXPECT_TRUE(page().qualityBox()->itemText(1).contains("not measured"));
     page().methodBox()->setCurrentText("pafc");
     EXPECT_TRUE(page().qualityBox()->itemText(0).contains("not measured"));
+    page().methodBox()->setCurrentText("pafac");
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("± 11.3 mm"));
 }
 
 TEST_F(SettingsInForce, whatAQualityCostsIsToldOnlyOfTheModelItWasMeasuredWith)
@@ -317,13 +321,36 @@ TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
     ASSERT_FALSE(SessionReader::open(path)->sealed());
     SessionHousekeeping house(sessionsIn(folder), {});
     QStringList told;
-    QObject::connect(&house, &SessionHousekeeping::news, [&] { told << house.takeNews(); });
+    QObject::connect(&house, &SessionHousekeeping::news, &house, [&] { told << house.takeNews(); });
     QTest::qWait(100);
     EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
     house.start();
     ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
     EXPECT_TRUE(told[0].contains("session recovered")) << told[0].toStdString();
     EXPECT_TRUE(SessionReader::open(path)->sealed());
+}
+
+TEST(SessionHousekeeping, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhile)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions"), path = folder + "/old.tts";
+    std::filesystem::create_directory(folder);
+    ASSERT_TRUE(someSession(path, 300));
+    ASSERT_FALSE(recoverDeadSessions({path}).empty());  // closes it
+    const SessionRetention any{}, small{.gigabytes = 1e-9};
+    SessionHousekeeping house(sessionsIn(folder), any);
+    house.setGrace(300);
+    house.start();
+    QStringList told;
+    QObject::connect(&house, &SessionHousekeeping::news, &house, [&] { told << house.takeNews(); });
+    house.setLimits(small);
+    house.setLimits(any);  // a mistake, taken back in time
+    QTest::qWait(900);
+    EXPECT_TRUE(std::filesystem::exists(path));
+    house.setLimits(small);
+    ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
+    EXPECT_TRUE(told[0].contains("session deleted")) << told[0].toStdString();
+    EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 }  // namespace

@@ -30,6 +30,15 @@ TEST(RandomErrorText, isNeverZero)
     EXPECT_EQ(randomErrorText(0.0, 1), "< 0.1");
 }
 
+TEST(RhatText, saysNoMoreOfStuckChainsThanIsKnown)
+{
+    EXPECT_EQ(rhatText(1.0), "1.000");
+    EXPECT_EQ(rhatText(1.0612), "1.061");
+    EXPECT_EQ(rhatText(100.0), "100.000");
+    EXPECT_EQ(rhatText(100.5), "> 100");
+    EXPECT_EQ(rhatText(1e6), "> 100") << "kRhatNever";
+}
+
 TEST(NumberText, isTheShortestThatDoes)
 {
     EXPECT_EQ(numberText(0.1), "0.1");

@@ -77,7 +77,9 @@ struct Console : testing::Test {
         options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
         options.exploration.driveSpeed = 0.05;
         options.exploration.limits.approval = answerTime;
-        options.presets = {"measured", {{Method::Local, Quality::Fast, 0.5, 0.2, 25.0}}};
+        options.presets = {"measured",
+                           {{Method::Local, Quality::Fast, 0.5, 0.0, 25.0},
+                            {Method::Pafac, Quality::Fast, 4.0, 11.3, 34.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         window->probeCard()->approveButton()->setHoldTime(150);
         window->atemPanel()->releaseButton()->setHoldTime(150);

@@ -56,6 +56,48 @@ TEST_F(Probe, saysWhereWhatAndForHowMuch)
     EXPECT_TRUE(card.approveButton()->text().contains("0.6 m"));
 }
 
+TEST_F(Probe, thatIsVoidSaysWhyAndTakesNoApproval)
+{
+    const QList<Precondition> met{{Precondition::Level::Met, "as then"}};
+    const QList<Precondition> changed{{Precondition::Level::Met, "the link is good"},
+                                      {Precondition::Level::Missing, "the model has changed"}};
+    for (const bool narrow : {false, true}) {
+        card.setNarrow(narrow);
+        card.setProposal(kProposal);
+        card.setPreconditions(met);
+        card.setTimeLeft(20.0);
+        EXPECT_FALSE(allText().contains("Cannot be approved"));
+        card.approveButton()->setHoldTime(60000);
+        QTest::mousePress(card.approveButton(), Qt::LeftButton);
+        ASSERT_TRUE(card.approveButton()->isHeld());
+        card.setPreconditions(changed);
+        card.setTimeLeft(20.0);
+        EXPECT_FALSE(card.approveButton()->isHeld()) << "a hold that was begun before is no word";
+        QTest::mouseRelease(card.approveButton(), Qt::LeftButton);
+        EXPECT_FALSE(card.approveButton()->isEnabled());
+        EXPECT_TRUE(card.approveButton()->text().contains("void"));
+        EXPECT_TRUE(card.approveButton()->toolTip().contains("the model has changed"));
+        EXPECT_TRUE(allText().contains("Cannot be approved: the model has changed"));
+        EXPECT_EQ(card.note()->text(), "void") << "no time runs";
+        EXPECT_TRUE(card.accessibleDescription().contains("the model has changed"));
+        EXPECT_FALSE(card.otherButton(0)->isEnabled());
+        EXPECT_TRUE(card.refuseButton()->isEnabled());
+        card.approveButton()->setHoldTime(30);
+        QTest::mousePress(card.approveButton(), Qt::LeftButton);
+        QTest::qWait(120);
+        EXPECT_TRUE(approved.isEmpty());
+        QTest::mouseRelease(card.approveButton(), Qt::LeftButton);
+        card.setPreconditions(met);
+        EXPECT_TRUE(card.approveButton()->isEnabled()) << "the old model is in use again";
+        EXPECT_TRUE(card.otherButton(0)->isEnabled());
+    }
+    ProbeProposal another = kProposal;
+    card.setPreconditions(changed);
+    another.id = 8;
+    card.setProposal(another);
+    EXPECT_TRUE(card.approveButton()->isEnabled()) << "another question stands on its own grounds";
+}
+
 TEST_F(Probe, theNarrowFormSaysAllOfItInFewerWords)
 {
     card.setNarrow(true);

@@ -125,7 +125,6 @@ TEST(Header, theBusAndTheModelLeaveForWhatMattersMore)
 {
     applyLook(*qApp);
     StatusHeader header;
-    header.helpButton()->hide();  // it stands elsewhere
     header.setSource("can0");
     header.setLink("link 20 Hz", Tone::Good);
     header.setRobot("halted", Tone::Plain);
