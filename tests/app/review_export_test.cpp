@@ -40,6 +40,8 @@ TEST_F(ReviewOf, whatIsShownIsExported)
     EXPECT_FALSE(savePicture(terrain, "picture.bmp").isEmpty());
     const QString day = QString::fromStdString(directory.file("day.png"));
     terrain.setFixedSize(800, 400);
+    for (const Qt::Key theme : {Qt::Key_6, Qt::Key_4})  // fits the letters to the room that is left
+        QTest::keyClick(window.get(), theme, Qt::ControlModifier);
     QTest::qWait(50);
     EXPECT_TRUE(savePicture(terrain, day).isEmpty());
     for (const ThemeName dark : {ThemeName::NightRed, ThemeName::HighContrast}) {
