@@ -28,9 +28,9 @@ namespace {
 constexpr int kBetween = 10;                       // [px] cards
 constexpr int kToSpare = 10;                       // [px] before cards have to leave
 constexpr QSize kLeastTerrain{420, 230};           // [px]
-constexpr int kColumn = 404, kNarrowColumn = 260;  // [px] of the decisions, at 100 %
+constexpr int kColumn = 404, kNarrowColumn = 268;  // [px] of the decisions, at 100 %
 // [px] of the terrain beside them, likewise: it is the largest part by far
-constexpr int kRoomyTerrain = 540, kTightTerrain = 340;
+constexpr int kRoomyTerrain = 540, kTightTerrain = 336;
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)

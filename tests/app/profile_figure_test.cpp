@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "app/canvas.h"
 #include "core/infer/provenance.h"
@@ -108,9 +110,16 @@ TEST_F(ProfileFigure, tellsKindsOfBinApartByPatternsThatAreTheScreens)
                                         [&](Canvas& canvas) { drawProfile(canvas, input); });
         std::set<std::string> found;
         for (std::sregex_iterator at(svg.begin(), svg.end(), kDashes), end; at != end; ++at) {
-            std::string dashes = (*at)[1].str();
-            std::erase(dashes, ',');
-            found.insert(dashes);
+            std::string numbers = (*at)[1].str();
+            std::ranges::replace(numbers, ',', ' ');
+            std::istringstream in(numbers);
+            std::vector<double> dashes;
+            for (double dash = 0.0; in >> dash;) dashes.push_back(dash);
+            const double least = std::ranges::min(dashes);
+            std::string ratios;
+            for (const double dash : dashes)
+                ratios += std::to_string(std::lround(10.0 * dash / least)) + ' ';
+            found.insert(ratios);
         }
         return found;
     };
@@ -118,14 +127,14 @@ TEST_F(ProfileFigure, tellsKindsOfBinApartByPatternsThatAreTheScreens)
     input.estimate.origin.fill(Origin::Contact);
     const std::set<std::string> solid = dashesOf(input);  // of the ceilings
     input.estimate.origin[4] = Origin::Sampled;
-    EXPECT_EQ(dashesOf(input).count("12 4"), 1U) << "6 and 2 widths of 2 px";
+    EXPECT_EQ(dashesOf(input).count("30 10 "), 1U) << "6 and 2 widths";
     EXPECT_EQ(dashesOf(input).size(), solid.size() + 1);
     input.estimate.origin[5] = Origin::Sampled;
     input.estimate.ceiling[5] = -0.215;
-    EXPECT_EQ(dashesOf(input).count("6 3 2 3"), 1U) << "constrained by the body";
+    EXPECT_EQ(dashesOf(input).count("30 15 10 15 "), 1U) << "constrained by the body";
     input.estimate.origin[10] = Origin::Sampled;
     input.estimate.ceiling[10] = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(dashesOf(input).count("2 2"), 1U) << "prior only";
+    EXPECT_EQ(dashesOf(input).count("10 10 "), 1U) << "prior only";
     EXPECT_EQ(dashesOf(input).size(), solid.size() + 3);
     for (const Provenance one : kProvenances)
         for (const Provenance other : kProvenances)

@@ -21,7 +21,7 @@ namespace {
 using gui::eventually;
 
 constexpr QSize kWindows[]{{1200, 680}, {1366, 768}, {1440, 900}, {1920, 1080}};
-constexpr double kWider = 1.3;  ///< than any card beside it, at the least
+constexpr double kWider = 1.25;  ///< than any card beside it, at the least
 
 std::unique_ptr<MainWindow> openConsole()
 {

@@ -186,7 +186,7 @@ TEST_F(Probe, saysTheSameWhereNobodyIsAsked)
         const QString text = allText();
         for (const char* words : {"approved elsewhere", "0.6 m", "+0.02", "−0.05 … +0.09 m",
                                   "total variance −71 %", "45 s", "0.98 → 0.31 bit", "0.89/min",
-                                  "0.7 m: −58 %, 0.52 bit · 0.5 m: −20 %, 0.90 bit"})
+                                  "or at 0.7 m: −58 %, 0.52 bit\nor at 0.5 m: −20 %, 0.90 bit"})
             EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
                                                                  << text.toStdString();
         EXPECT_FALSE(text.contains("left")) << "no question runs out";
