@@ -89,7 +89,7 @@ TEST_F(BusConsole, showsAsManyArraysAsTheRobotsFileHas)
         window->resize(1200, 680);
         QTest::qWait(100);
         picture(QStringLiteral("arrays_%1").arg(bars.arrays()));
-        EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+        EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     }
 }
 
@@ -358,13 +358,13 @@ TEST_F(BusConsole, noTextIsCutAtTheSmallestSize)
     window->resize(window->minimumSize());
     arm();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     QTest::keyClick(window.get(), Qt::Key_A);
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
         << describe(window->exploration().state().failure);
     QTest::qWait(100);
     EXPECT_EQ(window->size(), window->minimumSize()) << "the layout needs more than this";
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     picture("smallest");
 }
 

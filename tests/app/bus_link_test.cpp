@@ -166,9 +166,8 @@ TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
     EXPECT_TRUE(window->header()->arming()->armButton()->toolTip().contains("--transmit"));
     EXPECT_FALSE(window->drivePad()->forwardButton()->isEnabled());
     QTest::keyClick(window.get(), Qt::Key_F12);
-    QTest::qWait(100);
+    EXPECT_TRUE(eventually([&] { return says("STOP HAS NO EFFECT HERE"); }));
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle) << "nothing is stopped";
-    EXPECT_TRUE(says("STOP HAS NO EFFECT HERE"));
     QPushButton& stop = *window->header()->stopButton();
     EXPECT_EQ(stop.text(), "STOP: no commands");
     const QImage image = gui::painted(stop);
@@ -247,7 +246,7 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
     QTest::keyClick(window.get(), Qt::Key_F2);
     EXPECT_TRUE(says("Following"));
     EXPECT_TRUE(window->exploration().estimation().estimate()) << "its press waited for the model";
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     picture("end-of-the-log");
 }
 

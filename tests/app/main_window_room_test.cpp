@@ -49,7 +49,7 @@ TEST_F(Console, noTextIsCutAtTheSmallestSizes)
         window->resize(size);
         QTest::qWait(100);
         EXPECT_EQ(window->size(), size) << "the layout needs more than this";
-        EXPECT_EQ(gui::cutText(*window), std::vector<std::string>()) << size.width();
+        EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>()) << size.width();
     }
 }
 
@@ -85,12 +85,12 @@ TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
     window->header()->setAlarms(3, 12);
     QTest::qWait(100);
     EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     source->setSilent(true);
     ASSERT_TRUE(eventually([&] { return window->header()->linkText().startsWith("LINK LOST"); }));
     QTest::qWait(100);
     EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     EXPECT_EQ(window->size(), least);
     EXPECT_EQ(window->minimumSize(), least);
     EXPECT_EQ(lookInForce().fontScale, letters);
@@ -147,7 +147,7 @@ TEST_F(Console, aBannerMovesNoCard)
         EXPECT_EQ(window->rail()->button(page)->isVisible(), apart.at(where)) << where;
         EXPECT_EQ(window->forces()->isVisible(), !apart.at(where)) << where;
         EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>()) << where;
-        EXPECT_EQ(gui::cutText(*window), std::vector<std::string>()) << where;
+        EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>()) << where;
     });
 }
 

@@ -125,7 +125,7 @@ TEST_F(Pages, signalsLiveAndGoStale)
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") != "--"; }));
     EXPECT_TRUE(window->signalsPage()->headline().contains("of 500 kbit/s"));
     EXPECT_TRUE(window->signalsPage()->headline().contains("can0 works"));
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     robot.reset();
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") == "--"; }));
     picture("signals-stale");
@@ -198,7 +198,7 @@ TEST_F(ForeignFramesOnThePage, areDecodedByTheirDbcFiles)
     QTest::qWait(300);
     window->signalsPage()->table()->scrollToBottom();
     picture("signals-foreign");
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     sending.stop();
     EXPECT_TRUE(eventually([&] {
         for (const TappedFrame& frame : window->link()->tap().frames(steadyNow()))
@@ -227,7 +227,7 @@ TEST_F(ForeignFramesOnThePage, whatIsWrongWithAFileIsSaidAndStopsNothing)
     window->resize(window->minimumSize());
     QTest::qWait(300);
     picture("signals-foreign-troubles");
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
 }
 
 TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
@@ -278,16 +278,18 @@ TEST_F(Pages, lostLinkSoundsOnceOpensTheAlarmsAndIsAcknowledged)
     EXPECT_EQ(window->header()->alarmsButton()->text(), "no alarms");
     bus.setState(BusState::Down, "can0");
     ASSERT_TRUE(eventually([&] { return window->alarms().list().alarms().size() >= 2; }));
+    EXPECT_TRUE(eventually([&] {
+        return window->header()->alarmsButton()->text() == QString::fromUtf8("▲ alarms: 2");
+    }));
     QTest::qWait(300);
     EXPECT_EQ(sounds, 1) << "bus and link at once";
-    EXPECT_EQ(window->header()->alarmsButton()->text(), QString::fromUtf8("▲ alarms: 2"));
     QTest::mouseClick(window->header()->alarmsButton(), Qt::LeftButton);
     EXPECT_EQ(window->rail()->chosen(), window->rail()->pageOf(Qt::Key_F4));
     ASSERT_TRUE(
         eventually([&] { return window->alarmsPage()->table()->table()->rowCount() == 2; }));
     QTest::qWait(100);
     picture("alarms");
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     bus.setState(BusState::Up, "can0");
     ASSERT_TRUE(
         eventually([&] { return window->alarms().list().count(AlarmState::Returned) == 2; }));
@@ -308,7 +310,7 @@ TEST_F(Pages, diagnosticsCanBeCopied)
     QTest::keyClick(window.get(), Qt::Key_F8);
     QTest::qWait(1500);
     picture("diagnostics");
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     QTest::mouseClick(window->diagnosticsPage()->copyButton(), Qt::LeftButton);
     const QString text = QApplication::clipboard()->text();
     for (const char* part : {"Qt: 6.", "Qwt: 6.", "Eigen: 3.", "OpenBLAS: ", "Linux",
@@ -336,7 +338,7 @@ TEST_F(Pages, fitTheSmallestWindow)
         QTest::keyClick(window.get(), page);
         QTest::qWait(200);
         EXPECT_EQ(window->size(), window->minimumSize()) << "page " << page - Qt::Key_F1 + 1;
-        EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
+        EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     }
 }
 

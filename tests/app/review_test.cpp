@@ -303,7 +303,7 @@ TEST_F(ReviewOf, nothingIsCutInLargeLettersAndTheTerrainHasTheRoomThereIs)
             EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>{}) << c.scale << " " << page;
         }
         window->rail()->choose(0);
-        QTest::qWait(50);
+        settle(*window->terrainPage()->terrain());
         EXPECT_EQ(window->size(), c.size);
         const TerrainProfileView& terrain = *window->terrainPage()->terrain();
         EXPECT_GE(terrain.transform(QwtPlot::xBottom, 1.0)
@@ -335,8 +335,7 @@ TEST_F(ReviewOf, nothingIsCutInAnyLanguage)
         press(Qt::Key_E, Qt::ControlModifier);
         const ReviewExportDialog* dialog = window->exportDialog();
         ASSERT_TRUE(dialog);
-        QTest::qWait(20);
-        EXPECT_EQ(cutText(*dialog), std::vector<std::string>{}) << language;
+        EXPECT_EQ(gui::cutWhenSettled(*dialog), std::vector<std::string>{}) << language;
     }
     installLanguage(*qApp, "en");
 }

@@ -189,6 +189,13 @@ inline std::vector<std::string> cutText(const QWidget& window)
     return cut;
 }
 
+/// Those of them that remain once the layout has come to rest.
+inline std::vector<std::string> cutWhenSettled(const QWidget& window)
+{
+    (void)eventually([&] { return cutText(window).empty(); }, 2000);
+    return cutText(window);
+}
+
 /// The texts of lines that end in "…" for want of room; their tips say all.
 inline std::vector<std::string> elidedText(const QWidget& window)
 {
@@ -272,6 +279,20 @@ inline QImage painted(QWidget& widget)
     image.fill(Qt::transparent);
     widget.render(&image);
     return image;
+}
+
+/// Until a widget looks the same in ten rounds of the event loop: laid out, and drawn in the colours in force.  Not for
+/// one that shows what is live.
+inline void settle(QWidget& widget)
+{
+    QImage before;
+    int rounds = 0;
+    (void)eventually([&] {
+        const QImage now = painted(widget);
+        rounds = now == before ? rounds + 1 : 0;
+        before = now;
+        return rounds == 10;
+    });
 }
 
 /// How many different colours an image has: more than a handful when something was drawn.

@@ -35,11 +35,7 @@ struct ReviewOf : testing::Test {
     }
     double now() const { return window->player().position(); }
     /// Texts without the room they need once the layout has come to rest.
-    std::vector<std::string> cutWhenSettled() const
-    {
-        (void)gui::eventually([this] { return gui::cutText(*window).empty(); }, 1500);
-        return gui::cutText(*window);
-    }
+    std::vector<std::string> cutWhenSettled() const { return gui::cutWhenSettled(*window); }
 
     TemporaryDirectory directory;
     QString path = QString::fromStdString(directory.file("review.tts"));
