@@ -1,6 +1,7 @@
 #include "widgets/drive_pad.h"
 
 #include <QHBoxLayout>
+#include <QRegularExpression>
 
 #include "widgets/held_button.h"
 #include "widgets/palette.h"
@@ -40,11 +41,11 @@ void DrivePad::setPreconditions(const QList<Precondition>& preconditions)
 
 void DrivePad::setNarrow(bool narrow)
 {
-    const auto lines = [narrow](QString text) {
-        return narrow ? text.replace(QLatin1String(": "), QLatin1String(":\n")) : text;
-    };
-    back_->setText(lines(tr("◀ hold: back (S)")));
-    forward_->setText(lines(tr("hold: forward (W) ▶")));
+    static const QRegularExpression kHold(
+        QStringLiteral("\\S+: "));  // "hold: ", which the tip says, too
+    const auto words = [narrow](QString text) { return narrow ? text.remove(kHold) : text; };
+    back_->setText(words(tr("◀ hold: back (S)")));
+    forward_->setText(words(tr("hold: forward (W) ▶")));
 }
 
 void DrivePad::setProminent(bool prominent)

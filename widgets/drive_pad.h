@@ -17,7 +17,7 @@ public:
     /// Enabled unless one is Missing; all are in the tip.
     void setPreconditions(const QList<Precondition>& preconditions);
 
-    void setNarrow(bool narrow);        ///< little room: their words on two lines
+    void setNarrow(bool narrow);        ///< little room: fewer words
     void setProminent(bool prominent);  ///< larger, for who drives most of the time
 
     HeldButton* forwardButton() const { return forward_; }

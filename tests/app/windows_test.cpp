@@ -4,7 +4,9 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QPointer>
 #include <QPushButton>
@@ -16,6 +18,7 @@
 #include <string>
 
 #include "app/about.h"
+#include "app/file_dialog.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/review_export_dialog.h"
@@ -138,7 +141,8 @@ struct Windows : testing::Test {
                 EXPECT_TRUE(QTest::qWaitForWindowExposed(other)) << by;
                 EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << by;
                 (void)wasStopped();
-                const QPointer<QWidget> focus = other->focusWidget() ? other->focusWidget() : other;
+                const QPointer<QWidget> focus =
+                    other->focusWidget() ? other->focusWidget() : other.data();
                 QTest::keyClick(focus, Qt::Key_F12);
                 EXPECT_TRUE(wasStopped()) << name << ", by " << by;
                 if (focus) QTest::keyClick(focus, Qt::Key_Escape);
@@ -287,7 +291,7 @@ TEST_F(Windows, ofAConsoleThatOnlyListensStopTheRobotOfTheOneThatOpenedIt)
     letGo(*window);
 }
 
-TEST_F(Windows, thatAskForAFileBeginAmongTheSessionsAndThenWhereTheLastWasChosen)
+TEST_F(Windows, thatAskForASessionBeginAmongThem)
 {
     const auto window = scripted();
     const std::string sessions = directory.file("sessions");
@@ -298,14 +302,29 @@ TEST_F(Windows, thatAskForAFileBeginAmongTheSessionsAndThenWhereTheLastWasChosen
         EXPECT_TRUE(dialog && QTest::qWaitForWindowExposed(dialog));
         return dialog;
     };
-    QFileDialog* first = ask();
-    EXPECT_EQ(first->directory().absolutePath().toStdString(), sessions);
-    emit first->fileSelected(QString::fromStdString(directory.file("elsewhere.log")));
+    QFileDialog* const dialog = ask();
+    EXPECT_EQ(dialog->directory().absolutePath().toStdString(), sessions);
+    dialog->reject();  // a file that is chosen would be opened: by this program, started again
+}
+
+TEST(FileDialogs, beginWhereTheLastFileWasChosen)
+{
+    const TemporaryDirectory directory;
+    const QString chosen = QString::fromStdString(directory.file("some.log"));
+    QWidget parent;
+    const auto ask = [&] {
+        askForFile(parent, {.title = "Some file", .start = QDir::homePath()},
+                   [](const QString&) {});
+        return parent.findChild<QFileDialog*>();
+    };
+    QFileDialog* const first = ask();
+    ASSERT_TRUE(first);
+    emit first->fileSelected(chosen);
     first->reject();
-    ASSERT_TRUE(eventually([&] { return window->findChildren<QFileDialog*>().empty(); }));
-    QFileDialog* second = ask();
-    EXPECT_EQ(second->directory().absolutePath(),
-              QFileInfo(QString::fromStdString(directory.file("x"))).absolutePath());
+    ASSERT_TRUE(eventually([&] { return parent.findChildren<QFileDialog*>().empty(); }));
+    QFileDialog* const second = ask();
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->directory().absolutePath(), QFileInfo(chosen).absolutePath());
     second->reject();
 }
 
