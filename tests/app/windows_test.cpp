@@ -225,7 +225,7 @@ TEST_F(Windows, ofAReviewLetStopThroughToTheConsoleThatOpenedIt)
     const auto window = review();
     ASSERT_TRUE(window);
     const auto names = stopsInEveryWindow(*window, [&] { return opening.wasStopped(); });
-    for (const char* name : {"Keys", "About Terratact", "Open", "Export — review.tts", "Model"})
+    for (const char* name : {"Keys", "About Terratact", "Open", "Export — review.tts"})
         EXPECT_EQ(names.count(name), 1U) << name;
 }
 
