@@ -28,9 +28,10 @@ namespace {
 constexpr int kBetween = 10;                       // [px] cards
 constexpr int kToSpare = 10;                       // [px] before cards have to leave
 constexpr QSize kLeastTerrain{420, 230};           // [px]
-constexpr int kColumn = 404, kNarrowColumn = 268;  // [px] of the decisions, at 100 %
-// [px] of the terrain beside them, likewise: it is the largest part by far
-constexpr int kRoomyTerrain = 540, kTightTerrain = 336;
+constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] of the decisions, at 100 %
+// [px] of the terrain beside them, likewise: it is the largest part
+constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
+constexpr double kTerrainToColumn = 1.17;
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)
@@ -260,6 +261,7 @@ void TerrainPage::arrange(Layout layout, int fontScale)
         setTight(tight);
         measures_ = false;
         fit();
+        setColumn();
     } else {
         setTight(false);
     }
@@ -297,6 +299,7 @@ void TerrainPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     fit();
+    setColumn();
 }
 
 void TerrainPage::fit()
@@ -319,8 +322,6 @@ void TerrainPage::setTight(bool tight)
     atem_->setNarrow(tight);
     probe_->setNarrow(tight);
     drive_->setNarrow(tight);
-    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_})
-        card->setFixedWidth(scaled(tight ? kNarrowColumn : kColumn));
     // A banner's line is the terrain's and the question's, where it would else make the cards leave.
     if (window_)
         terrain_->setMinimumSize(kLeastTerrain - QSize(0, tight ? 0 : window_->bannerLine()));
@@ -330,11 +331,25 @@ void TerrainPage::setTight(bool tight)
         decide_->addWidget(drive_);
     else
         robotCard_->body()->addWidget(drive_);
+    setColumn();
+    placeVerdict();
+    share();
+}
+
+/// Where room is tight the decisions are as wide as leaves the terrain wider.
+void TerrainPage::setColumn()
+{
+    int wide = scaled(tight_ ? kNarrowColumn : kColumn);
+    if (tight_ && window_ && !measures_) {
+        const int room =
+            width() - rows_->contentsMargins().left() - rows_->contentsMargins().right() - kBetween;
+        const auto share = static_cast<int>(room / (1.0 + kTerrainToColumn));
+        wide = std::clamp(share, wide, scaled(kColumn));
+    }
+    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_}) card->setFixedWidth(wide);
     // Room for the question is kept, so that nothing moves when it comes.
     question_->changeSize(
         0, verdictBeside_ ? 0 : atem_->leastHeight() + kBetween + probe_->leastHeight());
-    placeVerdict();
-    share();
 }
 
 void TerrainPage::placeVerdict()
@@ -370,7 +385,8 @@ void TerrainPage::share()
     recent_->setStretch(0, stacked_ ? 0 : shares.robot);
     recent_->setStretch(1, stacked_ ? 1 : shares.events);
     recent_->itemAt(1)->widget()->setVisible(shares.events > 0);
-    drive_->setProminent(layout_ == Layout::Drive);
+    // Where large letters leave little room, what exploring needs is seen whole before driving is large.
+    drive_->setProminent(layout_ == Layout::Drive && !(tight_ && fontScale_ > 120));
     drive_->setVisible(layout_ != Layout::Review);
 }
 

@@ -144,6 +144,7 @@ private:
     void showThreshold();
     void fit();
     void setTight(bool tight);
+    void setColumn();
     void placeVerdict();
     void share();
     QSize needs(bool tight);

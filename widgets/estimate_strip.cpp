@@ -154,7 +154,8 @@ void EstimateStrip::setProgress(std::optional<double> share)
 
 void EstimateStrip::arrange()
 {
-    const int needed = headline_->sizeHint().width() + 12 + details_->sizeHint().width();
+    const int needed =
+        headline_->sizeHint().width() + 3 * layout()->spacing() + details_->sizeHint().width();
     details_->setVisible(progress_->isHidden() && needed <= width());
 }
 

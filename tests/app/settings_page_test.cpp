@@ -78,7 +78,7 @@ struct SettingsInForce : testing::Test {
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
         options.presets = {"measured",
                            {{Method::Local, Quality::Fast, 0.5, 0.0, 25.0},
-                            {Method::Pafac, Quality::Fast, 4.0, 11.3, 34.0}}};
+                            {Method::Pac, Quality::Fast, 4.0, 11.3, 34.0}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
         QTest::keyClick(window.get(), Qt::Key_F7);
@@ -188,7 +188,7 @@ TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
     EXPECT_TRUE(page().qualityBox()->itemText(1).contains("not measured"));
     page().methodBox()->setCurrentText("pafc");
     EXPECT_TRUE(page().qualityBox()->itemText(0).contains("not measured"));
-    page().methodBox()->setCurrentText("pafac");
+    page().methodBox()->setCurrentText("pac");
     EXPECT_TRUE(page().qualityBox()->itemText(0).contains("± 11.3 mm"));
 }
 

@@ -21,7 +21,7 @@ namespace {
 using gui::eventually;
 
 constexpr QSize kWindows[]{{1200, 680}, {1366, 768}, {1440, 900}, {1920, 1080}};
-constexpr double kWider = 1.25;  ///< than any card beside it, at the least
+constexpr double kWider = 1.15;  ///< than any card beside it, at the least
 
 std::unique_ptr<MainWindow> openConsole()
 {
@@ -68,7 +68,7 @@ void expectTerrainFirst(MainWindow& window, const std::string& where)
     const QWidget& terrain = *window.terrain()->parentWidget();
     const auto smaller = [&] {
         for (const Card* card : otherCards(window, terrain))
-            if (area(*window.terrain()) <= area(*card)
+            if (area(terrain) <= 1.2 * area(*card)
                 || (card->mapTo(&window, QPoint()).y()
                         < terrain.mapTo(&window, QPoint()).y() + terrain.height()
                     && terrain.width() < kWider * card->width()))

@@ -237,9 +237,11 @@ VAL_ 291 State 1 "ready" ;
 
     def test_are_on_the_monitor(self):
         self.log.write_text(self.frames())
-        out = run("can", "monitor", self.log, "--dbc", self.dbc, "--dbc", self.dbc)
-        self.assertRegex(out, r"123 +Payload .* Oxygen 20.71 %, State ready\n")
-        self.assertIn("gas.dbc describes that already and is what counts", out)
+        done = subprocess.run([CLI, "can", "monitor", self.log, "--dbc", self.dbc, "--dbc", self.dbc],
+                              capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"123 +Payload .* Oxygen 20.71 %, State ready\n")
+        self.assertEqual(done.stderr.count("frame 123: gas.dbc describes that already and is what counts"), 1, done.stderr)
 
     def test_of_two_files_the_first_counts(self):
         other = self.path / "other.dbc"
