@@ -311,8 +311,9 @@ TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
     EXPECT_EQ(settings, withQuality(settings, Quality::Fast));
     EXPECT_NE(settings, withQuality(settings, Quality::Balanced));
     window->preferences().change([](Preferences& p) { p.method = Method::Pafac; });
-    EXPECT_EQ(offered()[0]->text(),
-              QStringLiteral("fast: 4.0 ms, quantiles ± 11.3 mm from a long run, mean error 34 mm"));
+    EXPECT_EQ(
+        offered()[0]->text(),
+        QStringLiteral("fast: 4.0 ms, quantiles ± 11.3 mm from a long run, mean error 34 mm"));
 }
 
 TEST_F(Console, escapeAbortsAnExploration)
