@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/infer/estimate.h"
 #include "widgets/elided_label.h"
@@ -154,15 +155,29 @@ void EstimateStrip::setProgress(std::optional<double> share)
 
 void EstimateStrip::arrange()
 {
-    const int needed =
-        headline_->sizeHint().width() + 3 * layout()->spacing() + details_->sizeHint().width();
-    details_->setVisible(progress_->isHidden() && needed <= width());
+    // To show a part lays the page out, which may resize this strip and so come back here.
+    if (std::exchange(arranges_, true)) return;
+    const auto fits = [this] {
+        const int needed =
+            headline_->sizeHint().width() + 3 * layout()->spacing() + details_->sizeHint().width();
+        return progress_->isHidden() && needed <= width();
+    };
+    details_->setVisible(fits());
+    if (!fits()) details_->setVisible(false);
+    arranges_ = false;
 }
 
 void EstimateStrip::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     arrange();
+}
+
+bool EstimateStrip::event(QEvent* event)
+{
+    const bool handled = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest && cancel_) arrange();  // what its parts need is new
+    return handled;
 }
 
 QString EstimateStrip::headline() const

@@ -35,12 +35,14 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void resizeToFont();
     void arrange();  ///< leaves the details out where the sentence needs their room
 
+    bool arranges_ = false;
     QLabel* headline_ = nullptr;
     QLabel* details_ = nullptr;
     QLabel* warnings_ = nullptr;

@@ -249,7 +249,11 @@ inline std::vector<std::string> overlaps(const QWidget& window)
             if (!child->isVisible() || child->isWindow()) continue;
             const bool scrolls = parent->objectName() == QLatin1String("qt_scrollarea_viewport");
             if (!scrolls && !parent->rect().contains(child->geometry()))
-                found.push_back(nameOf(*child) + " reaches beyond " + nameOf(*parent));
+                found.push_back(nameOf(*child) + " reaches beyond " + nameOf(*parent) + ", "
+                                + std::to_string(child->geometry().left()) + " to "
+                                + std::to_string(child->geometry().right()) + " of "
+                                + std::to_string(parent->width()) + " x "
+                                + std::to_string(parent->height()));
             for (const QWidget* other : std::as_const(seen))
                 if (child->geometry().intersects(other->geometry()))
                     found.push_back(nameOf(*child) + " lies upon " + nameOf(*other));
