@@ -6,7 +6,8 @@ cd "$(dirname "$0")/.."
 build=${1:-build/headless}
 export OPENBLAS_NUM_THREADS=1
 ran=$(mktemp)
-trap 'rm -f "$ran"' EXIT
+waits=$(mktemp)
+trap 'rm -f "$ran" "$waits"' EXIT
 
 # Plain, doubled, collinear rows and a constant column, the exact process and those through few rows.
 many='*Sizes.*/plain:*Sizes.*/doubledRows:*Sizes.*/collinear:*Sizes.*/constantColumn:*ofAModelsSize*'
@@ -40,19 +41,21 @@ per_draw() {
          END { printf "%-40s %6.1f ns; limit 150\n", "most", most }'
 }
 cancelling() {
-  "$build/tests/terratact-bench" --benchmark_filter=cancelWaits 2>/dev/null |
-    sed -n 's/^cancelWaits.*first_ms=\([^ ]*\) later_ms=\([^ ]*\) \(.*\)/\1 \2 \3/p' |
+  "$build/tests/terratact-bench" --benchmark_filter='touchesOfFreshPages|cancelWaits' >"$waits" 2>/dev/null
+  sed -n 's/^cancelWaits.*first_ms=\([^ ]*\) later_ms=\([^ ]*\) \(.*\)/\1 \2 \3/p' "$waits" |
     awk 'BEGIN { printf "%-24s %10s %10s\n", "ms", "first", "later" }
          { what = $3; for (i = 4; i <= NF; ++i) what = what " " $i; printf "%-24s %10.1f %10.1f\n", what, $1, $2
            if ($1 > most) most = $1; if ($2 > most) most = $2 }
          END { printf "%-24s %10.1f; limit 20\n", "most", most }'
+  sed -n 's/^touchesOfFreshPages.*longest_ms=\([^ ]*\)/\1/p' "$waits" |
+    awk '{ printf "%-24s %10.1f; the system'"'"'s own work, in which nothing can be asked\n", "one fresh page of 2 MiB", $1 }'
 }
 
 show "ctest --test-dir $build -L extremes" tests
 show "TERRATACT_DRAWS=1000000000 truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'" draws
 show "terratact-bench --benchmark_filter=^draws" per_draw
 show "TERRATACT_ROWS=5600 gaussian_process_extremes_test --gtest_filter='$many'; TERRATACT_ROWS=5600 projected_process_test, likewise" rows
-show "terratact-bench --benchmark_filter=cancelWaits" cancelling
+show "terratact-bench --benchmark_filter='touchesOfFreshPages|cancelWaits'" cancelling
 show "tests/core/infer/same_draws_test.py" /usr/bin/python3 -B tests/core/infer/same_draws_test.py
 show "tests/core/infer/same_draws_test.py --native" /usr/bin/python3 -B tests/core/infer/same_draws_test.py --native
 
@@ -93,7 +96,9 @@ and says so, unless the height is the bin's ceiling, which holds the draws there
 twenty million multiplications of a factorisation (\`core/learn/cholesky.h\`), every 34 million of a sweep's sums of
 squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/poll.h\`). So do
 a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, and the advice
-where to probe. What cannot ask is the system: a model of 5600 rows gives back 250 MB at once.
+where to probe. What cannot ask is the system, when it gives a page of 2 MiB (\`core/learn/huge_pages.h\`): a virtual
+machine whose host has to find the memory first may stand still for as long as the table's last line says.  The factor
+of 5600 rows takes 120 such pages.
 
 ## What the long forms said
 

@@ -1,6 +1,7 @@
 // How long an estimate makes a "cancel" wait: the longest work between two questions of its watch [ms of
 // processor time], from the very first estimate with a model (its Gaussian processes are factorised on the
-// way) and from a later one.
+// way) and from a later one.  And what no question can divide: the first touch of a page of 2 MiB, which a virtual
+// machine may have to ask its host for.
 #include <benchmark/benchmark.h>
 #include <cblas.h>
 
@@ -17,6 +18,7 @@
 #include "core/infer/estimator.h"
 #include "core/infer/quality.h"
 #include "core/infer/reconstruct.h"
+#include "core/learn/aligned_array.h"
 #include "tests/bench/shipped_model.h"
 #include "tests/support/toy_model.h"
 
@@ -135,6 +137,25 @@ void efforts(benchmark::internal::Benchmark* bench)
             if (sensible) bench->Args({static_cast<long>(m), effort});
         }
 }
+/// As many bytes as a factorisation of 5600 rows holds.
+void touchesOfFreshPages(benchmark::State& state)
+{
+    constexpr std::size_t kBytes = 5600UL * 5600UL * sizeof(double);
+    double longest = 0.0;
+    for (auto _ : state) {
+        AlignedArray<char> pages(kBytes, Unset{});
+        benchmark::DoNotOptimize(pages.data());
+        for (std::size_t at = 0; at < kBytes; at += kHugePage) {
+            const double before = milliseconds();
+            pages.data()[at] = 1;
+            benchmark::ClobberMemory();
+            longest = std::max(longest, milliseconds() - before);
+        }
+    }
+    state.counters["longest_ms"] = longest;
+}
+BENCHMARK(touchesOfFreshPages)->Iterations(1)->Unit(benchmark::kMillisecond);
+
 BENCHMARK(cancelWaits)->Apply(efforts)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
