@@ -69,6 +69,8 @@ public:
         const auto errors = binErrors(k, scene, {}, estimate);
         errors_.insert(errors_.end(), errors.begin(), errors.end());
         seconds_.push_back(seconds);
+        draws_.push_back(static_cast<double>(estimate.draws.size()));
+        if (estimate.converged) ++converged_;
     }
 
     TradePoint point(TradeSetting setting) const
@@ -79,15 +81,18 @@ public:
                 .seconds = quantile(seconds_, 0.5),
                 .reference = {mean_ / n, quantile_ / n},
                 .error = truth.mean,
-                .crps = truth.crps};
+                .crps = truth.crps,
+                .draws = static_cast<int>(quantile(draws_, 0.5)),
+                .converged = converged_ / n};
     }
 
     bool empty() const { return seconds_.empty(); }
 
 private:
     double mean_ = 0.0, quantile_ = 0.0;
+    double converged_ = 0.0;
     std::vector<BinError> errors_;
-    std::vector<double> seconds_;
+    std::vector<double> seconds_, draws_;
 };
 
 /// An estimate, and its processor time.  A method that simulates the arm makes two, and each is waited for by itself:
@@ -128,7 +133,6 @@ Tally timed(const TradeSetting& trade, const std::vector<Scene>& scenes,
 struct Measured {
     std::vector<TradePoint> points;
     ReferenceQuality reference;
-    int leastReferenceDraws = 0;
 };
 
 Measured measure(Method method, const std::vector<Scene>& scenes, const Toolbox& toolbox,
@@ -140,7 +144,7 @@ Measured measure(Method method, const std::vector<Scene>& scenes, const Toolbox&
     const auto reference = estimates(
         scenes, toolbox,
         referenceSettings(method, options.referenceDraws, options.seed + kReferenceSeed), progress);
-    Measured measured{{}, {.method = method}, leastReferenceDraws(settings)};
+    Measured measured{{}, {.method = method}};
     for (const SceneEstimate& scene : reference)
         if (scene.estimate) measured.reference.add(*scene.estimate);
     for (const TradeSetting& trade : settings) {
@@ -160,11 +164,12 @@ std::string referenceText(const Measured& measured)
         fmt::format("{:<10} {} draws, worst R-hat {:.3f}, worst effective draws {:.0f}, error of "
                     "the means {:.2f} mm\n",
                     name(r.method), r.draws, r.rhat, r.ess, 1e3 * r.error);
-    if (r.draws < measured.leastReferenceDraws)
+    const int least = leastReferenceDraws(measured.points);
+    if (r.draws < least)
         text += fmt::format(
             "{:<10} WARNING: fewer than {} draws, four times the longest setting's: distances "
             "are mostly the long run's own error\n",
-            "", measured.leastReferenceDraws);
+            "", least);
     if (r.rhat > kRhatLimit)
         text +=
             fmt::format("{:<10} WARNING: R-hat above {}: let it run longer (--reference-sweeps)\n",

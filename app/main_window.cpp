@@ -312,8 +312,10 @@ void MainWindow::offerQualities()
         lines << (isClosedForm(method)
                       ? tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")
                             .arg(names.back(), time, error)
-                      : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm")
-                            .arg(names.back(), time, words::number(cost->offMm, 1), error));
+                      : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains "
+                           "converge in %5 % of scenes, without which there is no verdict")
+                            .arg(names.back(), time, words::number(cost->offMm, 1), error,
+                                 words::number(100.0 * cost->converged, 0)));
     }
     header()->setQualities(names, lines, static_cast<int>(preferences_->current().quality));
 }

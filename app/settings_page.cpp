@@ -359,8 +359,9 @@ void SettingsPage::showCosts()
         const QString error = words::number(cost->errorMm, 0);
         quality_->setItemText(i, isClosedForm(cost->method)
                                      ? tr("%1: %2 ms, %3 mm (exact)").arg(word, time, error)
-                                     : tr("%1: %2 ms, %3 mm (± %4 mm)")
-                                           .arg(word, time, error, words::number(cost->offMm, 1)));
+                                     : tr("%1: %2 ms, %3 mm (± %4 mm), %5 % converge")
+                                           .arg(word, time, error, words::number(cost->offMm, 1),
+                                                words::number(100.0 * cost->converged, 0)));
     }
 }
 

@@ -2,66 +2,27 @@
 
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
-#include <qwt_plot_item.h>
 #include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
-#include <qwt_scale_draw.h>
 #include <qwt_scale_map.h>
 #include <qwt_scale_widget.h>
 #include <qwt_text.h>
 
 #include <QEvent>
 #include <QFontMetricsF>
-#include <QPainter>
-#include <QPolygonF>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
 
 #include "core/robot/force_drift.h"
+#include "widgets/force_chart.h"
 #include "widgets/palette.h"
 #include "widgets/words.h"
 
 namespace terratact {
 namespace {
 
-constexpr double kGroup = 0.76;    // of an element's width
-constexpr double kGap = 0.06;      // between the bars of a group
 constexpr double kLabelGap = 6.0;  // [px] between the labels of two elements
-
-struct Span {
-    double left, right;  // on the axis of the elements
-};
-
-/// How the bars of an array are told from those of the others; arrays beyond these begin anew.
-struct ArrayLook {
-    char16_t symbol;  // in the legend
-    bool outlined;
-    Qt::BrushStyle pattern;  // within the outline
-};
-constexpr std::array kArrayLooks{
-    ArrayLook{u'■', false, Qt::NoBrush}, ArrayLook{u'□', true, Qt::NoBrush},
-    ArrayLook{u'▦', true, Qt::CrossPattern}, ArrayLook{u'▤', true, Qt::HorPattern}};
-
-const ArrayLook& arrayLook(std::size_t array)
-{
-    return kArrayLooks[array % kArrayLooks.size()];
-}
-
-/// Of the bar at `place` among as many as `bars` of an element.
-Span spanOf(int element, int place, int bars)
-{
-    const double width = (kGroup - kGap * (bars - 1)) / bars;
-    const double left = element - kGroup / 2.0 + place * (width + kGap);
-    return {left, left + width};
-}
-
-QRectF rectOf(Span span, double value, const QwtScaleMap& x, const QwtScaleMap& y)
-{
-    return QRectF(QPointF(x.transform(span.left), y.transform(std::max(0.0, value))),
-                  QPointF(x.transform(span.right), y.transform(0.0)))
-        .normalized();
-}
 
 void keepWithin(std::optional<double>& value, double limit)
 {
@@ -69,133 +30,6 @@ void keepWithin(std::optional<double>& value, double limit)
 }
 
 }  // namespace
-
-class ElementScale final : public QwtScaleDraw {
-public:
-    ElementScale()
-    {
-        enableComponent(QwtAbstractScaleDraw::Ticks, false);
-        enableComponent(QwtAbstractScaleDraw::Backbone, true);
-    }
-    QwtText label(double value) const override
-    {
-        const auto index =
-            static_cast<std::size_t>(std::clamp(std::lround(value), 0L, kForceElements - 1L));
-        if (notes_[index].isEmpty()) return nameOf(static_cast<int>(index) + 1);
-        QwtText text(notes_[index]);
-        text.setColor(theme().doubt);
-        return text;
-    }
-    /// What stands instead of an element's name; empty: the name.
-    void setNotes(const std::array<QString, kForceElements>& notes)
-    {
-        notes_ = notes;
-        invalidateCache();
-    }
-    const std::array<QString, kForceElements>& notes() const { return notes_; }
-    static QString nameOf(int element)
-    {
-        if (element == 1) return ForceBars::tr("1 pivot");
-        if (element == kForceElements) return ForceBars::tr("%1 tip").arg(element);
-        return QString::number(element);
-    }
-    using QwtScaleDraw::invalidateCache;
-
-protected:
-    // Qwt's own would set the lines of a note flush left.
-    void drawLabel(QPainter* painter, double value) const override
-    {
-        QwtText text = label(value);
-        text.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
-        const QSizeF size = text.textSize(painter->font());
-        text.draw(painter, {labelPosition(value) - QPointF(size.width() / 2.0, 0.0), size});
-    }
-
-private:
-    std::array<QString, kForceElements> notes_;
-};
-
-/// Says the unit beside its highest tick.
-class UnitScale final : public QwtScaleDraw {
-public:
-    UnitScale()
-    {
-        enableComponent(QwtAbstractScaleDraw::Backbone, false);
-        enableComponent(QwtAbstractScaleDraw::Ticks, false);
-    }
-    QwtText label(double value) const override
-    {
-        const QList<double> ticks = scaleDiv().ticks(QwtScaleDiv::MajorTick);
-        const QString number = QString::number(value);
-        const bool isHighest = !ticks.isEmpty() && value >= ticks.last();
-        return isHighest ? number + QLatin1Char(' ') + unit_ : number;
-    }
-    void setUnit(const QString& unit)
-    {
-        unit_ = unit;
-        invalidateCache();
-    }
-
-private:
-    QString unit_ = QStringLiteral("N");
-};
-
-/// All bars with their peaks.
-class ForceChart final : public QwtPlotItem {
-public:
-    struct Bar {
-        Span span;
-        double value;
-        std::optional<double> peak;
-        bool touching, saturated;
-        ArrayLook look;
-    };
-    std::vector<Bar> bars;
-
-    void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
-              const QRectF& /*canvas*/) const override
-    {
-        for (const Bar& bar : bars) {
-            const QRectF rect = rectOf(bar.span, bar.value, xMap, yMap);
-            fill(*painter, rect, bar);
-            if (bar.saturated) mark(*painter, rect);
-            if (!bar.peak) continue;
-            const double y = yMap.transform(*bar.peak);
-            painter->setPen(QPen(theme().text, 1.5));
-            painter->drawLine(QPointF(rect.left(), y), QPointF(rect.right(), y));
-        }
-    }
-
-private:
-    static void fill(QPainter& painter, const QRectF& rect, const Bar& bar)
-    {
-        const QColor colour = bar.touching ? theme().contact : theme().force;
-        const bool outlined = bar.look.outlined;
-        QColor hatch = outlined ? colour : theme().card;
-        hatch.setAlpha(outlined ? 200 : 110);
-        painter.fillRect(rect, outlined ? theme().card : colour);
-        if (bar.look.pattern != Qt::NoBrush)
-            painter.fillRect(rect, QBrush(colour, bar.look.pattern));
-        if (bar.touching) painter.fillRect(rect, QBrush(hatch, Qt::BDiagPattern));
-        if (!outlined) return;
-        constexpr double kPen = 2.0;
-        painter.setPen(QPen(colour, kPen));
-        painter.setBrush(Qt::NoBrush);
-        if (rect.height() > 2.0 * kPen)
-            painter.drawRect(rect.adjusted(kPen / 2, kPen / 2, -kPen / 2, -kPen / 2));
-        else
-            painter.fillRect(rect, colour);
-    }
-    static void mark(QPainter& painter, const QRectF& rect)
-    {
-        const double half = std::min(5.0, rect.width() / 2.0 - 1.0);
-        const QPointF top(rect.center().x(), rect.top() + 3.0);
-        painter.setPen(QPen(theme().card, 1.0));
-        painter.setBrush(theme().text);
-        painter.drawPolygon(
-            QPolygonF({top, top + QPointF(-half, 2.0 * half), top + QPointF(half, 2.0 * half)}));
-    }
-};
 
 void PeakHold::take(double time, double value)
 {

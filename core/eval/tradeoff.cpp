@@ -64,10 +64,10 @@ Settings referenceSettings(Method method, int draws, std::uint64_t seed)
     return settings;
 }
 
-int leastReferenceDraws(std::span<const TradeSetting> settings)
+int leastReferenceDraws(std::span<const TradePoint> points)
 {
     int most = 0;
-    for (const TradeSetting& trade : settings) most = std::max(most, trade.settings.draws);
+    for (const TradePoint& point : points) most = std::max(most, point.draws);
     return 4 * most;
 }
 

@@ -28,9 +28,6 @@ std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed);
 /// The long run that the others are compared with: 16 chains of `draws` in all, double precision, all rows.
 Settings referenceSettings(Method method, int draws, std::uint64_t seed);
 
-/// Draws of a long run that is worth comparing with: four times those of the setting with most.
-int leastReferenceDraws(std::span<const TradeSetting> settings);
-
 /// What the long runs of a method came to: of R-hat and ESS the worst of their bins, over all scenes.
 struct ReferenceQuality {
     Method method = Method::Local;
@@ -58,15 +55,22 @@ struct TradePoint {
     EstimateDistance reference;  ///< [m] from the long run of the same method
     double error = 0.0;          ///< [m] mean |height − truth|
     double crps = 0.0;           ///< [m] mean
+    int draws = 0;               ///< that were kept, median per scene
+    double converged = 0.0;      ///< share of the scenes whose chains had converged
 };
+
+/// Draws of a long run that is worth comparing with: four times those of the point with most.
+int leastReferenceDraws(std::span<const TradePoint> points);
 
 /// What a preset was measured to cost and to err, with one method.
 struct PresetCost {
     Method method = Method::Local;
     Quality quality = Quality::Balanced;
-    double milliseconds = 0.0;  ///< per scene
-    double offMm = 0.0;         ///< [mm] of the quantiles, from a long run
-    double errorMm = 0.0;       ///< [mm] mean |height − truth|
+    int draws = 0, chains = 0, burnIn = 0, inducing = 0;  ///< Settings that were measured
+    double milliseconds = 0.0;                            ///< per scene
+    double offMm = 0.0;      ///< [mm] of the quantiles, from a long run
+    double errorMm = 0.0;    ///< [mm] mean |height − truth|
+    double converged = 0.0;  ///< share of the scenes whose chains had converged
     bool operator==(const PresetCost&) const = default;
 };
 

@@ -68,7 +68,9 @@ ChainGroup::ChainGroup(const Conditionals& conditionals, const GibbsProblem& pro
     : problem_(problem), poll_(std::move(poll)), bins_(unknownBins(problem.known)),
       order_(problem.scan, problem.seed)
 {
+    PolledWork work(poll_);
     for (int c = 0; c < count; ++c) {
+        work.done(std::mt19937_64::state_size);
         std::seed_seq seed{problem.seed & 0xffffffffU, problem.seed >> 32U,
                            static_cast<std::uint64_t>(problem.firstChain + first + c)};
         rng_.emplace_back(seed);

@@ -93,11 +93,16 @@ void quantilesOf(const GaussianMixture& distribution, std::size_t bin, TerrainEs
     estimate.q90[bin] = height(0.9);
 }
 
+int drawsOf(const Settings& settings)
+{
+    return settings.stopEarly ? std::min(settings.draws, kEnoughDraws) : settings.draws;
+}
+
 std::vector<Heights> heightDraws(const GaussianMixture& distribution,
                                  const TerrainEstimate& estimate, const Poll& poll)
 {
     std::mt19937_64 rng(estimate.settings.seed);
-    const Eigen::MatrixXd y = distribution.draw(estimate.settings.draws, rng, poll);
+    const Eigen::MatrixXd y = distribution.draw(drawsOf(estimate.settings), rng, poll);
     PolledWork work(poll);
     std::vector<Heights> draws;
     draws.reserve(static_cast<std::size_t>(y.cols()));
@@ -159,7 +164,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
         momentsOf(distribution, i, estimate);
         quantilesOf(distribution, i, estimate);
         estimate.rhat[i] = 1.0;
-        estimate.ess[i] = settings.draws;
+        estimate.ess[i] = drawsOf(settings);
     }
     estimate.draws = heightDraws(distribution, estimate, poll);
     return finite(std::move(estimate), poll);

@@ -28,7 +28,8 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 /// Their error there is the change of y when the ground lies one sd lower.  A measurement more than two standard
 /// deviations from every component makes one Gaussian of the mixture first.
 /// poll: at the start and while draws are made.
-/// height is the median; settings.draws joint draws; rhat is 1 and ess the number of draws.
+/// height is the median; settings.draws joint draws, of which kEnoughDraws are enough where settings.stopEarly; rhat is
+/// 1 and ess the number of draws.
 /// Throws std::invalid_argument for another method than Joint and Local, settings out of range, an s that
 /// lacks a feature, or a model that gives no finite estimate.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,

@@ -12,6 +12,9 @@ inline constexpr int kMostDraws = 10'000'000;
 inline constexpr int kMostChains = 100'000;
 inline constexpr int kMostBurnIn = 10'000'000;
 
+/// Independent draws after which a closed form that may stop early does: a probability is then within 0.8 % (one sd).
+inline constexpr int kEnoughDraws = 4000;
+
 /// Everything besides scene, robot and model that decides an estimate.
 struct Settings {
     Method method = Method::Local;
@@ -20,7 +23,7 @@ struct Settings {
     double forceThreshold = 2.0;  ///< [N] an element above it touches the ground (paper: 2 units)
     double contactSd = 0.02;      ///< [m] sd of a contact height
     int draws = 1000;             ///< K: kept sweeps, all chains together, at most; 1 to kMostDraws
-    bool stopEarly = true;        ///< sampling ends once the chains have converged
+    bool stopEarly = true;        ///< ends once the chains have converged; closed forms: at kEnoughDraws
     int chains = 16;              ///< independent chains, run side by side; 1 to kMostChains
     int burnIn = 50;  ///< sweeps thrown away at the start of every chain; 0 to kMostBurnIn
     ScanOrder scan = ScanOrder::Forward;      ///< in which a sweep visits the bins

@@ -77,8 +77,8 @@ struct SettingsInForce : testing::Test {
         options.recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
         options.presets = {"measured",
-                           {{Method::Local, Quality::Fast, 0.5, 0.0, 25.0},
-                            {Method::Pac, Quality::Fast, 4.0, 11.3, 34.0}}};
+                           {{Method::Local, Quality::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
+                            {Method::Pac, Quality::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
         QTest::keyClick(window.get(), Qt::Key_F7);

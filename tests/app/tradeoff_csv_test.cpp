@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -23,6 +24,8 @@ TradePoint point(std::string varied, std::optional<Quality> preset, double secon
     p.reference = {0.5 * off, off};
     p.error = 0.02;
     p.crps = 0.015;
+    p.draws = 800;
+    p.converged = 0.75;
     return p;
 }
 
@@ -33,10 +36,10 @@ const std::vector<TradePoint> kPoints{point("fast", Quality::Fast, 0.001, 0.003)
 TEST(TradeoffCsv, marksTheFronts)
 {
     const std::string text = tradeoffCsv(kPoints);
-    EXPECT_NE(text.find("pafc,fast,1000,16,50,single,all,1,1.5,3,20,15,1,1\n"), std::string::npos)
+    EXPECT_NE(text.find("pafc,fast,1000,16,50,single,all,800,0.75,1,1.5,3,20,15,1,1\n"), std::string::npos)
         << text;
-    EXPECT_NE(text.find("pafc,draws,1000,16,50,single,all,2,2,4,20,15,0,0\n"), std::string::npos);
-    EXPECT_NE(text.find("pafc,accurate,1000,16,50,single,all,50,0.25,0.5,20,15,1,0\n"),
+    EXPECT_NE(text.find("pafc,draws,1000,16,50,single,all,800,0.75,2,2,4,20,15,0,0\n"), std::string::npos);
+    EXPECT_NE(text.find("pafc,accurate,1000,16,50,single,all,800,0.75,50,0.25,0.5,20,15,1,0\n"),
               std::string::npos);
 }
 
@@ -47,12 +50,13 @@ TEST(PresetsCsv, goesBackAndForth)
     const auto costs = readPresets(path);
     ASSERT_TRUE(costs) << costs.error().text;
     EXPECT_EQ(costs->model, "abc");
-    const std::vector<PresetCost> expected{{Method::Pafc, Quality::Fast, 1.0, 3.0, 20.0},
-                                           {Method::Pafc, Quality::Accurate, 50.0, 0.5, 20.0}};
+    const std::vector<PresetCost> expected{
+        {Method::Pafc, Quality::Fast, 1000, 16, 50, 0, 1.0, 3.0, 20.0, 0.75},
+        {Method::Pafc, Quality::Accurate, 1000, 16, 50, 0, 50.0, 0.5, 20.0, 0.75}};
     EXPECT_EQ(costs->costs, expected);
 }
 
-TEST(PresetsCsv, thatIsShippedIsOfTheShippedModel)
+TEST(PresetsCsv, thatIsShippedIsOfTheShippedModelAndOfThePresetsAsTheyAre)
 {
     const std::string models = TERRATACT_SOURCE_DIR "/resources/models/";
     const auto presets = readPresets(models + "default.presets.csv");
@@ -60,22 +64,36 @@ TEST(PresetsCsv, thatIsShippedIsOfTheShippedModel)
     const auto model = readModel(models + "default.ttm");
     ASSERT_TRUE(model) << model.error().text;
     EXPECT_EQ(presets->model, model->contentHash) << "measure anew: docs/tradeoff.sh";
+    std::set<std::pair<Method, Quality>> measured;
+    for (const PresetCost& cost : presets->costs) {
+        measured.insert({cost.method, cost.quality});
+        const Settings s = withQuality({.method = cost.method}, cost.quality);
+        const std::array now{s.draws, s.chains, s.burnIn, s.inducing};
+        EXPECT_EQ((std::array{cost.draws, cost.chains, cost.burnIn, cost.inducing}), now)
+            << name(cost.method) << ' ' << name(cost.quality) << ": measure anew: docs/tradeoff.sh";
+    }
+    EXPECT_EQ(measured.size(), kMethods.size() * kQualities.size());
 }
 
 TEST(PresetsCsv, refusesWhatItIsNot)
 {
     const TemporaryDirectory directory;
-    const std::string header = "model,method,quality,ms,quantile_off_mm,error_mm\n";
+    const std::string header =
+        "model,method,quality,draws,chains,burn_in,inducing,ms,quantile_off_mm,error_mm,converged\n";
+    const std::string rest = ",8,4,2,0,1,2,3,1\n";
     const auto refuses = [&](const std::string& text,
                              std::initializer_list<std::string_view> parts) {
         const std::string path = directory.write("presets.csv", text);
         return refused(readPresets(path), path, parts);
     };
     EXPECT_TRUE(refuses("a,b\n", {"line 1", "header"}));
-    EXPECT_TRUE(refuses(header + "abc,local,best,1,2,3\n", {"line 2", "quality"}));
-    EXPECT_TRUE(refuses(header + "abc,best,fast,1,2,3\n", {"line 2", "method"}));
-    EXPECT_TRUE(refuses(header + "abc,local,fast,1,x,3\n", {"line 2", "field 5"}));
-    EXPECT_TRUE(refuses(header + "abc,local,fast,1,2,3\nabd,joint,fast,1,2,3\n",
+    EXPECT_TRUE(refuses(header + "abc,local,best" + rest, {"line 2", "quality"}));
+    EXPECT_TRUE(refuses(header + "abc,best,fast" + rest, {"line 2", "method"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,8,x,2,0,1,2,3,1\n", {"line 2", "field 5"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,-2,0,1,2,3,1\n", {"line 2", "no count"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,2.5,0,1,2,3,1\n", {"line 2", "no count"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,2,0,1,2,3\n", {"line 2", "eleven"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast" + rest + "abd,joint,fast" + rest,
                         {"line 3", "another model"}));
 }
 

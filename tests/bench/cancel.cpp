@@ -62,7 +62,10 @@ Settings settingsFor(Method method, Effort effort)
     if (effort == AllChains) settings = {.method = method, .stopEarly = false, .chains = 64};
     if (effort == ManyRows)
         settings = {.method = method, .draws = 128, .stopEarly = false, .chains = 64, .burnIn = 1};
-    if (effort == ManyDraws) settings.draws = 1'000'000;
+    if (effort == ManyDraws) {
+        settings.draws = 1'000'000;
+        settings.stopEarly = false;
+    }
     return settings;
 }
 

@@ -70,7 +70,7 @@ class Commands(unittest.TestCase):
         text = run("tradeoff", "--model", self.model, "--data", data, "--methods", "pafc,local", "--reference-sweeps",
                    640, "--out", out)
         self.assertRegex(text, r"pafc +640 draws, worst R-hat \d\.\d+, worst effective draws \d+, "
-                               r"error of the means \d+\.\d+ mm\n +WARNING: fewer than 16000 draws.*\n +WARNING: R-hat above 1.01")
+                               r"error of the means \d+\.\d+ mm\n +WARNING: fewer than \d{4,} draws.*\n +WARNING: R-hat above 1.01")
         points = rows(out / "tradeoff.csv")
         self.assertEqual({(p["method"], p["varied"]) for p in points},
                          {(m, v) for m in ("pafc", "local") for v in ("fast", "balanced", "accurate", "draws")}
@@ -78,6 +78,10 @@ class Commands(unittest.TestCase):
         for p in points:
             for number in ("ms", "mean_off_mm", "quantile_off_mm", "error_mm", "crps_mm"):
                 self.assertTrue(0.0 <= float(p[number]) < 1e5, p)
+            self.assertLessEqual(1, int(p["used"]))
+            self.assertLess(int(p["used"]), int(p["draws"]) + int(p["chains"]))
+            self.assertIn(float(p["converged"]), (0.0, 1.0))  # of one scene
+        self.assertEqual({p["converged"] for p in points if p["method"] == "local"}, {"1"})
         self.assertTrue(all(float(p["quantile_off_mm"]) > 0.0 for p in points if p["method"] == "pafc"))
         self.assertIn("1", {p["front_reference"] for p in points})
         presets = rows(out / "presets.csv")

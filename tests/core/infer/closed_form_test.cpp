@@ -78,6 +78,7 @@ TEST(ClosedForm, agreesWithItsOwnDraws)
         for (std::size_t k = 0; k < 5; ++k) {
             Settings settings = settingsFor(method);
             settings.draws = 40000;
+            settings.stopEarly = false;
             const ArmReading probe{10, -0.1, 0.03};
             const TerrainEstimate e = estimateTerrain(bench().scenes[k * 7].s, {&probe, 1},
                                                       bench().robot, bench().models, settings);
@@ -90,6 +91,22 @@ TEST(ClosedForm, agreesWithItsOwnDraws)
                 EXPECT_NEAR(quantile(draws, 0.9), e.q90[i], 0.05 * width) << i;
             }
         }
+}
+
+TEST(ClosedForm, drawsNoMoreThanEnoughWhereItMayStopEarly)
+{
+    for (const Method method : {Method::Joint, Method::Local})
+        for (const bool early : {true, false})
+            for (const int draws : {kEnoughDraws - 1, kEnoughDraws + 1}) {
+                Settings settings = settingsFor(method);
+                settings.draws = draws;
+                settings.stopEarly = early;
+                const TerrainEstimate e = estimateTerrain(bench().scenes.front().s, {},
+                                                          bench().robot, bench().models, settings);
+                const int expected = early ? std::min(draws, kEnoughDraws) : draws;
+                EXPECT_EQ(e.draws.size(), static_cast<std::size_t>(expected));
+                EXPECT_EQ(e.ess[0], expected);
+            }
 }
 
 TEST(ClosedForm, keepsTheSamplesMeanAndCovarianceWhenItSmooths)

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,10 +19,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Toy conditionals of sd `sd`, whose mean is `pull` times the last of the other unknown bins' states.
+/// Toy conditionals of sd `sd`, whose mean is `pull` times the last of the other unknown bins' states, or, of the bin
+/// that `stuck` numbers, its own state.
 class Pulled final : public Conditionals, public SceneConditionals {
 public:
-    Pulled(double pull, double sd) : pull_(pull), sd_(sd) {}
+    Pulled(double pull, double sd, std::optional<std::size_t> stuck = {})
+        : pull_(pull), sd_(sd), stuck_(stuck)
+    {
+    }
 
     StartDraw start(int) const override { return {0.0, 1.0}; }
     double height(int, double state) const override { return 0.1 * state - 0.3; }
@@ -32,6 +37,11 @@ public:
     void predict(std::size_t k, const Eigen::MatrixXd& states, Eigen::VectorXd& mean,
                  Eigen::VectorXd& variance) override
     {
+        if (k == stuck_) {
+            mean = states.row(static_cast<Eigen::Index>(k)).transpose();
+            variance = Eigen::VectorXd::Constant(states.cols(), 1e-6);
+            return;
+        }
         const Eigen::Index other = k == 0 ? states.rows() - 1 : 0;
         mean = pull_ * states.row(other).transpose();
         variance = Eigen::VectorXd::Constant(states.cols(), sd_ * sd_);
@@ -39,6 +49,7 @@ public:
 
 private:
     double pull_, sd_;
+    std::optional<std::size_t> stuck_;
 };
 
 const Pulled& independent()
@@ -139,6 +150,18 @@ TEST(EarlyStop, drawsTheWholeBudgetWhereChainsNeverMix)
     EXPECT_EQ(draws.ending, Ending::Sweeps);
     EXPECT_EQ(draws.draws[0].rows(), 301);
     EXPECT_GT(RankedDraws(draws.draws[0]).rhat(), kRhatLimit);
+}
+
+TEST(EarlyStop, waitsForTheOneBinWhoseChainsNeverMix)
+{
+    for (const std::size_t k : {0U, 1U}) {
+        GibbsProblem problem = twoUnknown();
+        problem.keptPerChain = 301;
+        const GibbsDraws draws = sampleStates(Pulled(0.0, 1.0, k), problem);
+        EXPECT_EQ(draws.ending, Ending::Sweeps) << k;
+        EXPECT_TRUE(withinLimits(draws.draws[1 - k])) << k;
+        EXPECT_FALSE(withinLimits(draws.draws[k])) << k;
+    }
 }
 
 TEST(EarlyStop, alsoJudgesTheLastSweepOfTheBudget)

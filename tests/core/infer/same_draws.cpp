@@ -1,5 +1,5 @@
-// Prints a hash of every bit of: truncated normal draws, the sampler's states, an estimate's numbers; and of whole
-// estimates by the methods local, joint and clearance.
+// Prints a hash of every bit of: truncated normal draws; the sampler's states, in single and double precision and through
+// few training rows; an estimate's numbers; and whole estimates by the methods local, joint and clearance.
 // same_draws_test.py compares what builds of it by several compilers print: its own, or those of the presets.
 #include <algorithm>
 #include <cstdint>
@@ -87,11 +87,11 @@ ModelData someModel()
 }
 
 struct Hashes {
-    Hash states, estimate;
+    Hash states, inDouble, throughFewRows, estimate;
     bool operator==(const Hashes&) const = default;
 };
 
-Hashes hashesOf(const BinModels& models)
+GibbsProblem someProblem()
 {
     GibbsProblem problem;
     problem.s = Eigen::Vector3d(0.1, -0.2, 0.3);
@@ -101,8 +101,26 @@ Hashes hashesOf(const BinModels& models)
     problem.chains = 8;
     problem.burnIn = 5;
     problem.keptPerChain = 60;
-    const GibbsDraws draws = sampleHeights(models, problem);
+    return problem;
+}
+
+Hash hashOfStates(const BinModels& models, const GibbsProblem& problem)
+{
+    Hash hash;
+    for (const Eigen::MatrixXd& bin : sampleHeights(models, problem).draws) hash.add(bin);
+    return hash;
+}
+
+Hashes hashesOf(const BinModels& models)
+{
     Hashes hashes;
+    GibbsProblem other = someProblem();
+    other.precision = Precision::Double;
+    hashes.inDouble = hashOfStates(models, other);
+    other = someProblem();
+    other.inducing = 60;
+    hashes.throughFewRows = hashOfStates(models, other);
+    const GibbsDraws draws = sampleHeights(models, someProblem());
     TerrainEstimate estimate;
     for (std::size_t k = 0; k < draws.bins.size(); ++k) {
         hashes.states.add(draws.draws[k]);
@@ -231,6 +249,8 @@ int main(int argc, char** argv)
     print("draws", hashOfDraws());
     const Hashes hashes = hashesIn(argc > 1 ? std::atoi(argv[1]) : 1);
     print("states", hashes.states);
+    print("double", hashes.inDouble);
+    print("sparse", hashes.throughFewRows);
     print("estimate", hashes.estimate);
     for (const Method method : {Method::Local, Method::Joint, Method::Clearance})
         print(std::string(name(method)).c_str(), hashOfEstimate(method));

@@ -1,0 +1,246 @@
+// What the console and the robot say to each other, through the frames of resources/dbc/terratact.dbc and back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/terrain/bins.h"
+#include "core/wire/can_codec.h"
+#include "tests/support/dbc_frames.h"
+
+namespace terratact {
+namespace {
+
+struct SentCommand {
+    Command command;
+    std::string name;
+    std::vector<std::pair<std::string, double>> signals;
+};
+
+const std::vector<SentCommand>& commands()
+{
+    static const std::vector<SentCommand> all{
+        {StopCommand{}, "Stop", {}},
+        {ReleaseStopCommand{}, "ReleaseStop", {}},
+        {ArmCommand{true}, "Arm", {{"Armed", 1.0}}},
+        {ArmCommand{false}, "Arm", {{"Armed", 0.0}}},
+        {HaltCommand{}, "Halt", {}},
+        {DriveCommand{-0.25}, "Drive", {{"Speed", -0.25}}},
+        {BeginAtemCommand{}, "BeginAtem", {}},
+        {AbortAtemCommand{}, "AbortAtem", {}},
+        {PressCommand{18.05}, "PressFlippers", {{"Torque", 18.05}}},
+        {HoldFlippersCommand{0.7, -0.1}, "HoldFlippers", {{"Front", 0.7}, {"Rear", -0.1}}},
+        {ProbeCommand{9}, "ProbeBin", {{"Bin", 9.0}}},
+        {AdvanceCommand{0.1}, "Advance", {{"Distance", 0.1}}},
+    };
+    return all;
+}
+
+TEST(Commands, travelInTheirFramesWithTheirEpoch)
+{
+    std::set<std::size_t> kinds;
+    for (const SentCommand& sent : commands()) {
+        const CanFrame frame = frameOf(sent.command, 213, 42);
+        const DbcMessage& m = message(sent.name);
+        EXPECT_EQ(frame.id, m.id) << sent.name;
+        EXPECT_EQ(message(kindOf(sent.command)).name, sent.name);
+        for (const auto& [name, value] : sent.signals)
+            EXPECT_NEAR(physical(frame, m.signal(name)), value, 1e-9) << sent.name << "." << name;
+        const Unpacked content = contentOf(frame);
+        EXPECT_EQ(content.counter, 42);
+        const auto got = commandOf(content);
+        ASSERT_TRUE(got) << sent.name;
+        EXPECT_EQ(got->command.index(), sent.command.index()) << sent.name;
+        EXPECT_EQ(got->epoch, sent.name == "Stop" ? 0 : 213) << sent.name;
+        EXPECT_EQ(frameOf(got->command, got->epoch, 42), frame) << sent.name << " changed";
+        kinds.insert(sent.command.index());
+    }
+    EXPECT_EQ(kinds.size(), std::variant_size_v<Command>) << "a command is missing here";
+}
+
+TEST(Commands, areRefusedBeyondTheirRange)
+{
+    for (const Command& command :
+         {Command{DriveCommand{0.61}}, Command{DriveCommand{std::nan("")}},
+          Command{PressCommand{0.0}}, Command{PressCommand{60.1}}, Command{ProbeCommand{-1}},
+          Command{ProbeCommand{11}}, Command{AdvanceCommand{0.0}}, Command{AdvanceCommand{0.101}},
+          Command{HoldFlippersCommand{3.2, 0.0}}, Command{HoldFlippersCommand{0.0, -3.2}}})
+        EXPECT_THROW(static_cast<void>(frameOf(command, 1, 0)), std::invalid_argument)
+            << command.index();
+}
+
+TEST(Heartbeats, carryTheirToken)
+{
+    const CanFrame asked = consoleHeartbeat(0xBEEF, 3);
+    const CanFrame answered = robotHeartbeat(0xBEEF, 5);
+    EXPECT_EQ(asked.id, message("ConsoleHeartbeat").id);
+    EXPECT_EQ(answered.id, message("RobotHeartbeat").id);
+    EXPECT_EQ(physical(asked, message("ConsoleHeartbeat").signal("Token")), 0xBEEF);
+    EXPECT_EQ(tokenOf(contentOf(asked)), 0xBEEF);
+    EXPECT_EQ(tokenOf(contentOf(answered)), 0xBEEF);
+    EXPECT_FALSE(tokenOf(contentOf(frameOf(HaltCommand{}, 1, 1))));
+    EXPECT_FALSE(commandOf(contentOf(asked)));
+}
+
+TEST(Status, travelsInItsFrame)
+{
+    const RobotStatus sent{.epoch = 250,
+                           .activity = RobotActivity::Probing,
+                           .refusal = Refusal::OutOfLimits,
+                           .armed = true,
+                           .exploring = true,
+                           .lastCommand = FrameKind::ProbeBin,
+                           .lastCounter = 99};
+    const CanFrame frame = frameOf(sent, 7);
+    const DbcMessage& m = message("RobotStatus");
+    EXPECT_EQ(physical(frame, m.signal("Epoch")), 250.0);
+    EXPECT_EQ(physical(frame, m.signal("Activity")), 4.0);
+    EXPECT_EQ(physical(frame, m.signal("Refusal")), 8.0);
+    EXPECT_EQ(physical(frame, m.signal("Armed")), 1.0);
+    EXPECT_EQ(physical(frame, m.signal("Exploring")), 1.0);
+    EXPECT_EQ(physical(frame, m.signal("LastCommand")), message("ProbeBin").id);
+    EXPECT_EQ(physical(frame, m.signal("LastCounter")), 99.0);
+    EXPECT_EQ(statusOf(contentOf(frame)), sent);
+    for (const bool armed : {false, true})
+        for (const bool exploring : {false, true}) {
+            const RobotStatus status{.armed = armed, .exploring = exploring};
+            EXPECT_EQ(statusOf(contentOf(frameOf(status, 0))), status);
+        }
+}
+
+TEST(Status, isNoneInOtherFramesWithEpochZeroOrAnUnknownCommand)
+{
+    EXPECT_FALSE(statusOf(contentOf(frameOf(HaltCommand{}, 1, 1))));
+    EXPECT_THROW(static_cast<void>(frameOf(RobotStatus{.epoch = 0}, 0)), std::invalid_argument);
+    CanFrame frame = frameOf(RobotStatus{}, 0);
+    setBits(frame, message("RobotStatus").signal("LastCommand"), 5);
+    seal(frame, message("RobotStatus"), 0);
+    EXPECT_FALSE(statusOf(contentOf(frame)));
+}
+
+SensorLine fullLine()
+{
+    SensorLine line;
+    line.odometry = SensorLine::Odometry{-12.345, 0.5};
+    line.attitude = SensorLine::Attitude{0.2, -0.1};
+    line.frontAngles = Pair{0.3, 0.31};
+    line.rearAngles = Pair{-0.4, -0.41};
+    line.frontCurrents = Pair{1.5, 1.501};
+    line.rearCurrents = Pair{-2.5, 2.501};
+    for (std::size_t set = 0; set < 4; ++set) {
+        const double v = 0.625 * static_cast<double>(set + 1);
+        line.voltages[set] = SensorLine::Three{v, v + 0.0625, v + 0.125};
+    }
+    line.arm = ArmReading{8, -0.1234, 0.0305};
+    return line;
+}
+
+std::optional<SensorLine> read(SensorLineReader& reader, const SensorLine& line,
+                               std::uint8_t counter)
+{
+    std::optional<SensorLine> got;
+    for (const CanFrame& frame : framesOf(line, counter)) {
+        EXPECT_FALSE(got) << "before the last frame";
+        got = reader.take(contentOf(frame));
+    }
+    return got;
+}
+
+TEST(SensorLine, putsEveryNumberIntoItsSignal)
+{
+    const auto frames = framesOf(fullLine(), 9);
+    const auto at = [&](const std::string& name, const std::string& signal) {
+        for (const CanFrame& frame : frames)
+            if (frame.id == message(name).id) return physical(frame, message(name).signal(signal));
+        ADD_FAILURE() << "no " << name;
+        return 0.0;
+    };
+    EXPECT_NEAR(at("Odometry", "Travelled"), -12.345, 1e-9);
+    EXPECT_NEAR(at("Odometry", "Turned"), 0.5, 1e-9);
+    EXPECT_NEAR(at("Attitude", "Pitch"), 0.2, 1e-9);
+    EXPECT_NEAR(at("Attitude", "Roll"), -0.1, 1e-9);
+    EXPECT_NEAR(at("FrontAngles", "Left"), 0.3, 1e-9);
+    EXPECT_NEAR(at("FrontAngles", "Right"), 0.31, 1e-9);
+    EXPECT_NEAR(at("RearAngles", "Left"), -0.4, 1e-9);
+    EXPECT_NEAR(at("RearAngles", "Right"), -0.41, 1e-9);
+    EXPECT_NEAR(at("FrontCurrents", "Left"), 1.5, 1e-9);
+    EXPECT_NEAR(at("FrontCurrents", "Right"), 1.501, 1e-9);
+    EXPECT_NEAR(at("RearCurrents", "Left"), -2.5, 1e-9);
+    EXPECT_NEAR(at("RearCurrents", "Right"), 2.501, 1e-9);
+    EXPECT_NEAR(at("LeftForces1To3", "Element1"), 0.625, 1e-9);
+    EXPECT_NEAR(at("LeftForces1To3", "Element3"), 0.75, 1e-9);
+    EXPECT_NEAR(at("LeftForces4To6", "Element5"), 1.3125, 1e-9);
+    EXPECT_NEAR(at("RightForces1To3", "Element2"), 1.9375, 1e-9);
+    EXPECT_NEAR(at("RightForces4To6", "Element6"), 2.625, 1e-9);
+    EXPECT_NEAR(at("ArmResult", "Bin"), 8.0, 1e-9);
+    EXPECT_NEAR(at("ArmResult", "Height"), -0.1234, 1e-9);
+    EXPECT_NEAR(at("ArmResult", "Sd"), 0.0305, 1e-9);
+    for (const CanFrame& frame : frames) EXPECT_EQ(frame.data[2], 9) << "one counter for all";
+}
+
+TEST(SensorLine, comesBackWholeOverEveryTurnOfTheCounter)
+{
+    SensorLineReader reader;
+    for (int counter = 0; counter < 600; ++counter) {
+        const auto got = read(reader, fullLine(), static_cast<std::uint8_t>(counter));
+        ASSERT_TRUE(got);
+        ASSERT_NEAR(got->frontAngles->right, 0.31, 1e-9);
+        ASSERT_NEAR((*got->voltages[3])[2], 2.625, 1e-9);
+        ASSERT_EQ(got->arm->bin, 8);
+        ASSERT_NEAR(got->odometry->travelled, -12.345, 1e-9);
+    }
+    EXPECT_EQ(reader.unfinished(), 0U);
+}
+
+TEST(SensorLine, saysWhatWasNotMeasured)
+{
+    SensorLineReader reader;
+    ASSERT_TRUE(read(reader, fullLine(), 1));
+    EXPECT_EQ(read(reader, SensorLine{}, 2), SensorLine{}) << "nothing of the line before";
+}
+
+TEST(SensorLine, isNeverMadeOfTwoLines)
+{
+    SensorLineReader reader;
+    const auto first = framesOf(fullLine(), 1), second = framesOf(SensorLine{}, 2);
+    for (std::size_t i = 0; i + 1 < first.size(); ++i)
+        EXPECT_FALSE(reader.take(contentOf(first[i])));
+    EXPECT_FALSE(reader.take(contentOf(second.back()))) << "the one missing, of another line";
+    EXPECT_EQ(reader.unfinished(), 1U);
+    for (std::size_t i = 0; i + 2 < second.size(); ++i)
+        EXPECT_FALSE(reader.take(contentOf(second[i])));
+    EXPECT_FALSE(reader.take(contentOf(frameOf(RobotStatus{}, 2)))) << "no sensor frame";
+    EXPECT_TRUE(reader.take(contentOf(second[second.size() - 2])));
+}
+
+TEST(SensorLine, needsNoOdometryAndTakesNoOtherLines)
+{
+    SensorLineReader reader;
+    const auto first = framesOf(fullLine(), 1), second = framesOf(fullLine(), 2);
+    std::optional<SensorLine> got;
+    for (std::size_t i = 1; i < first.size(); ++i) got = reader.take(contentOf(first[i]));
+    ASSERT_TRUE(got) << "a robot without odometry";
+    EXPECT_FALSE(got->odometry);
+    EXPECT_FALSE(reader.take(contentOf(first.front()))) << "too late for its line";
+    for (std::size_t i = 1; i < second.size(); ++i) got = reader.take(contentOf(second[i]));
+    ASSERT_TRUE(got);
+    EXPECT_FALSE(got->odometry) << "of the line before";
+    EXPECT_EQ(reader.unfinished(), 0U);
+}
+
+TEST(ArmResult, isNeverWithoutAnSd)
+{
+    SensorLine line;
+    line.arm = ArmReading{3, 0.1, 0.0};
+    EXPECT_THROW(static_cast<void>(framesOf(line, 0)), std::invalid_argument);
+    CanFrame frame = blank(message("ArmResult"));
+    setBits(frame, message("ArmResult").signal("Sd"), 0);
+    setBits(frame, message("ArmResult").signal("Measured"), 1);
+    seal(frame, message("ArmResult"), 0);
+    EXPECT_EQ(faultOf(frame), FrameFault::OutOfRange);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/wire/can_codec.h"
+#include "core/wire/dbc_file.h"
+
+namespace terratact {
+
+/// The messages of resources/dbc/terratact.dbc.
+const std::vector<DbcMessage>& dbc();
+const DbcMessage& message(FrameKind kind);
+const DbcMessage& message(const std::string& name);
+
+bool isSigned(const DbcSignal& s);
+std::int64_t rawOf(double value, const DbcSignal& s);
+void setBits(CanFrame& frame, const DbcSignal& s, std::int64_t raw);
+double physical(const CanFrame& frame, const DbcSignal& s);
+
+/// Counter and checksum as the file says.
+void seal(CanFrame& frame, const DbcMessage& m, std::uint8_t counter);
+
+/// A frame of the file with every signal as near to 0 as its range allows; an arm's reading has an sd.
+CanFrame blank(const DbcMessage& m, std::uint8_t counter = 0);
+
+std::optional<FrameFault> faultOf(const CanFrame& frame);
+Unpacked contentOf(const CanFrame& frame);
+
+}  // namespace terratact
