@@ -214,6 +214,25 @@ TEST_P(Extremes, throughFewRowsAreAnsweredAsInLongDoubleOrRefused)
     tally.judge();
 }
 
+TEST_P(Extremes, withAScaleOfItsOwnForEveryInputAreAnsweredAsInLongDouble)
+{
+    Tally tally;
+    for (const Eigen::Vector3d& lengths :
+         {Eigen::Vector3d(1e-8, 1.0, 1e8), Eigen::Vector3d(1.0, 1e8, 1e-8),
+          Eigen::Vector3d(1e8, 1e-8, 1.0), Eigen::Vector3d(1e8, 1e8, 1e-3)})
+        for (const double signal : {1e-12, 0.3, 1e6})
+            for (const double noise : {0.0, 1e-3}) {
+                Data data = dataOf(GetParam(), 40, 1.0, signal, noise);
+                data.hyper.lengthScale = lengths;
+                std::ostringstream what;
+                what << "lengths " << lengths.transpose() << ", sf " << signal << ", sn " << noise;
+                const auto gp = built(data);
+                ASSERT_TRUE(gp) << what.str();
+                tally.add(data, *gp, Reference(data, gp->jitter()), what.str());
+            }
+    EXPECT_EQ(tally.answered, 24);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Extremes, testing::ValuesIn(kKinds));
 
 TEST(Jitter, isTheLeastThatMendsDoubledRowsAndIsKept)
@@ -354,8 +373,8 @@ INSTANTIATE_TEST_SUITE_P(ManyRows, Sizes,
                                          ManyRows{"collinear", Kind::Collinear, 1.0, 0.0, 1400},
                                          ManyRows{"constantColumn", Kind::ConstantColumn, 1.0, 1e-3,
                                                   1400},
-                                         ManyRows{"hugeLengths", Kind::Plain, 1e4, 0.0, 300},
-                                         ManyRows{"tinyLengths", Kind::Plain, 1e-4, 0.0, 300},
+                                         ManyRows{"hugeLengths", Kind::Plain, 1e8, 0.0, 300},
+                                         ManyRows{"tinyLengths", Kind::Plain, 1e-8, 0.0, 300},
                                          ManyRows{"tinyNoise", Kind::Plain, 1.0, 1e-6, 300},
                                          ManyRows{"oneRowOnly", Kind::OneRowOnly, 1.0, 1e-9, 300}),
                          [](const auto& size) { return std::string(size.param.name); });
