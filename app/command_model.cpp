@@ -6,8 +6,8 @@
 
 #include "app/commands.h"
 #include "app/model_cards.h"
+#include "app/model_conditions.h"
 #include "core/infer/obstacle.h"
-#include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
 #include "core/learn/projected_process.h"
 #include "core/learn/scene_file.h"
@@ -75,27 +75,6 @@ void printTable(const BinModelData& data)
     row("signal sd [m]", [&](std::size_t i) { return data.bins[i].signalSd; });
     row("noise sd [m]", [&](std::size_t i) { return data.bins[i].noiseSd; });
     row("log likelihood", [&](std::size_t i) { return data.logLikelihood[i]; });
-}
-
-/// Which conditionals are singular, and what was added or why there is none; factorises them.
-void printConditions(const ModelData& model, FeatureSet set)
-{
-    const BinModels models(model, set);
-    double least = 1.0;
-    for (int bin = 0; bin < kBins; ++bin) {
-        try {
-            const GaussianProcess& gp = models.bin(bin);
-            least = std::min(least, gp.rcond());
-            if (gp.jitter() > 0.0)
-                fmt::print(
-                    "bin {:+.1f} m is singular: jitter {:.0e} of its variance, then reciprocal "
-                    "condition number {:.1e}\n",
-                    binCentre(bin), gp.jitter(), gp.rcond());
-        } catch (const std::invalid_argument& refused) {
-            fmt::print("bin {:+.1f} m is refused: {}\n", binCentre(bin), refused.what());
-        }
-    }
-    fmt::print("least reciprocal condition number of the {} models: {:.1e}\n", name(set), least);
 }
 
 /// The processes over clearances on s, bins that a regime has too few scenes of left empty.
@@ -217,7 +196,7 @@ Status showModel(const std::string& path, bool csv)
     printCard(factsOf(path, *stored));
     for (const BinModelData* data : {&model.pa, &model.paf}) {
         printTable(*data);
-        printConditions(model, data->set);
+        fmt::print("{}", conditionsText(model, data->set));
     }
     printSurfaces(model.clearance, true);
     printSurfaces(model.clearance, false);

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/model_cards.h"
+#include "app/model_conditions.h"
 #include "app/model_training.h"
 #include "app/progress.h"
 #include "core/learn/model_file.h"
@@ -83,6 +84,8 @@ Status writePart(const TrainOptions& options, ModelData model)
 void printModel(const ModelData& model, const std::string& path)
 {
     printBins(model, kAllBins);
+    for (const FeatureSet set : {FeatureSet::Pa, FeatureSet::Paf})
+        fmt::print("{}", conditionsText(model, set));
     fmt::print("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
                1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
     fmt::print("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",

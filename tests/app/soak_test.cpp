@@ -367,6 +367,12 @@ TEST_F(Soak, showsAnEstimateSoonAfterTheSceneAndOneOfEveryLineBefore)
     const double wanted = wantedSeconds();
     const double seconds = wanted > 0.0 ? wanted : 6.0;
     open(modelFileLoader(resourcePath("models/default.ttm"), model));
+    const bool sampled = qEnvironmentVariableIsSet("TERRATACT_SOAK_METHOD");
+    if (sampled)
+        window->preferences().change([](Preferences& p) {
+            p.method = method();
+            p.quality = quality();
+        });
     const Estimation& estimation = window->exploration().estimation();
     NewestValues waits(1000);
     int estimates = 0;                 // of the flippers' way
@@ -403,7 +409,9 @@ TEST_F(Soak, showsAnEstimateSoonAfterTheSceneAndOneOfEveryLineBefore)
     EXPECT_LT(waits.most(), 10.0) << "hangs";
     if (!(wanted > 0.0)) return;
     // Where the robot pressed before its halt was told, the console takes another line, 50 ms.
-    EXPECT_LE(waits.quantile(0.5), 0.050);
+    if (!sampled) {
+        EXPECT_LE(waits.quantile(0.5), 0.050);
+    }
     EXPECT_GE(estimates, 0.95 * lines.pressing);
 }
 

@@ -21,7 +21,7 @@ class Commands(unittest.TestCase):
         cls.path = pathlib.Path(cls.folder.name)
         cls.data, cls.model = cls.path / "scenes.csv", cls.path / "small.ttm"
         run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--out", cls.data)
-        run("train", "--data", cls.data, "--out", cls.model, "--seed", 3)
+        cls.trained = run("train", "--data", cls.data, "--out", cls.model, "--seed", 3)
 
     @classmethod
     def tearDownClass(cls):
@@ -144,6 +144,12 @@ class Commands(unittest.TestCase):
         self.assertNotEqual(text, run(*command, "--sd-factor", 5))
         self.assertIn("fewer than 5 drives", run(*command[:-4], "--drives", 2, "--methods", "local"))
         complaint(*command, "--sd-factor", 0, code=2)
+
+    def test_training_says_how_well_conditioned_its_models_are(self):
+        shown = run("model", "show", self.model)
+        for models in ("pa", "paf"):
+            line = re.search(rf"least reciprocal condition number of the {models} models: .*", shown)[0]
+            self.assertIn(line, self.trained)
 
     def test_training_repeats_to_the_bit(self):
         again = self.path / "again.ttm"

@@ -1,0 +1,35 @@
+#include "app/model_conditions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/learn/bin_models.h"
+
+namespace terratact {
+
+std::string conditionsText(const ModelData& model, FeatureSet set)
+{
+    const BinModels models(model, set);
+    std::string text;
+    double least = 1.0;
+    for (int bin = 0; bin < kBins; ++bin) {
+        try {
+            const GaussianProcess& gp = models.bin(bin);
+            least = std::min(least, gp.rcond());
+            if (gp.jitter() > 0.0)
+                text += fmt::format(
+                    "bin {:+.1f} m is singular: jitter {:.0e} of its variance, then reciprocal "
+                    "condition number {:.1e}\n",
+                    binCentre(bin), gp.jitter(), gp.rcond());
+        } catch (const std::invalid_argument& refused) {
+            text += fmt::format("bin {:+.1f} m is refused: {}\n", binCentre(bin), refused.what());
+        }
+    }
+    return text
+         + fmt::format("least reciprocal condition number of the {} models: {:.1e}\n", name(set),
+                       least);
+}
+
+}  // namespace terratact
