@@ -17,11 +17,23 @@ void PoseWatch::look(const Measurement& newest, std::uint64_t count)
 
 bool PoseWatch::differs(const Measurement& newest) const
 {
-    const Proprioception s = proprioception(newest);
-    return newest.activity == RobotActivity::Driving
-        || std::abs(s.pitch - scene_.pitch) > kPitchChange
-        || std::abs(s.front - scene_.front) > kFlipperChange
-        || std::abs(s.rear - scene_.rear) > kFlipperChange;
+    const auto beyond = [&](double Measurement::*value, double limit) {
+        return std::abs(turnBetween(scene_.*value, newest.*value)) > limit;
+    };
+    return newest.activity == RobotActivity::Driving || beyond(&Measurement::pitch, kTilt)
+        || beyond(&Measurement::roll, kTilt) || beyond(&Measurement::frontLeft, kFlipper)
+        || beyond(&Measurement::frontRight, kFlipper) || beyond(&Measurement::rearLeft, kFlipper)
+        || beyond(&Measurement::rearRight, kFlipper) || hasRolled(newest);
+}
+
+/// By its tracks, where both lines tell.
+bool PoseWatch::hasRolled(const Measurement& newest) const
+{
+    if (newest.travelled && scene_.travelled
+        && std::abs(*newest.travelled - *scene_.travelled) > kTravelled)
+        return true;
+    return newest.turned && scene_.turned
+        && std::abs(turnBetween(*scene_.turned, *newest.turned)) > kTurned;
 }
 
 }  // namespace terratact

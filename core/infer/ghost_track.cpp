@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "core/robot/kinematics.h"
 
 namespace terratact {
 namespace {
-
-/// Of the shortest way round.
-double turnBetween(double from, double to)
-{
-    return std::remainder(to - from, 2.0 * std::numbers::pi);
-}
 
 double leastSd(const Ghost& ghost)
 {

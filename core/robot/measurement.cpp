@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace terratact {
@@ -45,6 +46,11 @@ Proprioception proprioception(const Measurement& m)
     s.rearCurrent = (m.rearLeftCurrent + m.rearRightCurrent) / 2.0;
     for (std::size_t i = 0; i < m.force.size(); ++i) s.force[i] = m.force[i];
     return s;
+}
+
+double turnBetween(double from, double to)
+{
+    return std::remainder(to - from, 2.0 * std::numbers::pi);
 }
 
 double flipperAsymmetry(const Measurement& m)

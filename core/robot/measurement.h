@@ -73,4 +73,7 @@ Proprioception proprioception(const Measurement& measurement);
 /// The larger difference of left and right, of the front and of the rear flippers [rad].
 double flipperAsymmetry(const Measurement& measurement);
 
+/// The shortest way round from one angle to another [rad], such as Measurement::turned.
+double turnBetween(double from, double to);
+
 }  // namespace terratact

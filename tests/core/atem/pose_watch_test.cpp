@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <numbers>
+#include <random>
 #include <string>
+#include <utility>
+
+#include "core/sim/sensor_noise.h"
 
 namespace terratact {
 namespace {
@@ -12,16 +18,19 @@ Measurement scene()
 {
     Measurement m;
     m.pitch = 0.2;
+    m.roll = -0.05;
     m.frontLeft = m.frontRight = -0.5;
     m.rearLeft = m.rearRight = 0.3;
     m.activity = RobotActivity::Pressed;
+    m.travelled = 7.0;
+    m.turned = std::numbers::pi;  // where it wraps
     return m;
 }
 
 struct Change {
     std::string name;
     std::function<void(Measurement&, double)> by;
-    double limit;  ///< [rad]
+    double limit;  ///< [rad], of travelled [m]
 };
 
 class PoseChange : public testing::TestWithParam<Change> {};
@@ -45,12 +54,67 @@ TEST_P(PoseChange, isAMoveBeyondItsLimit)
 INSTANTIATE_TEST_SUITE_P(
     All, PoseChange,
     testing::Values(
-        Change{"pitch", [](Measurement& m, double d) { m.pitch += d; }, PoseWatch::kPitchChange},
+        Change{"pitch", [](Measurement& m, double d) { m.pitch += d; }, PoseWatch::kTilt},
+        Change{"roll", [](Measurement& m, double d) { m.roll += d; }, PoseWatch::kTilt},
         Change{"front", [](Measurement& m, double d) { m.frontLeft += d, m.frontRight += d; },
-               PoseWatch::kFlipperChange},
+               PoseWatch::kFlipper},
         Change{"rear", [](Measurement& m, double d) { m.rearLeft += d, m.rearRight += d; },
-               PoseWatch::kFlipperChange}),
+               PoseWatch::kFlipper},
+        Change{"frontLeft", [](Measurement& m, double d) { m.frontLeft += d; },
+               PoseWatch::kFlipper},
+        Change{"frontRight", [](Measurement& m, double d) { m.frontRight += d; },
+               PoseWatch::kFlipper},
+        Change{"rearLeft", [](Measurement& m, double d) { m.rearLeft += d; }, PoseWatch::kFlipper},
+        Change{"rearRight", [](Measurement& m, double d) { m.rearRight += d; },
+               PoseWatch::kFlipper},
+        Change{"oppositeFront",
+               [](Measurement& m, double d) { m.frontLeft += d, m.frontRight -= d; },
+               PoseWatch::kFlipper},
+        Change{"oppositeRear", [](Measurement& m, double d) { m.rearLeft += d, m.rearRight -= d; },
+               PoseWatch::kFlipper},
+        Change{"travelled", [](Measurement& m, double d) { *m.travelled += d; },
+               PoseWatch::kTravelled},
+        Change{"turned",
+               [](Measurement& m, double d) {
+                   *m.turned = std::remainder(*m.turned + d, 2.0 * std::numbers::pi);
+               },
+               PoseWatch::kTurned}),
     [](const auto& change) { return change.param.name; });
+
+TEST(PoseWatch, comparesTheTracksOnlyWhereBothLinesTellOfThem)
+{
+    Measurement without = scene();
+    without.travelled.reset();
+    without.turned.reset();
+    for (const auto& [first, then] : {std::pair(without, scene()), std::pair(scene(), without)}) {
+        PoseWatch watch(first);
+        watch.look(then, 1);
+        watch.look(then, 2);
+        EXPECT_FALSE(watch.hasMoved());
+    }
+}
+
+TEST(PoseWatch, isNotTrippedByTheNoiseOfTheSensorsForTenMinutes)
+{
+    const SensorNoise noise;
+    std::mt19937_64 rng(20150205);
+    const auto measured = [&] {
+        const auto with = [&](double value, double sd) {
+            return value + sd * std::normal_distribution<double>()(rng);
+        };
+        Measurement m = scene();
+        for (double* const angle : {&m.pitch, &m.roll}) *angle = with(*angle, noise.pitch);
+        for (double* const angle : {&m.frontLeft, &m.frontRight, &m.rearLeft, &m.rearRight})
+            *angle = with(*angle, noise.flipperAngle);
+        *m.travelled = std::round(*m.travelled * 1e3) * 1e-3;  // as on the wire
+        return m;
+    };
+    for (int run = 0; run < 20; ++run) {
+        PoseWatch watch(measured());
+        for (std::uint64_t line = 1; line <= 12000; ++line) watch.look(measured(), line);  // 20 Hz
+        EXPECT_FALSE(watch.hasMoved()) << "run " << run;
+    }
+}
 
 TEST(PoseWatch, takesDrivingForAMove)
 {
