@@ -9,10 +9,13 @@ using namespace std::chrono_literals;
 
 Received received(const std::optional<Received>& before, Sample sample, SteadyTime arrived)
 {
-    Received now{.sample = sample,
-                 .arrived = arrived,
-                 .count = before ? before->count + 1 : 1,
-                 .press = before ? before->press : std::nullopt};
+    Received now{.sample = sample, .arrived = arrived, .count = 1};
+    if (before) {
+        now.count = before->count + 1;
+        const std::chrono::duration<double> silence = arrived - before->arrived;
+        now.unbrokenFrom = silence.count() > kLongestSilence ? now.count : before->unbrokenFrom;
+        now.press = before->press;
+    }
     const RobotActivity activity = now.sample.measurement.activity;
     const bool stands =
         activity == RobotActivity::Pressed || (activity == RobotActivity::Probing && now.press);

@@ -25,7 +25,9 @@ struct Press {
 struct Received {
     Sample sample;
     SteadyTime arrived;
-    std::uint64_t count = 0;       ///< 1 for the first
+    std::uint64_t count = 0;  ///< 1 for the first
+    /// Count of the first since the last silence of more than kLongestSilence.
+    std::uint64_t unbrokenFrom = 1;
     std::optional<Press> press{};  ///< how the present press began; the arm may probe during one
 };
 

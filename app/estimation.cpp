@@ -57,6 +57,7 @@ void Estimation::look(const std::optional<Received>& latest, bool heard)
     if (!latest) return;
     const Measurement& newest = latest->sample.measurement;
     if (pose_) pose_->look(newest, latest->count);
+    if (scene_ && latest->unbrokenFrom > capturedAt_) wasUnheard_ = true;
     if (latest->count == tracked_) return;
     tracked_ = latest->count;
     if (track_) track_->take(newest);
@@ -79,6 +80,8 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     const Sample& sample = isNew ? latest.press->sample : latest.sample;
     scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
     pose_.emplace(sample.measurement);
+    capturedAt_ = isNew ? latest.press->count : latest.count;
+    wasUnheard_ = false;
     readings_.clear();
     emit captured(*scene_);
     start();
@@ -131,6 +134,7 @@ void Estimation::forget(const QString& why)
     unadvised_ = false;
     scene_.reset();
     pose_.reset();
+    wasUnheard_ = false;
     readings_.clear();
     whyNone_ = why;
 }
@@ -228,7 +232,8 @@ void Estimation::tellOf(const TerrainEstimate& estimate)
 std::optional<Verdict> Estimation::verdict() const
 {
     if (!estimate_ || !scene_) return std::nullopt;
-    return verdictOf(*estimate_, scene_->measurement, heard_, options_.stepLimit);
+    return verdictOf(*estimate_, scene_->measurement, {.heard = heard_, .unbroken = !wasUnheard_},
+                     options_.stepLimit);
 }
 
 std::optional<Ghost> Estimation::ghost() const

@@ -518,9 +518,10 @@ QList<Precondition> Exploration::toProbe() const
     if (following()) return {Preconditions::arming(following_->why())};
     QList<Precondition> list{Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
-    const bool asks = state_.phase == AtemPhase::ProposingProbe && probes_.current();
-    return list << (asks ? Preconditions::stands(probes_.stands())
-                         : Preconditions::noProbeProposed());
+    if (state_.phase != AtemPhase::ProposingProbe || !probes_.current())
+        return list << Preconditions::noProbeProposed();
+    if (estimation_.wasUnheard()) return list << Preconditions::wasUnheard();
+    return list << Preconditions::stands(probes_.stands());
 }
 
 QList<Precondition> Exploration::toReleaseStop() const

@@ -70,6 +70,11 @@ Precondition Preconditions::stands(bool asThen)
                   : missing(tr("scene, settings or model have changed since the question"));
 }
 
+Precondition Preconditions::wasUnheard()
+{
+    return missing(tr("the link was lost, the robot may have moved: explore again"));
+}
+
 Precondition Preconditions::stopConfirmed(bool confirmed, bool heard)
 {
     if (!confirmed) return doubtful(tr("the robot has not confirmed STOP"));

@@ -88,11 +88,17 @@ bool ProbeProposals::mayPropose(int bin) const
                                [bin](const ProbeGain& gain) { return gain.bin == bin; });
 }
 
+bool ProbeProposals::stands() const
+{
+    const std::string now = grounds();
+    return !now.empty() && now == proposedOn_;
+}
+
 std::string ProbeProposals::grounds() const
 {
     const auto& scene = estimation_.scene();
     const auto& estimate = estimation_.estimate();
-    if (!scene || !estimate || !current_) return {};
+    if (!scene || !estimate || !current_ || estimation_.wasUnheard()) return {};
     const ModelInUse& model = estimation_.model();
     return fingerprint({.scene = scene->measurement,
                         .readings = estimation_.readings(),

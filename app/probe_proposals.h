@@ -46,8 +46,8 @@ public:
     /// Fingerprint of what current() rested on when it was proposed.
     const std::string& proposedOn() const { return proposedOn_; }
     /// There is a question, and what it rests on is as it was then.
-    bool stands() const { return current_ && grounds() == proposedOn_; }
-    /// Of what it rests on now; empty where nothing is proposed or estimated.
+    bool stands() const;
+    /// Of what it rests on now; empty where nothing is proposed or estimated, and once the robot may have moved.
     std::string grounds() const;
 
 private:

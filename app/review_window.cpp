@@ -292,6 +292,20 @@ void ReviewWindow::showHeader()
     header()->setAlarms(static_cast<int>(unseen), static_cast<int>(moment_.alarms.size()));
 }
 
+double ReviewWindow::limit() const
+{
+    return limit_.value_or(moment_.estimate ? moment_.estimate->stepLimit : kStepLimit);
+}
+
+std::optional<Verdict> ReviewWindow::verdict() const
+{
+    if (!moment_.estimate || !moment_.scene) return std::nullopt;
+    const bool heard = moment_.linkAlive && moment_.measurement
+                    && secondsOf(moment_.time - moment_.measured) <= kStaleAfter;
+    return verdictOf(moment_.estimate->estimate, moment_.scene->measurement,
+                     {.heard = heard, .unbroken = moment_.unbroken}, limit());
+}
+
 void ReviewWindow::showTerrain()
 {
     const EstimateRow* const row = moment_.estimate.get();
@@ -315,15 +329,11 @@ void ReviewWindow::showTerrain()
         sight.sceneTruth = &moment_.scene->truth;
         if (!sight.measurement) sight.measurement = sight.scene, sight.age = 1e6;
     }
-    const double limit = limit_.value_or(row ? row->stepLimit : kStepLimit);
-    terrain_->verdict()->setLimit(limit);
+    terrain_->verdict()->setLimit(limit());
     if (row) {
         sight.estimate = &row->estimate;
         sight.estimateSeconds = row->seconds;
-        const bool heard = moment_.linkAlive && moment_.measurement
-                        && secondsOf(moment_.time - moment_.measured) <= kStaleAfter;
-        if (moment_.scene)
-            sight.verdict = verdictOf(row->estimate, moment_.scene->measurement, heard, limit);
+        sight.verdict = verdict();
     }
     if (const auto& answer = whatIf_->answer(); answer && row) {
         sight.second = &*answer;
@@ -346,7 +356,7 @@ void ReviewWindow::showTerrain()
         if (moment_.state.phase == AtemPhase::Probing) sight.probingBin = moment_.proposal->bin;
     }
     if (row && !proposal)
-        sight.bestProbe = bestProbe({row->estimate, adviceAt(limit), robot_,
+        sight.bestProbe = bestProbe({row->estimate, adviceAt(limit()), robot_,
                                      ProbeProposal{}.seconds, preferences_->current().probes});
     const QString why = tr("A review commands no robot");
     sight.preconditions << Precondition{Precondition::Level::Missing, why};

@@ -80,6 +80,8 @@ private:
     void showMoment();
     void showHeader();
     void showTerrain();
+    double limit() const;                    ///< [m] of an obstacle, at this time
+    std::optional<Verdict> verdict() const;  ///< likewise, as the operator saw it
     void showState();
     void showEvents();
     void place();  ///< what finds no room beside the terrain on the robot's page

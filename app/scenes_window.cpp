@@ -152,7 +152,7 @@ void ScenesWindow::showSight()
     if (estimate_) {
         sight.estimate = &*estimate_;
         sight.estimateSeconds = seconds_;
-        sight.verdict = verdictOf(*estimate_, measurement_, true, options_.stepLimit);
+        sight.verdict = verdictOf(*estimate_, measurement_, {}, options_.stepLimit);
         sight.state.phase = AtemPhase::Presenting;
     }
     const QString why = tr("A scene of a file commands no robot");

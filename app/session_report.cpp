@@ -53,7 +53,7 @@ std::string poseText(const Measurement& m)
 
 std::string verdictText(const EstimateRow& row, const SceneRow& scene)
 {
-    const Verdict v = verdictOf(row.estimate, scene.measurement, true, row.stepLimit);
+    const Verdict v = verdictOf(row.estimate, scene.measurement, {}, row.stepLimit);
     std::string text =
         fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
                     name(v.outlook), row.stepLimit, 100.0 * v.step.p);

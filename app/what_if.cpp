@@ -101,8 +101,8 @@ double Differences::largest() const
 Differences differencesBetween(const TerrainEstimate& before, const TerrainEstimate& after,
                                const Measurement& scene, double stepLimit)
 {
-    Differences result{.before = verdictOf(before, scene, true, stepLimit),
-                       .after = verdictOf(after, scene, true, stepLimit),
+    Differences result{.before = verdictOf(before, scene, {}, stepLimit),
+                       .after = verdictOf(after, scene, {}, stepLimit),
                        .identical = identical(before, after)};
     for (std::size_t i = 0; i < kBins; ++i) {
         result.bin[i] = {.mean = after.mean[i] - before.mean[i],

@@ -38,6 +38,7 @@ namespace {
     // clang-format on
     QT_TRANSLATE_NOOP("core", "two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)"),
     QT_TRANSLATE_NOOP("core", "no live telemetry, the robot may have moved"),
+    QT_TRANSLATE_NOOP("core", "the link was lost, the robot may have moved"),
     QT_TRANSLATE_NOOP("core", "the scene is unlike all training"),
     QT_TRANSLATE_NOOP("core", "the robot rolls, left and right ground differ"),
     QT_TRANSLATE_NOOP("core", "the flippers differ, left and right ground differ"),

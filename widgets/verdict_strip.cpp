@@ -33,6 +33,7 @@ QString briefly(Doubt doubt)
 {
     switch (doubt) {
     case Doubt::Stale: return VerdictStrip::tr("no live telemetry");
+    case Doubt::Unheard: return VerdictStrip::tr("the link was lost");
     case Doubt::NotConverged: return VerdictStrip::tr("not converged");
     case Doubt::UnlikeTraining: return VerdictStrip::tr("unlike all training");
     case Doubt::Roll: return VerdictStrip::tr("the robot rolls");

@@ -7,11 +7,13 @@
 namespace terratact {
 namespace {
 
-std::vector<Doubt> doubtsOf(const TerrainEstimate& estimate, const Measurement& scene, bool heard)
+std::vector<Doubt> doubtsOf(const TerrainEstimate& estimate, const Measurement& scene,
+                            const Aftermath& since)
 {
     const Settings& settings = estimate.settings;
     std::vector<Doubt> doubts;
-    if (!heard) doubts.push_back(Doubt::Stale);
+    if (!since.heard) doubts.push_back(Doubt::Stale);
+    if (!since.unbroken) doubts.push_back(Doubt::Unheard);
     if (!estimate.converged) doubts.push_back(Doubt::NotConverged);
     if (estimate.novelty > 1.0) doubts.push_back(Doubt::UnlikeTraining);
     if (std::abs(scene.roll) > settings.rollLimit) doubts.push_back(Doubt::Roll);
@@ -35,6 +37,7 @@ std::string describe(Doubt doubt)
 {
     switch (doubt) {
     case Doubt::Stale: return "no live telemetry, the robot may have moved";
+    case Doubt::Unheard: return "the link was lost, the robot may have moved";
     case Doubt::NotConverged: return "the chains have not converged";
     case Doubt::UnlikeTraining: return "the scene is unlike all training";
     case Doubt::Roll: return "the robot rolls, left and right ground differ";
@@ -43,14 +46,14 @@ std::string describe(Doubt doubt)
     return {};
 }
 
-Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, bool heard,
+Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, const Aftermath& since,
                   double limit)
 {
     if (!(limit >= 0.0) || !std::isfinite(limit))
         throw std::invalid_argument("verdictOf: the limit must be finite and 0 m or more");
     Verdict verdict;
     verdict.likeliest = kFirstAhead;
-    verdict.doubts = doubtsOf(estimate, scene, heard);
+    verdict.doubts = doubtsOf(estimate, scene, since);
     if (estimate.draws.empty()) {
         verdict.step = {0.0, 1.0};
         return verdict;

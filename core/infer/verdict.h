@@ -19,6 +19,7 @@ std::string_view name(Outlook outlook);
 /// Why an estimate gives no answer although its draws have one.
 enum class Doubt : std::uint8_t {
     Stale,           ///< the robot is not heard: it may have moved
+    Unheard,         ///< for a while it was not, since the scene
     NotConverged,    ///< more sweeps might say something else
     UnlikeTraining,  ///< the scene is unlike all that the model has learnt
     Roll,            ///< left and right ground differ, the estimate knows one profile
@@ -41,14 +42,19 @@ struct Verdict {
 inline constexpr double kClearBelow = 0.05;
 inline constexpr double kBlockedAbove = 0.95;
 
+/// What came after the scene; by itself: nothing, as of a scene in a file.
+struct Aftermath {
+    bool heard = true;     ///< its telemetry is live
+    bool unbroken = true;  ///< and there was no silence of more than kLongestSilence
+};
+
 /// With p = P(a step of more than `limit` within bins kFirstAhead … 10), as hasStep() has it, and its Monte-Carlo sd m,
 ///   Clear       p + 2 m < kClearBelow
 ///   Blocked     p − 2 m > kBlockedAbove
 ///   CannotTell  else, or with any doubt, or without draws.
 /// scene: what the estimate rests on; its settings' limits say when roll or asymmetry are doubts.
-/// heard: the robot's telemetry is live.  limit: [m].  Throws std::invalid_argument for a limit below 0 or not
-/// finite.
-Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, bool heard,
+/// limit: [m].  Throws std::invalid_argument for a limit below 0 or not finite.
+Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, const Aftermath& since,
                   double limit);
 
 }  // namespace terratact

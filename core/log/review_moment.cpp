@@ -153,6 +153,7 @@ void ReviewMoments::takeRows(ReviewMoment& moment)
 void ReviewMoments::takeEvents(ReviewMoment& moment)
 {
     std::map<std::string, Alarm> alarms;
+    std::optional<SessionTime> lost;
     for (const EventRow& event : reader_.events()) {
         if (event.time > moment.time) continue;
         switch (event.kind) {
@@ -170,6 +171,10 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         case EventKind::Link:
             moment.linkAlive = event.subject == "up";
             moment.linkSince = event.time;
+            if (moment.linkAlive && lost && moment.scene && event.time > moment.scene->time
+                && kReviewLinkLost + secondsOf(event.time - *lost) > kLongestSilence)
+                moment.unbroken = false;
+            lost = moment.linkAlive ? std::nullopt : std::optional(event.time);
             break;
         case EventKind::Alarm: takeAlarm(alarms, event); break;
         case EventKind::Forgotten: moment.forgotten = event.text; break;

@@ -26,7 +26,8 @@ struct ReviewMoment {
     double linesPerSecond = 0.0;               ///< of telemetry, of the last second
     bool linkAlive = false;                    ///< as it was told; before it was, as heard now
     SessionTime linkSince = 0;                 ///< it has been so
-    std::optional<SessionDamage> damage{};     ///< in which this time lies
+    bool unbroken = true;  ///< no silence of more than kLongestSilence has ended since the scene
+    std::optional<SessionDamage> damage{};  ///< in which this time lies
 
     const ModelRow* model = nullptr;
     const SceneRow* scene = nullptr;

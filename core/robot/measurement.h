@@ -67,13 +67,16 @@ struct Measurement {
     bool operator==(const Measurement&) const = default;
 };
 
+/// Longer without telemetry [s], and the robot may have moved meanwhile without being seen.
+inline constexpr double kLongestSilence = 1.0;
+
 /// Averages left and right.
 Proprioception proprioception(const Measurement& measurement);
 
-/// The larger difference of left and right, of the front and of the rear flippers [rad].
-double flipperAsymmetry(const Measurement& measurement);
-
 /// The shortest way round from one angle to another [rad], such as Measurement::turned.
 double turnBetween(double from, double to);
+
+/// The larger difference of left and right, of the front and of the rear flippers [rad].
+double flipperAsymmetry(const Measurement& measurement);
 
 }  // namespace terratact

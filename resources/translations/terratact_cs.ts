@@ -464,6 +464,10 @@
         <source>the robot said that it is stopped, then no telemetry</source>
         <translation>robot hlásil, že stojí, pak telemetrie ustala</translation>
     </message>
+    <message>
+        <source>the link was lost, the robot may have moved: explore again</source>
+        <translation>spojení bylo ztraceno, robot se mohl pohnout: prozkoumejte znovu</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -1509,6 +1513,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>line %1 of %2 is in use: %3 holds it; end that program, or wire the panel to another line</source>
         <translation>linka %1 čipu %2 je obsazena: drží ji %3; ukončete ten program, nebo zapojte panel na jinou linku</translation>
+    </message>
+    <message>
+        <source>the link was lost, the robot may have moved</source>
+        <translation>spojení bylo ztraceno, robot se mohl pohnout</translation>
     </message>
 </context>
 <context>
@@ -5456,6 +5464,10 @@ vpředu</translation>
     <message>
         <source>No higher limit can be set than %1 m</source>
         <translation>Vyšší mez než %1 m nelze nastavit</translation>
+    </message>
+    <message>
+        <source>the link was lost</source>
+        <translation>spojení bylo ztraceno</translation>
     </message>
 </context>
 <context>

@@ -464,6 +464,10 @@
         <source>the robot said that it is stopped, then no telemetry</source>
         <translation>der Roboter meldete, dass er steht, dann keine Telemetrie</translation>
     </message>
+    <message>
+        <source>the link was lost, the robot may have moved: explore again</source>
+        <translation>die Verbindung war verloren, der Roboter kann sich bewegt haben: neu erkunden</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -1509,6 +1513,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>line %1 of %2 is in use: %3 holds it; end that program, or wire the panel to another line</source>
         <translation>Leitung %1 von %2 ist in Gebrauch: %3 hält sie; jenes Programm beenden oder das Pult an eine andere Leitung anschließen</translation>
+    </message>
+    <message>
+        <source>the link was lost, the robot may have moved</source>
+        <translation>die Verbindung war verloren, der Roboter kann sich bewegt haben</translation>
     </message>
 </context>
 <context>
@@ -5456,6 +5464,10 @@ voraus</translation>
     <message>
         <source>No higher limit can be set than %1 m</source>
         <translation>Eine höhere Grenze als %1 m geht nicht</translation>
+    </message>
+    <message>
+        <source>the link was lost</source>
+        <translation>Verbindung war verloren</translation>
     </message>
 </context>
 <context>

@@ -156,6 +156,80 @@ TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
     EXPECT_FALSE(withheld());
 }
 
+/// A verdict that stands with an open question, and then an outage.
+struct Outage : Bench {
+    Outage()
+    {
+        withDraws = true;
+        propose();
+    }
+    void linkIsLostFor(double seconds)
+    {
+        tickInSilence(static_cast<int>(seconds / 0.04 + 0.5) - 1);  // the next line ends it
+        tick(3);
+    }
+    std::vector<Doubt> doubts() const { return exploration->estimation().verdict()->doubts; }
+};
+
+TEST_F(Outage, ofMoreThanASecondWithholdsTheVerdictUntilTheTerrainIsExploredAnew)
+{
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    ASSERT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+    linkIsLostFor(kLongestSilence - 0.04);
+    EXPECT_EQ(doubts(), std::vector<Doubt>());
+    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+
+    linkIsLostFor(kLongestSilence + 0.04);
+    EXPECT_TRUE(exploration->linkAlive());
+    ASSERT_TRUE(exploration->estimation().estimate()) << "it stays to be seen";
+    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
+    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::CannotTell);
+    tick(100);
+    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard}) << "however long telemetry comes again";
+
+    telemetry.activity = RobotActivity::Halted;
+    propose();
+    EXPECT_EQ(doubts(), std::vector<Doubt>());
+    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+}
+
+TEST_F(Outage, thatNobodyLookedAtWithholdsItToo)
+{
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    now += kLongestSilence + 0.04;  // the window stands still meanwhile
+    line();
+    line();
+    tick();
+    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
+}
+
+TEST_F(Outage, ofAWindowThatStandsStillIsNone)
+{
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    for (int i = 0; i < 100; ++i) line();
+    tick();
+    EXPECT_EQ(doubts(), std::vector<Doubt>()) << "telemetry has come all the time";
+}
+
+TEST_F(Outage, voidsAnOpenQuestion)
+{
+    const quint64 question = exploration->proposal()->id;
+    EXPECT_EQ(firstMissing(exploration->toProbe()), "");
+    now += kLongestSilence + 0.04;  // unseen: else the exploration has failed long before
+    line();
+    tick();
+    ASSERT_EQ(phase(), AtemPhase::ProposingProbe);
+    EXPECT_TRUE(firstMissing(exploration->toProbe()).startsWith("the link was lost"))
+        << firstMissing(exploration->toProbe()).toStdString();
+    exploration->approve(question);
+    tick();
+    EXPECT_EQ(exploration->state().failure, AtemFailure::ApprovalVoid);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
 /// What a window shows of an exploration whose time is in the test's hands.
 struct LinkBench : Bench {
     LinkBench() : display(header, banner, list, acquisition, nullptr) {}

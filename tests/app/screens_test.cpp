@@ -240,7 +240,7 @@ std::optional<double> limitFor(const Estimation& estimation, Outlook outlook)
     for (int centimetres = 2; centimetres <= 50; ++centimetres) {
         const double limit = 0.01 * centimetres;
         const Measurement& scene = estimation.scene()->measurement;
-        const Verdict verdict = verdictOf(*estimation.estimate(), scene, true, limit);
+        const Verdict verdict = verdictOf(*estimation.estimate(), scene, {}, limit);
         if (verdict.outlook == outlook
             && (!found || std::abs(limit - kStepLimit) < std::abs(*found - kStepLimit)))
             found = limit;
@@ -302,7 +302,9 @@ TEST_F(Screens, verdict)
         picture("blocked", {VerdictStrip::tr("✘ BLOCKED")});
         robot->stage({.isMute = true});
         picture("withheld_stale", withheld(Doubt::Stale));
+        QTest::qWait(static_cast<int>(1000.0 * kLongestSilence) + 200);
         robot->stage({});
+        picture("withheld_unheard", withheld(Doubt::Unheard));
 
         alterEstimates(unsettled);
         ASSERT_NO_FATAL_FAILURE(explore());

@@ -26,7 +26,7 @@ TerrainEstimate estimateWith(int steps)
 
 Outlook outlook(int steps)
 {
-    return verdictOf(estimateWith(steps), Measurement{}, true, kLimit).outlook;
+    return verdictOf(estimateWith(steps), Measurement{}, {}, kLimit).outlook;
 }
 
 TEST(Verdict, isClearOrBlockedTwoMonteCarloSdFromTheLimit)
@@ -45,31 +45,35 @@ TEST(Verdict, namesTheLikeliestPairAhead)
 {
     TerrainEstimate e = estimateWith(300);
     for (Heights& h : e.draws) h[0] = 1.0;  // behind the robot: not asked for
-    const Verdict v = verdictOf(e, Measurement{}, true, kLimit);
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
     EXPECT_DOUBLE_EQ(v.step.p, 0.3);
     EXPECT_EQ(v.likeliest, 7);
     EXPECT_DOUBLE_EQ(v.likeliestP, 0.3);
-    EXPECT_DOUBLE_EQ(verdictOf(e, Measurement{}, true, 0.25).step.p, 0.0);
+    EXPECT_DOUBLE_EQ(verdictOf(e, Measurement{}, {}, 0.25).step.p, 0.0);
 }
 
 TEST(Verdict, isWithheldForEachDoubtByItself)
 {
     struct Case {
         Doubt doubt;
-        void (*make)(TerrainEstimate&, Measurement&, bool& heard);
+        void (*make)(TerrainEstimate&, Measurement&, Aftermath&);
     };
     const Case cases[]{
-        {Doubt::Stale, [](TerrainEstimate&, Measurement&, bool& heard) { heard = false; }},
-        {Doubt::NotConverged, [](TerrainEstimate& e, Measurement&, bool&) { e.converged = false; }},
-        {Doubt::UnlikeTraining, [](TerrainEstimate& e, Measurement&, bool&) { e.novelty = 1.01; }},
-        {Doubt::Roll, [](TerrainEstimate&, Measurement& m, bool&) { m.roll = -0.11; }},
-        {Doubt::Asymmetry, [](TerrainEstimate&, Measurement& m, bool&) { m.rearLeft = 0.11; }}};
+        {Doubt::Stale, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.heard = false; }},
+        {Doubt::Unheard, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.unbroken = false; }},
+        {Doubt::NotConverged,
+         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.converged = false; }},
+        {Doubt::UnlikeTraining,
+         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.novelty = 1.01; }},
+        {Doubt::Roll, [](TerrainEstimate&, Measurement& m, Aftermath&) { m.roll = -0.11; }},
+        {Doubt::Asymmetry,
+         [](TerrainEstimate&, Measurement& m, Aftermath&) { m.rearLeft = 0.11; }}};
     for (const Case& c : cases) {
         TerrainEstimate e = estimateWith(1000);
         Measurement m;
-        bool heard = true;
-        c.make(e, m, heard);
-        const Verdict v = verdictOf(e, m, heard, kLimit);
+        Aftermath since;
+        c.make(e, m, since);
+        const Verdict v = verdictOf(e, m, since, kLimit);
         EXPECT_EQ(v.outlook, Outlook::CannotTell) << describe(c.doubt);
         EXPECT_EQ(v.doubts, std::vector{c.doubt});
         EXPECT_DOUBLE_EQ(v.step.p, 1.0);  // still told
@@ -81,7 +85,7 @@ TEST(Verdict, saysNothingWithoutDraws)
 {
     TerrainEstimate e = estimateWith(0);
     e.draws.clear();
-    const Verdict v = verdictOf(e, Measurement{}, true, kLimit);
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
     EXPECT_EQ(v.outlook, Outlook::CannotTell);
     EXPECT_EQ(v.step.monteCarloSd, 1.0);
 }
@@ -89,7 +93,7 @@ TEST(Verdict, saysNothingWithoutDraws)
 TEST(Verdict, refusesALimitThatIsNone)
 {
     for (const double limit : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()})
-        EXPECT_THROW(verdictOf(estimateWith(0), Measurement{}, true, limit), std::invalid_argument);
+        EXPECT_THROW(verdictOf(estimateWith(0), Measurement{}, {}, limit), std::invalid_argument);
 }
 
 }  // namespace

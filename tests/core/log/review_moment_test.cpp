@@ -138,6 +138,25 @@ TEST_F(Review, stepsFromFrameToFrameAndBack)
     EXPECT_EQ(there, back);
 }
 
+TEST_F(Review, tellsWhetherTheRobotWasHeardAllAlongSinceTheScene)
+{
+    auto writer = robotSession(path, 3.3);
+    ASSERT_TRUE(writer) << writer.error().text;
+    std::int64_t id = 100;
+    const auto link = [&](const char* what, double at) {
+        ASSERT_TRUE(writer->add(EventRow{
+            .id = ++id, .time = sessionTimeOf(at), .kind = EventKind::Link, .subject = what}));
+    };
+    link("lost", 1.7);  // after 0.25 s of silence
+    link("up", 2.15);
+    link("lost", 2.3);
+    link("up", 3.15);
+    ASSERT_TRUE(writer->seal());
+    EXPECT_TRUE(at(2.2).unbroken) << "0.7 s are short";
+    EXPECT_TRUE(at(3.1).unbroken) << "it has not ended";
+    EXPECT_FALSE(at(3.2).unbroken) << "1.1 s";
+}
+
 TEST_F(Review, showsNoFrameOfADamagedSpanAndSaysSo)
 {
     record(4.0);
