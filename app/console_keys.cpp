@@ -42,9 +42,10 @@ void addAnswerKeys(KeyTable& keys, const ProbeCard* card)
     addHeld(keys, {Qt::Key_Space},
             MainWindow::tr("approve the proposed probe, or press the button that has the focus"),
             card->approveButton());
-    keys.add({{Qt::Key_N}, MainWindow::tr("refuse it"), ifAsked([card] {
-                  card->refuseButton()->click();
-              })});
+    // A refusal harms nobody: it needs no look at what a window may cover.
+    QPushButton* const refuse = card->refuseButton();
+    keys.add(
+        {{Qt::Key_N}, MainWindow::tr("refuse it"), ifSeen(refuse, [refuse] { refuse->click(); })});
     for (const std::size_t other : {0U, 1U, 2U})
         keys.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
                   MainWindow::tr("ask for another bin instead: the %1. offered").arg(other + 1),

@@ -442,8 +442,11 @@ void MainWindow::redraw(double now)
     showRecording();
     linkStatus_->showArming(sights_->panel(now));
     showTerrain(now);
+    using Terrain = ProbeNotice::Terrain;
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
-                       terrainPage_->isVisible() && !probeCard()->isCovered());
+                       !terrainPage_->isVisible() ? Terrain::Elsewhere
+                       : probeCard()->isCovered() ? Terrain::Covered
+                                                  : Terrain::Seen);
     const StopSight stop = exploration_->stopSight();
     const bool elsewhere = stop.state == StopSight::State::NoEffect && remoteStop_.exists();
     stopDisplay_->show(elsewhere ? StopSight{.state = StopSight::State::Elsewhere} : stop);
@@ -550,6 +553,7 @@ void MainWindow::tickPanel(double now)
     const bool silent = alarms_->list().silentFor(now) > 0.0;
     panel_->tick(now, {.mayExplore = atemPanel()->requestButton()->isEnabled(),
                        .shown = probeCard()->shown(),
+                       .covered = terrainPage_->isVisible() && probeCard()->isCovered(),
                        .mayAsk = alarms_->soundOn() && !silent});
 }
 

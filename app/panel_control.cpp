@@ -49,13 +49,14 @@ void PanelControl::press(const Sight& sight)
     if (presses[PanelContact::Refuse] > 0)
         exploration_.refuse(proposal->id);
     else
-        approve(proposal->id, presses[PanelContact::Approve] > 0);
+        approve(proposal->id, presses[PanelContact::Approve] > 0, sight.covered);
 }
 
-void PanelControl::approve(quint64 asked, bool pressed)
+void PanelControl::approve(quint64 asked, bool pressed, bool covered)
 {
     if (pressed && shown_ != asked)
-        emit happened(tr("not approved: the question is not on the screen (Terrain, F2)"),
+        emit happened(covered ? tr("not approved: close the window that covers the question")
+                              : tr("not approved: the question is not on the screen (Terrain, F2)"),
                       Weight::Bad);
     const ContactState& contact = report_.state.contacts[PanelContact::Approve];
     const bool counts = shown_ == asked && report_.state.held(PanelContact::Approve)

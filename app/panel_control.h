@@ -25,6 +25,7 @@ public:
     struct Sight {
         bool mayExplore = false;         ///< its button that asks for an exploration would do so
         std::optional<quint64> shown{};  ///< the proposal that the operator has before him
+        bool covered = false;            ///< there it is, but for another window that covers it
         bool mayAsk = true;              ///< a question may sound
     };
     /// An approval needs its contact held for kApproveHold with the question before the operator all the time: what
@@ -47,7 +48,7 @@ signals:
 
 private:
     void press(const Sight& sight);
-    void approve(quint64 asked, bool pressed);
+    void approve(quint64 asked, bool pressed, bool covered);
     void ask(const Sight& sight);
     void light();
 

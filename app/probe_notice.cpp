@@ -14,8 +14,9 @@ ProbeNotice::ProbeNotice(NavigationRail& rail, QLabel& banner) : rail_(rail), ba
 }
 
 void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& time,
-                       const std::optional<ProbeProposal>& proposal, bool seen)
+                       const std::optional<ProbeProposal>& proposal, Terrain terrain)
 {
+    const bool seen = terrain == Terrain::Seen, covered = terrain == Terrain::Covered;
     const bool asks = proposal && state.phase == AtemPhase::ProposingProbe;
     const bool expired = state.phase == AtemPhase::Presenting && state.approvalExpired;
     toldExpiry_ = expired && (toldExpiry_ || seen);
@@ -23,10 +24,14 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
     rail_.setAsking(rail_.pageOf(Qt::Key_F2), asks ? tr("arm? %1").arg(left) : QString());
     QString text;
     if (asks)
-        text = tr("PROBE at %1? %2 left, then no: F2 shows the question")
+        text = (covered ? tr("PROBE at %1? %2 left, then no: close the window that covers it")
+                        : tr("PROBE at %1? %2 left, then no: F2 shows the question"))
                    .arg(words::binName(proposal->bin), left);
     else if (expired && !toldExpiry_)
-        text = tr("The probe was not answered in time, which means no: F2 shows the result");
+        text = covered ? tr("The probe was not answered in time, which means no: close the window "
+                            "that covers the result")
+                       : tr("The probe was not answered in time, which means no: F2 shows the "
+                            "result");
     if (banner_.text() != text) banner_.setText(text);
     banner_.setVisible(!text.isEmpty() && !seen);
 }

@@ -12,18 +12,23 @@ namespace terratact {
 
 class NavigationRail;
 
-/// Tells an operator who looks at another page than the terrain's that a probe is proposed there and how long it waits
-/// for an answer; and, once nobody has given one, that this meant no.  GUI thread only.
+/// Tells an operator who does not see the terrain's page that a probe is proposed there, how long it waits for an
+/// answer and what brings it before him; and, once nobody has answered, that this meant no.  GUI thread only.
 class ProbeNotice {
     Q_DECLARE_TR_FUNCTIONS(ProbeNotice)
 public:
     /// Both must outlive it.
     ProbeNotice(NavigationRail& rail, QLabel& banner);
 
-    /// To be called whenever the window is drawn.  proposal: where there is one, asked or not.  seen: the operator has
-    /// the page of the terrain before him, which says all that itself.
+    /// Where the page of the terrain is, which says all that itself.
+    enum class Terrain {
+        Seen,       ///< before the operator
+        Covered,    ///< likewise, but for another window that covers the card of the probe
+        Elsewhere,  ///< he looks at another page
+    };
+    /// To be called whenever the window is drawn.  proposal: where there is one, asked or not.
     void show(const AtemState& state, const std::optional<PhaseTime>& time,
-              const std::optional<ProbeProposal>& proposal, bool seen);
+              const std::optional<ProbeProposal>& proposal, Terrain terrain);
 
 private:
     NavigationRail& rail_;

@@ -27,7 +27,7 @@ HeldButton::HeldButton(const QString& text, QWidget* parent) : QPushButton(text,
 void HeldButton::hold()
 {
     release_.stop();
-    if (held_ || !isEnabled() || !isVisible()) return;
+    if (held_ || !isEnabled() || !isVisible() || !mayHold()) return;
     held_ = true;
     setDown(true);
     emit holdBegan();
@@ -131,6 +131,7 @@ void HoldToConfirmButton::advance()
 {
     // After a freeze the release may still wait in the queue behind this timer.
     constexpr qint64 kLongestFrame = 50;
+    if (!mayHold()) return letGo();
     heldFor_ += std::min(lastFrame_.restart(), kLongestFrame);
     update();
     if (share() < 1.0) return;

@@ -3,6 +3,8 @@
 #include <QElapsedTimer>
 #include <QPushButton>
 #include <QTimer>
+#include <functional>
+#include <utility>
 
 #include "widgets/palette.h"
 
@@ -16,6 +18,8 @@ class HeldButton : public QPushButton {
 public:
     explicit HeldButton(const QString& text, QWidget* parent = nullptr);
     bool isHeld() const { return held_; }
+    /// A hold begins only where this says so.
+    void setMayHold(std::function<bool()> mayHold) { mayHold_ = std::move(mayHold); }
 
 public slots:
     void hold();
@@ -39,13 +43,16 @@ protected:
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
+    bool mayHold() const { return !mayHold_ || mayHold_(); }
+
 private:
     bool held_ = false;
+    std::function<bool()> mayHold_;
     QTimer release_;
 };
 
 /// A button that must be held for a while before it means yes; its fill shows how far.  Letting go
-/// early means nothing.
+/// early means nothing.  It lets go, too, as soon as it may not be held any more.
 class HoldToConfirmButton final : public HeldButton {
     Q_OBJECT
 public:

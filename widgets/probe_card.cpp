@@ -52,8 +52,9 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     asking_ = questionPage();
     pages_->addWidget(asking_);
     pages_->addWidget(probingPage());
+    approve_->setMayHold([this] { return shown().has_value(); });
     connect(approve_, &HoldToConfirmButton::confirmed, this, [this] {
-        if (asks()) emit approved(proposal_->id);
+        if (const auto id = shown()) emit approved(*id);
     });
     connect(refuse_, &QPushButton::clicked, this, [this] {
         if (asks()) emit refused(proposal_->id);
@@ -222,8 +223,10 @@ bool ProbeCard::isCovered() const
     return std::ranges::any_of(QApplication::topLevelWidgets(), [&](const QWidget* other) {
         const Qt::WindowType type = other->windowType();
         const bool isDialog = type == Qt::Window || type == Qt::Dialog || type == Qt::Tool;
-        return isDialog && other->isVisible() && !other->isMinimized() && other->parentWidget()
-            && other->parentWidget()->window() == window()
+        const bool isAbove =
+            type == Qt::Popup  // a menu need not have a parent
+            || (isDialog && other->parentWidget() && other->parentWidget()->window() == window());
+        return isAbove && other->isVisible() && !other->isMinimized()
             && other->frameGeometry().intersects(here);
     });
 }

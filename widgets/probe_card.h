@@ -50,7 +50,8 @@ struct ProbeProposal {
 };
 
 /// The card that asks for the arm: where, what is expected there, what it buys and costs, what else could be
-/// touched, and how long the question stands.  Approving takes a hold of 1.5 s; refusing a click; no answer means no.
+/// touched, and how long the question stands.  Approving takes a hold of 1.5 s of what is shown(), all the time;
+/// refusing a click; no answer means no.
 /// Where the estimate has an answer without the arm, the card says so, and not to probe is what stands out.  Where
 /// nobody is asked it says the same to be read only, below why that is.
 class ProbeCard final : public Card {
@@ -77,8 +78,8 @@ public:
     bool tells() const;  ///< what a probe would buy, without asking for it
     /// The proposal that the operator has before him, by its id: the card is seen and was painted with it.
     std::optional<quint64> shown() const;
-    bool isCovered()
-        const;  ///< by another window of this one's, such as a file dialog; in part is enough
+    /// By another window of this one's, such as a file dialog, or by a menu that is open; in part is enough.
+    bool isCovered() const;
     HoldToConfirmButton* approveButton() const { return approve_; }
     QPushButton* refuseButton() const { return refuse_; }
     QPushButton* otherButton(std::size_t i) const { return others_.at(i); }

@@ -530,6 +530,14 @@
         <source>The probe was not answered in time, which means no: F2 shows the result</source>
         <translation>Na sondu nikdo včas neodpověděl, což znamená ne: výsledek ukáže F2</translation>
     </message>
+    <message>
+        <source>PROBE at %1? %2 left, then no: close the window that covers it</source>
+        <translation>SONDA na %1? Zbývá %2, pak ne: zavřete okno, které otázku zakrývá</translation>
+    </message>
+    <message>
+        <source>The probe was not answered in time, which means no: close the window that covers the result</source>
+        <translation>Na sondu nikdo včas neodpověděl, což znamená ne: zavřete okno, které výsledek zakrývá</translation>
+    </message>
 </context>
 <context>
     <name>RecordingDisplay</name>
@@ -2948,6 +2956,10 @@ F1</translation>
     <message>
         <source>the panel is lost: connect it first, or start the console without --panel</source>
         <translation>panel je ztracen: nejprve ho připojte, nebo spusťte konzoli bez --panel</translation>
+    </message>
+    <message>
+        <source>not approved: close the window that covers the question</source>
+        <translation>neschváleno: zavřete okno, které otázku zakrývá</translation>
     </message>
 </context>
 <context>

@@ -530,6 +530,14 @@
         <source>The probe was not answered in time, which means no: F2 shows the result</source>
         <translation>Die Sondierung wurde nicht rechtzeitig beantwortet, das heißt nein: F2 zeigt das Ergebnis</translation>
     </message>
+    <message>
+        <source>PROBE at %1? %2 left, then no: close the window that covers it</source>
+        <translation>SONDIERUNG bei %1? Noch %2, dann nein: das Fenster schließen, das die Frage verdeckt</translation>
+    </message>
+    <message>
+        <source>The probe was not answered in time, which means no: close the window that covers the result</source>
+        <translation>Die Sondierung wurde nicht rechtzeitig beantwortet, das heißt nein: das Fenster schließen, das das Ergebnis verdeckt</translation>
+    </message>
 </context>
 <context>
     <name>RecordingDisplay</name>
@@ -2948,6 +2956,10 @@ F1</translation>
     <message>
         <source>the panel is lost: connect it first, or start the console without --panel</source>
         <translation>das Pult ist verloren: erst anschließen, oder die Konsole ohne --panel starten</translation>
+    </message>
+    <message>
+        <source>not approved: close the window that covers the question</source>
+        <translation>nicht genehmigt: das Fenster schließen, das die Frage verdeckt</translation>
     </message>
 </context>
 <context>

@@ -223,6 +223,27 @@ TEST_F(Console, keysActOnlyOnWhatIsSeen)
     EXPECT_TRUE(reaches(AtemPhase::Idle)) << "what runs is aborted from anywhere";
 }
 
+TEST_F(Console, aQuestionUnderAnotherWindowIsRefusedByKeyButNotApproved)
+{
+    open(fastRobot(robot, 2.1));
+    proposeByKeyboard();
+    const ProbeCard& card = *window->probeCard();
+    QDialog above(window.get());
+    above.setGeometry(QRect(card.mapToGlobal(QPoint()), card.size() / 2));
+    above.show();
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return card.isCovered(); }));
+    EXPECT_TRUE(eventually([&] { return says("then no: close the window that covers it"); }));
+    EXPECT_FALSE(says("F2 shows the question"));
+    QTest::keyPress(window.get(), Qt::Key_Space);
+    QTest::qWait(500);
+    QTest::keyRelease(window.get(), Qt::Key_Space);
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
+    QTest::keyClick(window.get(), Qt::Key_N);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_FALSE(window->exploration().state().probed);
+}
+
 TEST_F(Console, stopClaimsNoMoreThanIsKnown)
 {
     ScriptedSource* source = openScripted();

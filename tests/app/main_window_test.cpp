@@ -95,7 +95,7 @@ TEST_F(Console, theWholeLoopByMouse)
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
     QTest::mouseClick(window->atemPanel()->requestButton(), Qt::LeftButton);
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
     QTest::mousePress(window->probeCard()->approveButton(), Qt::LeftButton);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_TRUE(window->exploration().state().probed);

@@ -249,7 +249,9 @@ TEST_F(PanelConsole, aQuestionUnderAnotherWindowIsNeitherSeenNorApproved)
     EXPECT_TRUE(eventually([&] { return banner->isVisible(); }));
     board.close(PanelContact::Approve, true);
     EXPECT_TRUE(eventually([&] {
-        return !window->events()->findItems("not on the screen", Qt::MatchContains).empty();
+        return !window->events()
+                    ->findItems("close the window that covers the question", Qt::MatchContains)
+                    .empty();
     }));
     QTest::qWait(1000 * PanelControl::kApproveHold + 200);  // nothing is what comes
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);

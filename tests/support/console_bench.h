@@ -121,7 +121,7 @@ struct Console : testing::Test {
         ASSERT_TRUE(readyToExplore());
         QTest::keyClick(window.get(), Qt::Key_A);
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-        ASSERT_TRUE(gui::eventually([&] { return window->probeCard()->asks(); }));
+        ASSERT_TRUE(gui::eventually([&] { return window->probeCard()->shown().has_value(); }));
     }
 
     /// As the desktop would bring it: what blocks the window, or holds the mouse, gets its chance.

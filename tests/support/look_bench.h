@@ -61,7 +61,8 @@ struct Look : testing::Test {
         ASSERT_TRUE(
             gui::eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
         QTest::keyClick(window.get(), Qt::Key_A);
-        ASSERT_TRUE(gui::eventually([&] { return window->probeCard()->asks(); }, 60000));
+        ASSERT_TRUE(
+            gui::eventually([&] { return window->probeCard()->shown().has_value(); }, 60000));
         QTest::qWait(100);
     }
     void press(Qt::Key key) { QTest::keyClick(window.get(), key, Qt::ControlModifier); }

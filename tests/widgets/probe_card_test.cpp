@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 
 #include "tests/support/gui.h"
@@ -32,6 +34,12 @@ struct Probe : testing::Test {
         gui::showActive(card);
         QObject::connect(&card, &ProbeCard::approved, [this](quint64 id) { approved << id; });
         QObject::connect(&card, &ProbeCard::refused, [this](quint64 id) { refused << id; });
+    }
+    /// Asks, and waits until that is seen.
+    void ask(const ProbeProposal& proposal)
+    {
+        card.setProposal(proposal);
+        ASSERT_TRUE(gui::eventually([&] { return card.shown() == proposal.id; }));
     }
     QString allText() const
     {
@@ -63,7 +71,7 @@ TEST_F(Probe, thatIsVoidSaysWhyAndTakesNoApproval)
                                       {Precondition::Level::Missing, "the model has changed"}};
     for (const bool narrow : {false, true}) {
         card.setNarrow(narrow);
-        card.setProposal(kProposal);
+        ASSERT_NO_FATAL_FAILURE(ask(kProposal));
         card.setPreconditions(met);
         card.setTimeLeft(20.0);
         EXPECT_FALSE(allText().contains("Cannot be approved"));
@@ -217,9 +225,62 @@ TEST_F(Probe, claimsNothingForAMethodThatKnowsNothing)
     EXPECT_TRUE(allText().contains(QStringLiteral("± 0.03 m")));
 }
 
-TEST_F(Probe, anAnswerCarriesTheProposalsNumber)
+TEST_F(Probe, thatIsNotYetPaintedTakesNoApproval)
 {
     card.setProposal(kProposal);
+    QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    EXPECT_FALSE(card.approveButton()->isHeld());
+    QTest::mouseRelease(card.approveButton(), Qt::LeftButton);
+}
+
+TEST_F(Probe, thatAnotherWindowCoversIsNotApproved)
+{
+    ASSERT_NO_FATAL_FAILURE(ask(kProposal));
+    QDialog beside(&card);
+    beside.setGeometry(QRect(card.mapToGlobal(QPoint(card.width() + 50, 0)), QSize(200, 100)));
+    beside.show();
+    gui::showActive(card);
+    EXPECT_EQ(card.shown(), kProposal.id);
+    card.approveButton()->setHoldTime(300);
+    QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    ASSERT_TRUE(card.approveButton()->isHeld());
+    beside.move(card.mapToGlobal(QPoint()));
+    EXPECT_TRUE(gui::eventually([&] { return !card.approveButton()->isHeld(); }));
+    QTest::qWait(600);  // nothing is what comes
+    EXPECT_TRUE(approved.isEmpty());
+    QTest::mouseRelease(card.approveButton(), Qt::LeftButton);
+    QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    EXPECT_FALSE(card.approveButton()->isHeld());
+    QTest::mouseRelease(card.approveButton(), Qt::LeftButton);
+    QTest::mouseClick(card.refuseButton(), Qt::LeftButton);
+    EXPECT_EQ(refused, QList<quint64>{7}) << "no is no in any case";
+    beside.close();
+    QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    EXPECT_TRUE(gui::eventually([&] { return approved == QList<quint64>{7}; }));
+}
+
+TEST_F(Probe, isCoveredByAnOpenMenuWhereThatLiesOverIt)
+{
+    ASSERT_NO_FATAL_FAILURE(ask(kProposal));
+    QMenu menu;  // without a parent
+    menu.addAction("an entry");
+    menu.popup(card.mapToGlobal(QPoint(20, 20)));
+    ASSERT_TRUE(gui::eventually([&] { return menu.isVisible(); }));
+    EXPECT_TRUE(card.isCovered());
+    EXPECT_FALSE(card.shown());
+    menu.close();
+    EXPECT_TRUE(gui::eventually([&] { return card.shown() == kProposal.id; }));
+    QMenu beside;
+    beside.addAction("an entry");
+    beside.popup(card.mapToGlobal(QPoint(card.width() + 20, 20)));
+    ASSERT_TRUE(gui::eventually([&] { return beside.isVisible(); }));
+    EXPECT_FALSE(card.isCovered());
+    beside.close();
+}
+
+TEST_F(Probe, anAnswerCarriesTheProposalsNumber)
+{
+    ASSERT_NO_FATAL_FAILURE(ask(kProposal));
     QTest::mousePress(card.approveButton(), Qt::LeftButton);
     ASSERT_TRUE(gui::eventually([this] { return !approved.isEmpty(); }));
     EXPECT_EQ(approved, QList<quint64>{7});
@@ -230,8 +291,9 @@ TEST_F(Probe, anAnswerCarriesTheProposalsNumber)
 TEST_F(Probe, aHoldBegunOnAnotherQuestionDoesNotCount)
 {
     card.approveButton()->setHoldTime(100000);
-    card.setProposal(kProposal);
+    ASSERT_NO_FATAL_FAILURE(ask(kProposal));
     QTest::mousePress(card.approveButton(), Qt::LeftButton);
+    ASSERT_TRUE(card.approveButton()->isHeld());
     ProbeProposal other = kProposal;
     other.id = 8;
     other.bin = 10;
@@ -242,7 +304,7 @@ TEST_F(Probe, aHoldBegunOnAnotherQuestionDoesNotCount)
 TEST_F(Probe, theSameQuestionAgainDoesNotDisturbTheHold)
 {
     card.approveButton()->setHoldTime(100000);
-    card.setProposal(kProposal);
+    ASSERT_NO_FATAL_FAILURE(ask(kProposal));
     QTest::mousePress(card.approveButton(), Qt::LeftButton);
     card.setProposal(kProposal);
     card.setTimeLeft(3.0);
