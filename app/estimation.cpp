@@ -18,15 +18,25 @@ Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const O
     listenToModels();
     connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
     connect(&worker_, &EstimatorWorker::failed, this, &Estimation::refuse);
-    connect(&worker_, &EstimatorWorker::advised, this, [this](const ProbeAdvice& advice) {
-        // The worker answers in turn, so this is of the estimate that stands, if one does.
-        if (!estimate_ || advice.stepLimit != options_.stepLimit) return;
-        advice_ = advice;
-        if (std::exchange(unadvised_, false))
-            emit stands(false);
-        else
-            emit advised();
-    });
+    connect(&worker_, &EstimatorWorker::advised, this, &Estimation::takeAdvice);
+}
+
+void Estimation::takeAdvice(int job, const ProbeAdvice& advice)
+{
+    // That of an estimate before may come after the one that stands: it had to wait for that in the worker.
+    if (!estimate_ || job != estimateJob_ || advice.stepLimit != options_.stepLimit) return;
+    advice_ = advice;
+    if (unadvised_)
+        offer();
+    else
+        emit advised();
+}
+
+void Estimation::offer()
+{
+    unadvised_ = false;
+    emit offered();
+    startSecond();
 }
 
 void Estimation::listenToModels()
@@ -120,9 +130,9 @@ void Estimation::adviseAnew()
 {
     if (!estimate_) return;
     if (advice_.stepLimit != options_.stepLimit)
-        worker_.advise(*estimate_, robot_, options_.stepLimit);
-    else if (std::exchange(unadvised_, false))
-        emit stands(false);
+        worker_.advise(estimateJob_, *estimate_, robot_, options_.stepLimit);
+    else if (unadvised_)
+        offer();
 }
 
 void Estimation::forget(const QString& why)
@@ -163,7 +173,8 @@ void Estimation::start()
 
 void Estimation::startSecond()
 {
-    if (secondMethod_ && estimate_ && scene_ && job_ == 0)  // it would overtake that one
+    // It would overtake that one, and the advice would have to wait for it.
+    if (secondMethod_ && estimate_ && scene_ && job_ == 0 && !unadvised_)
         secondJob_ = worker_.request(requestFor(*secondMethod_));
 }
 
@@ -196,11 +207,12 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     estimate_ = estimate;
     seconds_ = seconds;
     advice_ = advice;
+    estimateJob_ = job;
     track_.emplace(robot_, estimate, scene_->measurement);
+    emit stands(false);
+    tellOf(estimate);
     unadvised_ = true;
     adviseAnew();  // the limit may have been changed meanwhile: another probe may be worth asking for
-    startSecond();
-    tellOf(estimate);
 }
 
 void Estimation::refuse(int job, const QString& why)

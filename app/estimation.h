@@ -92,13 +92,16 @@ signals:
     void happened(const QString& text, terratact::Weight weight);
     void modelChanged();  ///< an estimate that stands rests on the one before
     void captured(const terratact::CapturedScene& scene);
-    void stands(bool second);            ///< an estimate, of the second method or not
-    void failed();                       ///< the estimate of scene()
-    void advised();                      ///< anew, for another limit
+    void stands(bool second);  ///< an estimate, of the second method or not, as soon as it does
+    void offered();            ///< advice() of estimate() for the limit of now, for the first time
+    void failed();             ///< the estimate of scene()
+    void advised();            ///< anew, for another limit
     void forgotten(const QString& why);  ///< the estimate that stood
 
 private:
     void listenToModels();
+    void takeAdvice(int job, const ProbeAdvice& advice);
+    void offer();
     void accept(int job, const TerrainEstimate& estimate, double seconds,
                 const ProbeAdvice& advice);
     void refuse(int job, const QString& why);
@@ -123,10 +126,11 @@ private:
 
     // Of the worker's jobs; 0: none is under way.
     int job_ = 0, secondJob_ = 0, liveJob_ = 0;
+    int estimateJob_ = 0;  ///< of estimate_
     std::optional<TerrainEstimate> estimate_, second_, live_;
     double seconds_ = 0.0;
     ProbeAdvice advice_;
-    bool unadvised_ = false;  ///< stands() of estimate_ waits for advice of the limit of now
+    bool unadvised_ = false;  ///< offered() of estimate_ waits for advice of the limit of now
     QString whyNone_;
     std::optional<Method> secondMethod_;
     std::uint64_t previewed_ = 0;  ///< count of the telemetry that the newest preview is about

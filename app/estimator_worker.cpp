@@ -53,9 +53,8 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
     connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
     connect(
         this, &EstimatorWorker::adviceRequested, this,
-        [this](const TerrainEstimate& estimate, const RobotModel& prober, double stepLimit) {
-            emit advised(adviseProbe(estimate, prober, stepLimit));
-        },
+        [this](int job, const TerrainEstimate& estimate, const RobotModel& prober,
+               double stepLimit) { emit advised(job, adviseProbe(estimate, prober, stepLimit)); },
         Qt::QueuedConnection);
 }
 
@@ -85,10 +84,10 @@ void EstimatorWorker::cancel()
     progress_ = -1.0;
 }
 
-void EstimatorWorker::advise(const TerrainEstimate& estimate, const RobotModel& prober,
+void EstimatorWorker::advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
                              double stepLimit)
 {
-    emit adviceRequested(estimate, prober, stepLimit);
+    emit adviceRequested(job, estimate, prober, stepLimit);
 }
 
 std::optional<double> EstimatorWorker::progress() const

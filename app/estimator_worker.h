@@ -61,16 +61,17 @@ public:
 
     int request(const EstimateRequest& request);  ///< the job's number
     void cancel();
-    /// Asks anew what `prober` should touch in an estimate that stands, once the requests before it are done;
+    /// Asks anew what `prober` should touch in the estimate of that job, once the requests before it are done;
     /// cancels nothing and ends in advised().
-    void advise(const TerrainEstimate& estimate, const RobotModel& prober, double stepLimit);
+    void advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+                double stepLimit);
     /// 0 … 1 of the job in flight; empty when there is none.  To be looked at, not to be signalled.
     std::optional<double> progress() const;
 
 signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
     void loadRequested(const terratact::ModelLoader& load);              ///< likewise
-    void adviceRequested(const terratact::TerrainEstimate& estimate,
+    void adviceRequested(int job, const terratact::TerrainEstimate& estimate,
                          const terratact::RobotModel& prober, double stepLimit);  ///< likewise
     void modelLoaded(const QString& name, const QString& details, const QString& hash,
                      const QString& content);
@@ -80,7 +81,7 @@ signals:
     void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds,
                    const terratact::ProbeAdvice& advice);
     void failed(int job, const QString& why);
-    void advised(const terratact::ProbeAdvice& advice);
+    void advised(int job, const terratact::ProbeAdvice& advice);
 
 private:
     void take(const ModelLoader& load);

@@ -27,9 +27,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     }
     state_.followed = following();
     connect(&estimation_, &Estimation::happened, this, &Exploration::happened);
-    connect(&estimation_, &Estimation::stands, this, [this](bool second) {
-        if (!second) takeAdvice();
-    });
+    connect(&estimation_, &Estimation::offered, this, &Exploration::takeAdvice);
     connect(&estimation_, &Estimation::advised, this, &Exploration::askAnew);
     connect(&estimation_, &Estimation::failed, this, [this] { pending_.estimateFailed = true; });
     connect(&estimation_, &Estimation::modelChanged, this, [this] {

@@ -1,5 +1,9 @@
-// When a probe is offered, and for which limit and policy.
+// When a probe is offered, for which limit and policy; and that the estimate is recorded before.
+#include "app/session_scribe.h"
+#include "core/log/session_reader.h"
 #include "tests/support/exploration_bench.h"
+#include "tests/support/sessions.h"
+#include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {
@@ -57,6 +61,88 @@ TEST_F(Bench, aLimitChangedThereAndBackDuringAnEstimateHoldsNothingUp)
     exploration->setStepLimit(limit);
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     EXPECT_EQ(exploration->proposal()->stepLimit, limit);
+}
+
+/// Its estimate stands, for which advice for another limit is under way: the worker is held before it gives that.
+struct WaitingForAdvice : Bench {
+    void wait()
+    {
+        blocked = true;
+        press();
+        ASSERT_TRUE(reaches(AtemPhase::Estimating));
+        ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+        exploration->setStepLimit(0.2);
+        workerHeld = true;
+        ASSERT_TRUE(answerIsQueued());
+        QCoreApplication::processEvents();
+        ASSERT_TRUE(exploration->estimation().estimate());
+        ASSERT_EQ(phase(), AtemPhase::Estimating);
+    }
+};
+
+TEST_F(WaitingForAdvice, doesNotWaitForTheSecondMethod)
+{
+    exploration->setSecondMethod(Method::Joint);
+    secondBlocked = true;
+    wait();
+    exploration->setStepLimit(0.3);
+    workerHeld = false;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+    EXPECT_EQ(exploration->proposal()->stepLimit, 0.3);
+    EXPECT_FALSE(exploration->estimation().second());
+    secondBlocked = false;
+    EXPECT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().second().has_value();
+    }));
+}
+
+TEST_F(WaitingForAdvice, hasRecordedTheEstimateThoughSTOPEndsIt)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions");
+    {
+        const auto recorder = std::make_shared<SessionRecorder>(
+            SessionRecorder::Options{.folder = folder, .start = someStart()});
+        EventList list;
+        const SessionScribe scribe(recorder, *exploration, *worker, list);
+        emit worker->modelLoaded("fake.ttm", {}, {}, {});  // before, nobody wrote it down
+        wait();
+        exploration->stop();
+        tick();
+        workerHeld = false;
+        ASSERT_EQ(phase(), AtemPhase::Stopped);
+        ASSERT_TRUE(exploration->estimation().estimate()) << "it is on the screen";
+        ASSERT_TRUE(settles());
+    }
+    const auto files = sessionsIn(folder);
+    ASSERT_EQ(files.size(), 1U);
+    auto reader = SessionReader::open(files.front());
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_EQ(reader->estimates().size(), 1U);
+}
+
+TEST_F(Bench, adviceOfTheEstimateBeforeIsNotTakenForTheNewOne)
+{
+    propose();
+    exploration->approve(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Probing));
+    telemetry.activity = RobotActivity::Probing;
+    tick(3);
+    blocked = true;
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
+    ASSERT_TRUE(reaches(AtemPhase::EstimatingAgain));
+    const Estimation& estimation = exploration->estimation();
+    std::optional<ProbeAdvice> offered;
+    QObject::connect(&estimation, &Estimation::offered, [&] { offered = estimation.advice(); });
+    exploration->setStepLimit(
+        0.2);  // of the first estimate, which waits behind the second in the worker
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    ASSERT_TRUE(offered);
+    EXPECT_EQ(offered->stepLimit, 0.2);
+    EXPECT_NE(offered->bin, kBin06) << "the arm has just been there";
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ struct Bench : testing::Test {
             asked = request;
         }
         ++estimates;
-        while (blocked && !watch.cancelled())
+        const auto waits = [&] { return blocked || (secondBlocked && !request.prober); };
+        while (waits() && !watch.cancelled())
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (watch.cancelled()) throw Cancelled{};
         if (broken) throw std::runtime_error("the covariance is not positive definite");
@@ -110,15 +111,20 @@ struct Bench : testing::Test {
         return static_cast<int>(std::count_if(
             all.begin(), all.end(), [](const Command& c) { return std::holds_alternative<C>(c); }));
     }
+    ~Bench() override { workerHeld = false; }
+
     /// Lets the blocked estimate end and waits until its answer lies in the queue of this thread, which has not heard
-    /// of it yet.
+    /// of it yet.  Then the worker does nothing else for as long as it is held.
     bool answerIsQueued()
     {
         // Called in the worker's own thread, after everybody else has been told.
         const auto queued = std::make_shared<std::promise<void>>();
         QObject::connect(
             worker.get(), &EstimatorWorker::estimated, worker.get(),
-            [queued] { queued->set_value(); },
+            [this, queued] {
+                queued->set_value();
+                while (workerHeld) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            },
             static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::SingleShotConnection));
         blocked = false;
         return queued->get_future().wait_for(std::chrono::seconds(20)) == std::future_status::ready;
@@ -131,8 +137,8 @@ struct Bench : testing::Test {
         bool heard = false;
         const auto listening = QObject::connect(
             worker.get(), &EstimatorWorker::advised, exploration.get(),
-            [&heard](const ProbeAdvice& a) { heard = heard || a.stepLimit == kNobodysLimit; });
-        worker->advise(stepEstimate(), RobotModel{}, kNobodysLimit);
+            [&heard](int, const ProbeAdvice& a) { heard = heard || a.stepLimit == kNobodysLimit; });
+        worker->advise(0, stepEstimate(), RobotModel{}, kNobodysLimit);
         const bool settled = gui::eventually([&heard] { return heard; });
         QObject::disconnect(listening);
         return settled;
@@ -153,6 +159,8 @@ struct Bench : testing::Test {
 
     std::atomic<int> estimates = 0;
     std::atomic<bool> blocked = false, broken = false, withDraws = false, stepInHalf = false;
+    std::atomic<bool> secondBlocked = false;  ///< and previews
+    std::atomic<bool> workerHeld = false;
     ScriptedSource source;
     std::unique_ptr<EstimatorWorker> worker;
     std::unique_ptr<Exploration> exploration;
