@@ -84,7 +84,9 @@ AlarmSight ConsoleSights::alarms(double now, const std::optional<Received>& newe
     sight.noModel = exploration.estimation().model().trouble;
     if (parts_.recorder) sight.notRecorded = words::sentence(parts_.recorder->state().trouble);
     if (parts_.panel && !parts_.panel->answers(now))
-        sight.panelTrouble = tr("The operator's panel does not answer, which means STOP");
+        sight.panelTrouble = exploration.following()  // then it stops nothing
+                               ? tr("The operator's panel does not answer")
+                               : tr("The operator's panel does not answer, which means STOP");
     if (exploration.state().phase == AtemPhase::Failed)
         sight.failedExploration = exploration.stateWords();
     return sight;

@@ -466,12 +466,12 @@ void MainWindow::redraw(double now)
 void MainWindow::showPanelLost()
 {
     panelLost_->setVisible(panel_ && panel_->isLost());
+    // A console that only listens stops nothing, nor can it release what others have stopped.
     panelLost_->setText(
-        exploration_->state().phase == AtemPhase::Stopped
+        exploration_->following() ? tr("PANEL LOST: connect the operator's panel")
+        : exploration_->state().phase == AtemPhase::Stopped
             ? tr("PANEL LOST, which means STOP: connect the operator's panel, then "
                  "hold R; or start without --panel")
-        : exploration_->following()
-            ? tr("PANEL LOST: connect the operator's panel")
             : tr("PANEL LOST: connect the operator's panel, or start without --panel"));
 }
 

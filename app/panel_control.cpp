@@ -22,9 +22,9 @@ void PanelControl::tick(double now, const Sight& sight)
     const bool stopped = report_.state.stop || isLost();
     if (stopped && !wasStopped_) {
         exploration_.stop();  // again, after the reader's own: the window has to know, too
-        emit happened(report_.state.present && !isLost()
-                          ? tr("STOP pressed on the panel")
-                          : tr("the panel is lost, which means STOP"),
+        emit happened(report_.state.present && !isLost() ? tr("STOP pressed on the panel")
+                      : exploration_.following()         ? tr("the panel is lost")
+                                                 : tr("the panel is lost, which means STOP"),
                       Weight::Bad);
     }
     wasStopped_ = stopped;

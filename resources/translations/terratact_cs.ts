@@ -188,6 +188,10 @@
         <source>The operator&apos;s panel does not answer, which means STOP</source>
         <translation>Panel operátora neodpovídá, což znamená STOP</translation>
     </message>
+    <message>
+        <source>The operator&apos;s panel does not answer</source>
+        <translation>Panel operátora neodpovídá</translation>
+    </message>
 </context>
 <context>
     <name>FileDialog</name>
@@ -2960,6 +2964,10 @@ F1</translation>
     <message>
         <source>not approved: close the window that covers the question</source>
         <translation>neschváleno: zavřete okno, které otázku zakrývá</translation>
+    </message>
+    <message>
+        <source>the panel is lost</source>
+        <translation>panel ztracen</translation>
     </message>
 </context>
 <context>

@@ -188,6 +188,10 @@
         <source>The operator&apos;s panel does not answer, which means STOP</source>
         <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
     </message>
+    <message>
+        <source>The operator&apos;s panel does not answer</source>
+        <translation>Das Bedienpult antwortet nicht</translation>
+    </message>
 </context>
 <context>
     <name>FileDialog</name>
@@ -2960,6 +2964,10 @@ F1</translation>
     <message>
         <source>not approved: close the window that covers the question</source>
         <translation>nicht genehmigt: das Fenster schließen, das die Frage verdeckt</translation>
+    </message>
+    <message>
+        <source>the panel is lost</source>
+        <translation>das Pult ist weg</translation>
     </message>
 </context>
 <context>

@@ -310,6 +310,31 @@ TEST_F(PanelConsole, lossOfThePanelStopsAndSaysSoUntilItIsBack)
     QTest::keyRelease(window.get(), Qt::Key_R);
 }
 
+TEST_F(PanelConsole, lossOfThePanelOfAConsoleThatOnlyListensMeansNoStop)
+{
+    MemoryBus bus{steadyNow};
+    CanSource link{bus.join("can0"), model, {.mode = CanSource::Mode::Listen}};
+    MainWindow::Options o = options();
+    auto source = std::make_unique<ScriptedSource>();
+    Measurement stopped;
+    stopped.activity = RobotActivity::Stopped;  // by somebody else
+    source->setMeasurement(stopped);
+    o.source = std::move(source);
+    o.link = &link;
+    show(std::move(o));
+    ASSERT_TRUE(reaches(AtemPhase::Stopped));
+    board.unplug();
+    EXPECT_TRUE(eventually([&] { return says("PANEL LOST: connect the operator's panel"); }));
+    EXPECT_FALSE(says("PANEL LOST, which means STOP"));
+    EXPECT_FALSE(window->events()->findItems("the panel is lost", Qt::MatchContains).empty());
+    EXPECT_TRUE(window->events()->findItems("means STOP", Qt::MatchContains).empty());
+    const auto alarms = window->alarms().list().alarms();
+    EXPECT_TRUE(std::ranges::any_of(alarms, [](const Alarm& alarm) {
+        return alarm.text == "The operator's panel does not answer";
+    }));
+    window.reset();  // it looks at the link
+}
+
 TEST_F(PanelConsole, panelThatThrowsIsALostPanelAndEndsNothingElse)
 {
     openSimulated();
