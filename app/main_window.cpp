@@ -132,9 +132,12 @@ void MainWindow::addPages(const Options& options)
             tr("The terrain under the robot, exploring it, and the arm"));
     numbers_ = new NumbersPage(
         [this] {
-            const auto& estimate = exploration_->estimation().estimate();
+            const Estimation& estimation = exploration_->estimation();
+            const auto& estimate = estimation.estimate();
             return NumbersSight{estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
-                                exploration_->options().stepLimit};
+                                exploration_->options().stepLimit, estimation.verdict(),
+                                latest_ ? std::optional(steadyNow() - secondsOf(latest_->arrived))
+                                        : std::nullopt};
         },
         this);
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));

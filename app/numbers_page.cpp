@@ -3,11 +3,13 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/numbers_table.h"
+#include "widgets/verdict_strip.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -20,23 +22,46 @@ NumbersPage::NumbersPage(std::function<NumbersSight()> look, QWidget* parent)
     copy_->setFocusPolicy(Qt::TabFocus);
     copy_->setToolTip(tr("The whole table, columns apart by tabs"));
     card->titleRow()->addWidget(copy_);
+    verdict_ = new QLabel(card);
+    verdict_->setWordWrap(true);
+    verdict_->setAccessibleName(tr("Verdict"));
+    setTone(*verdict_, Tone::Strong);
     summary_ = new QLabel(card);
     summary_->setWordWrap(true);
     summary_->setAccessibleName(tr("Estimate"));
     setTone(*summary_, Tone::Muted);
     table_ = new NumbersTable(card);
+    card->body()->addWidget(verdict_);
     card->body()->addWidget(summary_);
     card->body()->addWidget(table_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 10);
     column->addWidget(card);
     connect(copy_, &QPushButton::clicked, table_, &NumbersTable::copy);
+    verdict_->hide();
     summary_->setText(look_().whyNoEstimate);
+}
+
+void NumbersPage::showVerdict(const NumbersSight& sight)
+{
+    verdict_->setVisible(sight.verdict.has_value());
+    if (!sight.verdict) return;
+    const bool isOld =
+        std::ranges::find(sight.verdict->doubts, Doubt::Stale) != sight.verdict->doubts.end();
+    QStringList parts{VerdictStrip::answerOf(*sight.verdict),
+                      VerdictStrip::probabilityOf(*sight.verdict, sight.stepLimit),
+                      VerdictStrip::whyOf(*sight.verdict)};
+    if (isOld && sight.age) parts << tr("last heard %1 ago").arg(words::age(*sight.age));
+    const QString text = parts.join(QStringLiteral(" · "));
+    if (verdict_->text() == text) return;
+    verdict_->setText(text);
+    setTone(*verdict_, isOld ? Tone::Bad : Tone::Strong);
 }
 
 void NumbersPage::refresh(double /*now*/)
 {
     const NumbersSight sight = look_();
+    showVerdict(sight);
     if (!sight.estimate) {
         if (shown_) table_->clearEstimate();
         shown_.reset();

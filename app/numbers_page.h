@@ -6,6 +6,7 @@
 #include "app/page.h"
 #include "core/infer/estimate.h"
 #include "core/infer/obstacle.h"
+#include "core/infer/verdict.h"
 
 class QLabel;
 class QPushButton;
@@ -18,7 +19,9 @@ class NumbersTable;
 struct NumbersSight {
     const TerrainEstimate* estimate = nullptr;  ///< null: there is none
     QString whyNoEstimate{};
-    double stepLimit = kStepLimit;  ///< [m]
+    double stepLimit = kStepLimit;     ///< [m]
+    std::optional<Verdict> verdict{};  ///< of the estimate
+    std::optional<double> age{};       ///< [s] of the newest telemetry; empty: not known
 };
 
 /// The estimate as a table that can be read aloud and copied.
@@ -34,9 +37,12 @@ public:
 
 private:
     std::function<NumbersSight()> look_;
+    QLabel* verdict_ = nullptr;
     QLabel* summary_ = nullptr;
     NumbersTable* table_ = nullptr;
     QPushButton* copy_ = nullptr;
+    void showVerdict(const NumbersSight& sight);
+
     std::optional<TerrainEstimate> shown_;
     double shownLimit_ = 0.0;
 };

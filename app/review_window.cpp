@@ -131,10 +131,11 @@ void ReviewWindow::addPages(QStringList models)
     addPage(terrain_, tr("Terrain"), Qt::Key_F2, tr("What the operator saw at this time"));
     numbers_ = new NumbersPage(
         [this] {
-            return NumbersSight{
-                moment_.estimate ? &moment_.estimate->estimate : nullptr,
-                tr("No estimate stood at this time"),
-                limit_.value_or(moment_.estimate ? moment_.estimate->stepLimit : kStepLimit)};
+            return NumbersSight{moment_.estimate ? &moment_.estimate->estimate : nullptr,
+                                tr("No estimate stood at this time"), limit(), verdict(),
+                                moment_.measurement
+                                    ? std::optional(secondsOf(moment_.time - moment_.measured))
+                                    : std::nullopt};
         },
         this);
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/look.h"
 #include "widgets/spoken.h"
@@ -38,6 +39,17 @@ QString briefly(Doubt doubt)
     case Doubt::UnlikeTraining: return VerdictStrip::tr("unlike all training");
     case Doubt::Roll: return VerdictStrip::tr("the robot rolls");
     case Doubt::Asymmetry: return VerdictStrip::tr("the flippers differ");
+    }
+    return {};
+}
+
+/// As the style sheet has it.
+QString outlookOf(const Verdict& verdict)
+{
+    switch (verdict.outlook) {
+    case Outlook::Clear: return QStringLiteral("clear");
+    case Outlook::Blocked: return QStringLiteral("blocked");
+    case Outlook::CannotTell: return QStringLiteral("open");
     }
     return {};
 }
@@ -136,55 +148,71 @@ void VerdictStrip::changeEvent(QEvent* event)
     if (event->type() == QEvent::StyleChange) resizeToFont();
 }
 
-void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
+QString VerdictStrip::answerOf(const Verdict& verdict)
 {
-    question_->setText(tr("P(step > %1 m ahead) = %2 ± %3")
-                           .arg(words::number(limit_, 2), words::number(verdict.step.p, 2),
-                                words::randomError(verdict.step.monteCarloSd, 2)));
-    QStringList why, tip;
+    switch (verdict.outlook) {
+    case Outlook::Clear: return tr("✔ CLEAR");
+    case Outlook::Blocked: return tr("✘ BLOCKED");
+    case Outlook::CannotTell: return tr("? CANNOT TELL");
+    }
+    return {};
+}
+
+QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
+{
+    return tr("P(step > %1 m ahead) = %2 ± %3")
+        .arg(words::number(limit, 2), words::number(verdict.step.p, 2),
+             words::randomError(verdict.step.monteCarloSd, 2));
+}
+
+QString VerdictStrip::whyOf(const Verdict& verdict)
+{
     switch (verdict.outlook) {
     case Outlook::Clear:
-        setBadge(tr("✔ CLEAR"), QStringLiteral("clear"));
-        why << tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
-                   .arg(words::percent(kClearBelow));
-        break;
-    case Outlook::Blocked:
-        setBadge(tr("✘ BLOCKED"), QStringLiteral("blocked"));
-        why << likeliestText(verdict);
-        break;
-    case Outlook::CannotTell:
-        setBadge(tr("? CANNOT TELL"), QStringLiteral("open"));
-        if (verdict.doubts.empty())
-            why << tr("undecided from %1 to %2, %3")
-                       .arg(words::number(kClearBelow, 2), words::number(kBlockedAbove, 2),
-                            likeliestText(verdict));
-        else
-            why << withheldText(verdict.doubts);
-        for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
-        break;
+        return tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
+            .arg(words::percent(kClearBelow));
+    case Outlook::Blocked: return likeliestText(verdict);
+    case Outlook::CannotTell: break;
     }
-    if (!probe.isEmpty()) why << probe;
-    reason_->setText(why.join(QStringLiteral(" — ")));
-    tip.prepend(reason_->text());
+    if (!verdict.doubts.empty()) return withheldText(verdict.doubts);
+    return tr("undecided from %1 to %2, %3")
+        .arg(words::number(kClearBelow, 2), words::number(kBlockedAbove, 2),
+             likeliestText(verdict));
+}
+
+void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
+{
+    question_->setText(probabilityOf(verdict, limit_));
+    QString why = whyOf(verdict);
+    if (!probe.isEmpty()) why += QStringLiteral(" — ") + probe;
+    reason_->setText(why);
+    QStringList tip{why};
+    for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
     reason_->setToolTip(tip.join(QLatin1Char('\n')));
+    say(answerOf(verdict), outlookOf(verdict), !verdict.doubts.empty());
 }
 
 void VerdictStrip::setNothing(const QString& why)
 {
-    setBadge(tr("NO VERDICT"), QStringLiteral("none"));
     question_->setText(
         tr("Is there a step of more than %1 m ahead?").arg(words::number(limit_, 2)));
     reason_->setText(why);
+    reason_->setToolTip(QString());
+    say(tr("NO VERDICT"), QStringLiteral("none"), false);
 }
 
-void VerdictStrip::setBadge(const QString& text, const QString& outlook)
+/// Once all else is said.
+void VerdictStrip::say(const QString& answer, const QString& outlook, bool withheld)
 {
-    badge_->setText(text);
-    if (badge_->property("outlook").toString() == outlook) return;
-    badge_->setProperty("outlook", outlook);
-    badge_->style()->unpolish(badge_);
-    badge_->style()->polish(badge_);
-    announce(*badge_);
+    badge_->setText(answer);
+    if (badge_->property("outlook").toString() != outlook) {
+        badge_->setProperty("outlook", outlook);
+        badge_->style()->unpolish(badge_);
+        badge_->style()->polish(badge_);
+        announce(*badge_);
+    }
+    // The same word may stand for another reason.
+    if (std::exchange(withheld_, withheld) != withheld) announce(*reason_);
 }
 
 void VerdictStrip::setLimit(double metres)

@@ -23,6 +23,11 @@ public:
     void setLimit(double metres);         ///< clamped to kLeastLimit … kGreatestLimit
     void setStacked(bool stacked);        ///< the words below the badge, for a narrow column
 
+    // Of a verdict, in words.
+    static QString answerOf(const Verdict& verdict);                     ///< "✔ CLEAR"
+    static QString probabilityOf(const Verdict& verdict, double limit);  ///< limit: [m]
+    static QString whyOf(const Verdict& verdict);  ///< what it means, or why there is none
+
     double limit() const { return limit_; }
     QString badge() const;
     QString question() const;
@@ -41,10 +46,11 @@ protected:
 private:
     void resizeToFont();
     void choose(double metres);
-    void setBadge(const QString& text, const QString& outlook);
+    void say(const QString& answer, const QString& outlook, bool withheld);
 
     double limit_ = kStepLimit;
     bool stacked_ = false;
+    bool withheld_ = false;
     QBoxLayout* row_ = nullptr;
     QBoxLayout* head_ = nullptr;  ///< the badge and the buttons, where they are stacked
     QLabel* badge_ = nullptr;

@@ -2867,6 +2867,14 @@ F1</translation>
         <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m</source>
         <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4 m</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>last heard %1 ago</source>
+        <translation>zuletzt gehört vor %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NumbersTable</name>

@@ -185,6 +185,9 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
     proposeByKeyboard();
     ASSERT_TRUE(
         eventually([&] { return window->verdict()->badge() == QStringLiteral("✘ BLOCKED"); }));
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    EXPECT_TRUE(eventually([&] { return says(QStringLiteral("✘ BLOCKED · P(step")); }));
+    QTest::keyClick(window.get(), Qt::Key_F2);
     for (int i = 0; i < 40; ++i) QTest::keyClick(window.get(), Qt::Key_PageUp);
     EXPECT_TRUE(
         eventually([&] { return window->verdict()->badge() == QStringLiteral("✔ CLEAR"); }));

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTimer>
 #include <array>
@@ -13,6 +14,7 @@
 #include "app/console_alarms.h"
 #include "app/diagnostics_page.h"
 #include "app/main_window.h"
+#include "app/numbers_page.h"
 #include "app/preference_store.h"
 #include "app/robot_in_process.h"
 #include "app/signals_page.h"
@@ -328,6 +330,50 @@ TEST_F(Pages, sourceThatIsNoBusShowsItsValues)
     EXPECT_TRUE(window->signalsPage()->headline().contains("no CAN bus"));
     QTest::qWait(200);
     picture("signals-no-bus");
+}
+
+TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
+{
+    const TerrainEstimate estimate = stepEstimate();
+    NumbersSight sight;
+    NumbersPage page([&] { return sight; });
+    page.resize(1200, 600);
+    gui::showActive(page);
+    const QLabel* line = nullptr;
+    for (const QLabel* label : page.findChildren<QLabel*>())
+        if (label->accessibleName() == "Verdict") line = label;
+    ASSERT_TRUE(line);
+    page.refresh(0.0);
+    EXPECT_FALSE(line->isVisible()) << "there is no estimate";
+    sight.estimate = &estimate;
+    sight.verdict = Verdict{.outlook = Outlook::Blocked,
+                            .step = {0.99, 0.004},
+                            .likeliest = 8,
+                            .likeliestP = 0.97,
+                            .doubts = {}};
+    sight.age = 0.04;
+    page.refresh(0.0);
+    EXPECT_EQ(line->text(),
+              QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · likeliest at "
+                                "+0.5 … +0.6 m (0.97)"));
+    sight.verdict->outlook = Outlook::CannotTell;
+    sight.verdict->doubts = {Doubt::Stale};
+    sight.age = 12.34;
+    page.refresh(0.0);
+    EXPECT_EQ(
+        line->text(),
+        QString::fromUtf8("? CANNOT TELL · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · withheld: "
+                          "no live telemetry, the robot may have moved · last heard 12.3 s "
+                          "ago"));
+    EXPECT_EQ(gui::cutWhenSettled(page), std::vector<std::string>());
+    sight.verdict->doubts = {Doubt::Unheard};
+    sight.age = 0.04;
+    page.refresh(0.0);
+    EXPECT_TRUE(line->text().endsWith("withheld: the link was lost, the robot may have moved"));
+    sight.estimate = nullptr;
+    sight.verdict.reset();
+    page.refresh(0.0);
+    EXPECT_FALSE(line->isVisible());
 }
 
 TEST_F(Pages, fitTheSmallestWindow)

@@ -5,8 +5,11 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <utility>
+
 #include "tests/support/gui.h"
 #include "widgets/look.h"
+#include "widgets/spoken.h"
 
 namespace terratact {
 namespace {
@@ -72,6 +75,57 @@ TEST_F(Strip, saysWhyAVerdictIsWithheld)
     for (const char* part : {"withheld", "converged", "rolls", "0.31 bit"})
         EXPECT_TRUE(strip.reason().contains(QString::fromUtf8(part))) << part;
     EXPECT_FALSE(strip.reason().contains("likeliest"));
+}
+
+TEST_F(Strip, withNothingToSayHasNoTipOfTheVerdictBefore)
+{
+    Verdict v = verdict(Outlook::CannotTell, 0.99);
+    v.doubts = {Doubt::Stale};
+    strip.setVerdict(v);
+    const QLabel* reason = nullptr;
+    for (const QLabel* label : strip.findChildren<QLabel*>())
+        if (label->text() == strip.reason()) reason = label;
+    ASSERT_TRUE(reason);
+    EXPECT_TRUE(reason->toolTip().contains("the robot may have moved"));
+    strip.setNothing("explore the terrain");
+    EXPECT_EQ(reason->toolTip(), "");
+}
+
+/// What a widget is told to say to a screen reader.
+class Announcements final : public QObject {
+public:
+    explicit Announcements(const VerdictStrip& strip)
+    {
+        for (QLabel* label : strip.findChildren<QLabel*>()) label->installEventFilter(this);
+    }
+    QStringList take() { return std::exchange(said_, {}); }
+
+private:
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() == kAnnounced) said_ << qobject_cast<QLabel*>(object)->text();
+        return false;
+    }
+    QStringList said_;
+};
+
+TEST_F(Strip, isAnnouncedWhereTheSameWordComesToStandForAnotherReason)
+{
+    Announcements announcements(strip);
+    const Verdict undecided = verdict(Outlook::CannotTell, 0.5);
+    Verdict withheld = undecided;
+    withheld.doubts = {Doubt::Unheard};
+    strip.setVerdict(undecided);
+    EXPECT_EQ(announcements.take(), QStringList{QStringLiteral("? CANNOT TELL")});
+    strip.setVerdict(undecided);
+    EXPECT_EQ(announcements.take(), QStringList());
+    strip.setVerdict(withheld);
+    EXPECT_EQ(announcements.take(),
+              QStringList{"withheld: the link was lost, the robot may have moved"});
+    strip.setVerdict(withheld);
+    EXPECT_EQ(announcements.take(), QStringList()) << "once";
+    strip.setVerdict(undecided);
+    EXPECT_EQ(announcements.take().size(), 1);
 }
 
 TEST_F(Strip, theLimitMovesByACentimetreWithinItsRange)
