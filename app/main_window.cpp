@@ -236,7 +236,8 @@ void MainWindow::applyPreferences(const Preferences& before)
     const QString changes = changesOf(before, now);
     if (scribe_ && !changes.isEmpty()) scribe_->decision("settings", changes);
     const Settings& set = exploration_->options().settings;
-    if (const Settings wanted = withPreferences(set, now); wanted != set) {
+    // Only what was changed now: other settings void a question, other colours do not.
+    if (const Settings wanted = withPreferences(set, now); wanted != withPreferences(set, before)) {
         exploration_->setSettings(wanted);
         offerQualities();
     }

@@ -103,6 +103,7 @@ std::string ProbeProposals::grounds() const
     return fingerprint({.scene = scene->measurement,
                         .readings = estimation_.readings(),
                         .settings = estimate->settings,
+                        .wanted = estimation_.wanted(),
                         .model = (model.name + model.details).toStdString(),
                         .bin = current_->bin});
 }

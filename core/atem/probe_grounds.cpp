@@ -63,6 +63,7 @@ std::string fingerprint(const ProbeGrounds& grounds)
     add(bytes, grounds.readings.size());
     for (const ArmReading& reading : grounds.readings) add(bytes, reading);
     add(bytes, grounds.settings);
+    add(bytes, grounds.wanted);
     bytes.add(std::string_view(grounds.model));
     add(bytes, grounds.bin);
     return sha256Hex(bytes.bytes());

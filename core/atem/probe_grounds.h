@@ -12,9 +12,10 @@ namespace terratact {
 struct ProbeGrounds {
     Measurement scene;
     std::vector<ArmReading> readings;  ///< of the arm at this pose
-    Settings settings;
-    std::string model;  ///< what tells the model from any other
-    int bin = 0;        ///< to be probed
+    Settings settings;                 ///< of the estimate
+    Settings wanted;                   ///< as the operator has set them by then, for the next
+    std::string model;                 ///< what tells the model from any other
+    int bin = 0;                       ///< to be probed
 };
 
 /// SHA-256 of the grounds as 64 hexadecimal digits; equal for equal grounds on every machine.

@@ -36,6 +36,24 @@ TEST_F(VoidQuestion, isSaidToBe)
     EXPECT_FALSE(mayBeApproved());
 }
 
+TEST_F(VoidQuestion, isOneWhoseSettingsHaveChangedUntilTheyAreAsThen)
+{
+    const Settings then = exploration->options().settings;
+    Settings others = then;
+    others.forceThreshold += 0.5;
+    exploration->setSettings(others);
+    tick(3);
+    EXPECT_FALSE(mayBeApproved());
+    exploration->setSettings(then);
+    tick(3);
+    EXPECT_TRUE(mayBeApproved());
+    exploration->setSettings(others);
+    exploration->approve(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Failed));
+    EXPECT_EQ(exploration->state().failure, AtemFailure::ApprovalVoid);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
 TEST_F(VoidQuestion, isNotRevivedByAskingForAnotherBin)
 {
     ASSERT_FALSE(exploration->proposal()->others.empty());

@@ -72,6 +72,8 @@ TEST(ProbeGrounds, haveAnotherFingerprintWhateverChanges)
         [](ProbeGrounds& g) { g.settings.burnIn = 8; },
         [](ProbeGrounds& g) { g.settings.scan = ScanOrder::Random; },
         [](ProbeGrounds& g) { g.settings.ceiling = CeilingRule::Clamp; },
+        [](ProbeGrounds& g) { g.wanted.draws = 999; },
+        [](ProbeGrounds& g) { g.wanted.ceiling = CeilingRule::Clamp; },
     };
     std::set<std::string> seen;
     for (const Change& change : changes) {
