@@ -95,11 +95,11 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
     judge("foreign", bus.link.foreignSender && bus.transmits,
           tr("Another console sends commands on this bus: find it and switch it off"),
           Severity::Critical);
-    judge("dropped", grewLately("dropped", bus.frames.dropped),
+    judge("dropped", counted_["dropped"].grewLately(bus.frames.dropped, now_),
           tr("This computer was too slow for the bus: %1 frames lost since the start")
               .arg(bus.frames.dropped),
           Severity::Caution);
-    judge("checksum", grewLately("checksum", sight.wrongChecksums),
+    judge("checksum", counted_["checksum"].grewLately(sight.wrongChecksums, now_),
           tr("Damaged frames: %1 with a wrong checksum since the start").arg(sight.wrongChecksums),
           Severity::Caution);
     lookAtSensors(bus.forces);
@@ -127,14 +127,6 @@ void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& tex
     if (now_ - *cause.gone < kGoneFor) return;
     list_.clear(id, now_);
     cause = {};
-}
-
-bool ConsoleAlarms::grewLately(const std::string& id, std::uint64_t count)
-{
-    Counted& counted = counted_[id];
-    if (count > counted.count) counted.grew = now_;
-    counted.count = count;
-    return counted.grew && now_ - *counted.grew < kCountedFor;
 }
 
 }  // namespace terratact

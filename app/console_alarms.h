@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/can_source.h"
+#include "app/growing_count.h"
 #include "core/atem/alarms.h"
 
 namespace terratact {
@@ -39,8 +40,7 @@ class ConsoleAlarms final : public QObject {
     Q_OBJECT
 public:
     static constexpr double kFirstTelemetry = 3.0;  ///< [s] may pass before there is any
-    static constexpr double kGoneFor = 1.0;     ///< [s] a cause is away before its alarm returns
-    static constexpr double kCountedFor = 5.0;  ///< [s] something that was counted stands
+    static constexpr double kGoneFor = 1.0;  ///< [s] a cause is away before its alarm returns
 
     explicit ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent = nullptr);
 
@@ -61,14 +61,9 @@ private:
     struct Cause {
         std::optional<double> stands{}, gone{};  ///< [s] since
     };
-    struct Counted {
-        std::uint64_t count = 0;
-        std::optional<double> grew{};  ///< [s] when
-    };
     /// after: [s] it has to stand before it is an alarm.
     void judge(const std::string& id, bool stands, const QString& text, Severity severity,
                double after = 0.0);
-    bool grewLately(const std::string& id, std::uint64_t count);
     void lookAtLink(const AlarmSight& sight);
     void lookAtBus(const CanView& bus, const AlarmSight& sight);
     void lookAtSensors(const ElementForces& forces);
@@ -76,7 +71,7 @@ private:
     std::unique_ptr<Sounder> sounder_;
     AlarmList list_;
     std::map<std::string, Cause> causes_;
-    std::map<std::string, Counted> counted_;
+    std::map<std::string, GrowingCount> counted_;
     std::optional<double> began_;
     double now_ = 0.0;
     bool soundOn_ = true;

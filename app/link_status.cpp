@@ -33,11 +33,21 @@ void LinkStatus::show(const LinkSight& sight)
 {
     const double age = sight.newest ? sight.now - secondsOf(sight.newest->arrived) : 0.0;
     worstAge_ = std::max(worstAge_, age);
+    count(sight.now);
     showLink(sight, age);
     showBus(sight.now);
     showBanner(sight, age);
     tellChange(sight);
     showRobot(sight.newest, age);
+}
+
+/// What a doubt is only while it happens: the counts stand for ever.
+void LinkStatus::count(double now)
+{
+    if (!link_) return;
+    const BusCounters frames = link_->view().frames;
+    droppedLately_ = dropped_.grewLately(frames.dropped, now);
+    erredLately_ = errors_.grewLately(frames.errorFrames, now);
 }
 
 void LinkStatus::showLink(const LinkSight& sight, double age)
@@ -69,13 +79,13 @@ void LinkStatus::showBus(double now)
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
     parts << loadGlance(load, link_->bitrate());
     const std::uint64_t dropped = view.frames.dropped, errors = view.frames.errorFrames;
-    if (dropped > 0) parts << tr("! %1 dropped").arg(dropped);
-    if (errors > 0) parts << tr("! %1 errors").arg(errors);
+    if (dropped > 0) parts << (droppedLately_ ? tr("! %1 dropped") : tr("%1 dropped")).arg(dropped);
+    if (errors > 0) parts << (erredLately_ ? tr("! %1 errors") : tr("%1 errors")).arg(errors);
     const bool works = view.bus == BusState::Up || view.bus == BusState::Ended;
     header_.setBus(parts.join(QLatin1Char(' ')),
-                   !works                      ? Tone::Bad
-                   : dropped > 0 || errors > 0 ? Tone::Doubt
-                                               : Tone::Plain,
+                   !works                           ? Tone::Bad
+                   : droppedLately_ || erredLately_ ? Tone::Doubt
+                                                    : Tone::Plain,
                    details(view));
 }
 
@@ -87,7 +97,7 @@ void LinkStatus::showRate(double now)
         tr("link %1 Hz · ≤ %2").arg(words::number(acquisition_.rate(), 0), words::age(worstAge_));
     if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
     const bool isGood =
-        worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && dropped == 0;
+        worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && !droppedLately_;
     header_.setLink(text, isGood ? Tone::Good : Tone::Doubt, view ? details(*view) : QString());
     rateShownAt_ = now;
     worstAge_ = 0.0;

@@ -6,6 +6,7 @@
 
 #include "app/acquisition.h"
 #include "app/can_source.h"
+#include "app/growing_count.h"
 #include "widgets/precondition.h"
 
 class QLabel;
@@ -38,6 +39,7 @@ public:
     void showArming(const std::optional<Precondition>& panel);
 
 private:
+    void count(double now);
     void showLink(const LinkSight& sight, double age);
     void showRate(double now);
     void showBus(double now);
@@ -53,6 +55,8 @@ private:
     CanSource* link_;
     bool wasAlive_ = false;
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
+    GrowingCount dropped_, errors_;
+    bool droppedLately_ = false, erredLately_ = false;
     double rateShownAt_ = 0.0;  ///< [s]; 0: the link was lost since
     double busShownAt_ = 0.0;   ///< [s]
     double worstAge_ = 0.0;     ///< [s] of telemetry, since then

@@ -296,6 +296,14 @@
         <source>! %1 errors</source>
         <translation>! chyb %1</translation>
     </message>
+    <message>
+        <source>%1 dropped</source>
+        <translation>ztraceno %1</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>chyb %1</translation>
+    </message>
 </context>
 <context>
     <name>ModelWords</name>

@@ -296,6 +296,14 @@
         <source>! %1 errors</source>
         <translation>! %1 Fehler</translation>
     </message>
+    <message>
+        <source>%1 dropped</source>
+        <translation>%1 verloren</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>%1 Fehler</translation>
+    </message>
 </context>
 <context>
     <name>ModelWords</name>

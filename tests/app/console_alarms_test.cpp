@@ -130,7 +130,7 @@ TEST_F(Alarming, lostAndDamagedFramesAreCounted)
     EXPECT_TRUE(says("dropped", "7 frames"));
     EXPECT_TRUE(says("checksum", "3 with a wrong checksum"));
     alarms.acknowledgeAll();
-    pass(ConsoleAlarms::kCountedFor + ConsoleAlarms::kGoneFor + 0.5);
+    pass(GrowingCount::kLately + ConsoleAlarms::kGoneFor + 0.5);
     EXPECT_FALSE(find("dropped")) << "none was lost since";
     sight.bus->frames.dropped = 8;
     pass(0.1);

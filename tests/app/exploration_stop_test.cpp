@@ -1,7 +1,9 @@
 // STOP and its release, the lost link, and driving: what halts the robot.
 #include <QLabel>
+#include <QPushButton>
 
 #include "app/link_status.h"
+#include "drivers/memory_bus.h"
 #include "tests/support/exploration_bench.h"
 #include "widgets/status_header.h"
 
@@ -268,6 +270,51 @@ TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
     showAt(now);
     EXPECT_TRUE(exploration->linkAlive());
     EXPECT_TRUE(banner.isHidden()) << "one line of telemetry is enough";
+}
+
+TEST_F(Bench, whatWentWrongOnTheBusIsADoubtOnlyWhileItIsFresh)
+{
+    MemoryBus bus{steadyNow};
+    CanSource link(bus.join("can0"), RobotModel{}, {.mode = CanSource::Mode::Listen});
+    const Acquisition acquisition(link);
+    StatusHeader header;
+    QLabel banner;
+    EventList list;
+    LinkStatus display(header, banner, list, acquisition, &link);
+    const auto showAt = [&](double time) {
+        now = time - 0.04;
+        line();
+        display.show({.now = time, .newest = &*latest, .alive = true});
+    };
+    const auto toneOfLink = [&] {
+        for (const QLabel* label : header.findChildren<QLabel*>())
+            if (label->text() == header.linkText()) return label->property("tone").toString();
+        return QString();
+    };
+    const auto role = [&] { return header.busButton()->property("role").toString(); };
+    const double began = now;
+    showAt(began);
+    const QString calm = role();
+    EXPECT_EQ(toneOfLink(), "good");
+
+    bus.dropNext(1);
+    bus.put({.id = 0x100, .length = 1, .data = {}});
+    bus.put({.id = 4, .error = true, .length = 8, .data = {}});
+    ASSERT_TRUE(gui::eventually([&] {
+        const BusCounters frames = link.view().frames;
+        return frames.dropped == 1 && frames.errorFrames == 1;
+    }));
+    showAt(began + 1.0);
+    EXPECT_TRUE(header.busButton()->text().contains("! 1 dropped ! 1 errors"))
+        << header.busButton()->text().toStdString();
+    EXPECT_EQ(role(), "caution");
+    EXPECT_EQ(toneOfLink(), "doubt");
+    showAt(began + 1.0 + GrowingCount::kLately);
+    EXPECT_TRUE(header.busButton()->text().contains(" 1 dropped 1 errors"))
+        << header.busButton()->text().toStdString();
+    EXPECT_TRUE(header.linkText().contains("1 dropped")) << "it has been";
+    EXPECT_EQ(role(), calm);
+    EXPECT_EQ(toneOfLink(), "good");
 }
 
 TEST_F(Bench, drivingEndsWithOneHaltAndOnlyIfItBegan)
