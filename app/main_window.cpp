@@ -404,7 +404,10 @@ void MainWindow::connectWorker()
 void MainWindow::connectStop()
 {
     const auto say = [this](const QString& text) { notice_->say(text, steadyNow()); };
-    connect(&remoteStop_, &RemoteStop::said, this, say);
+    connect(&remoteStop_, &RemoteStop::said, this, [this, say](const QString& text, Weight weight) {
+        events()->add(text, weight, QTime::currentTime());
+        say(text);
+    });
     connect(
         exploration_.get(), &Exploration::stoppedNothing, this, [this, say](const QString& why) {
             if (remoteStop_.exists()) return remoteStop_.press();

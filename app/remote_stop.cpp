@@ -40,14 +40,15 @@ void RemoteStop::press()
     if (const Status sent = caller_->press(line_); !sent) return fail(sent.error());
     looks_ = 0;
     look_.start();
-    emit said(tr("STOP SENT to the console that opened this window …"));
+    emit said(tr("STOP SENT to the console that opened this window …"), Weight::Note);
 }
 
 void RemoteStop::fail(const Error& error)
 {
     emit said(error.code == ECONNREFUSED
                   ? tr("STOP HAS NO EFFECT HERE: the console that opened this window is gone")
-                  : tr("STOP NOT SENT: %1").arg(words::text(error.text)));
+                  : tr("STOP NOT SENT: %1").arg(words::text(error.text)),
+              Weight::Bad);
 }
 
 void RemoteStop::look()
@@ -56,11 +57,13 @@ void RemoteStop::look()
         look_.stop();
         emit said(
             tr("STOP: the console that opened this window has taken it; see there whether the "
-               "robot confirms it"));
+               "robot confirms it"),
+            Weight::Note);
     } else if (++looks_ * kPollAnswer >= kAnswers) {
         look_.stop();
         emit said(tr("STOP NOT TAKEN: the console that opened this window does not answer; use the "
-                     "robot's own switch"));
+                     "robot's own switch"),
+                  Weight::Bad);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "drivers/stop_line.h"
+#include "widgets/event_list.h"
 
 namespace terratact {
 
@@ -31,7 +32,7 @@ public:
     static constexpr int kAnswers = 500;  ///< [ms] the console has to take it
 
 signals:
-    void said(const QString& text);
+    void said(const QString& text, terratact::Weight weight);
 
 private:
     void fail(const Error& error);

@@ -33,6 +33,7 @@
 #include "tests/support/robot_session.h"
 #include "tests/support/scripted_source.h"
 #include "tests/support/temporary_directory.h"
+#include "widgets/event_list.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -289,6 +290,11 @@ TEST_F(Windows, ofAConsoleThatOnlyListensStopTheRobotOfTheOneThatOpenedIt)
     pressStop(*window);
     EXPECT_TRUE(opening.wasStopped());
     letGo(*window);
+    const auto isKept = [&](const QString& words) {
+        return !window->events()->findItems(words, Qt::MatchContains).empty();
+    };
+    EXPECT_TRUE(isKept("STOP SENT to the console that opened this window"));
+    EXPECT_TRUE(eventually([&] { return isKept("has taken it"); }));
 }
 
 TEST_F(Windows, thatAskForASessionBeginAmongThem)
