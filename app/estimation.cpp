@@ -73,10 +73,24 @@ void Estimation::look(const std::optional<Received>& latest, bool heard)
     if (track_) track_->take(newest);
 }
 
+bool Estimation::warmUp(const Measurement& measurement)
+{
+    Settings settings = options_.settings;
+    const Processes processes{settings.method, settings.inducing};
+    if (isClosedForm(settings.method) || made_ == processes) return false;
+    made_ = processes;
+    settings.draws = settings.chains = 1;
+    settings.burnIn = 0;
+    warmUpJob_ = worker_.request({.measurement = measurement, .arm = {}, .settings = settings});
+    return true;
+}
+
 void Estimation::preview(const Received& latest)
 {
-    if (liveJob_ != 0 || model_.name.isEmpty() || latest.count == previewed_) return;
+    if (liveJob_ != 0 || warmUpJob_ != 0 || model_.name.isEmpty() || latest.count == previewed_)
+        return;
     previewed_ = latest.count;
+    if (warmUp(latest.sample.measurement)) return;
     Settings settings = options_.settings;
     settings.method = Method::Local;
     settings.draws = kLiveDraws;
@@ -122,7 +136,8 @@ void Estimation::setSecondMethod(std::optional<Method> method)
 void Estimation::cancel()
 {
     worker_.cancel();
-    job_ = liveJob_ = secondJob_ = 0;  // a result already on its way is not ours any more
+    if (warmUpJob_ != 0) made_.reset();
+    job_ = liveJob_ = secondJob_ = warmUpJob_ = 0;  // a result on its way is not ours any more
     unadvised_ = false;
 }
 
@@ -163,7 +178,7 @@ EstimateRequest Estimation::requestFor(Method method) const
 
 void Estimation::start()
 {
-    liveJob_ = secondJob_ = 0;  // this request overtakes them
+    liveJob_ = secondJob_ = warmUpJob_ = 0;  // this request overtakes them
     unadvised_ = false;
     second_.reset();
     EstimateRequest request = requestFor(options_.settings.method);
@@ -180,7 +195,8 @@ void Estimation::startSecond()
 
 void Estimation::resume()
 {
-    liveJob_ = 0;
+    liveJob_ = warmUpJob_ = 0;
+    made_.reset();  // those of the model before
     const bool second = secondJob_ != 0;
     secondJob_ = 0;
     if (job_ != 0)
@@ -192,6 +208,7 @@ void Estimation::resume()
 void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds,
                         const ProbeAdvice& advice)
 {
+    if (job == warmUpJob_) warmUpJob_ = 0;
     if (job == liveJob_) {
         liveJob_ = 0;
         live_ = estimate;
@@ -217,6 +234,7 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
 
 void Estimation::refuse(int job, const QString& why)
 {
+    if (job == warmUpJob_) warmUpJob_ = 0;
     if (job == liveJob_) {
         liveJob_ = 0;
         live_.reset();

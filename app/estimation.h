@@ -105,6 +105,9 @@ private:
     void accept(int job, const TerrainEstimate& estimate, double seconds,
                 const ProbeAdvice& advice);
     void refuse(int job, const QString& why);
+    /// Has the worker make the processes of a sampling method, so that nobody waits for them once the flippers rest.
+    /// False where it has done so.
+    bool warmUp(const Measurement& measurement);
     void start();
     void startSecond();
     void resume();  ///< what the worker has given up to load a model
@@ -125,7 +128,7 @@ private:
     std::vector<ArmReading> readings_;
 
     // Of the worker's jobs; 0: none is under way.
-    int job_ = 0, secondJob_ = 0, liveJob_ = 0;
+    int job_ = 0, secondJob_ = 0, liveJob_ = 0, warmUpJob_ = 0;
     int estimateJob_ = 0;  ///< of estimate_
     std::optional<TerrainEstimate> estimate_, second_, live_;
     double seconds_ = 0.0;
@@ -133,7 +136,14 @@ private:
     bool unadvised_ = false;  ///< offered() of estimate_ waits for advice of the limit of now
     QString whyNone_;
     std::optional<Method> secondMethod_;
-    std::uint64_t previewed_ = 0;  ///< count of the telemetry that the newest preview is about
+    /// What a sampling method's processes depend on besides the model.
+    struct Processes {
+        Method method;
+        int inducing;
+        bool operator==(const Processes&) const = default;
+    };
+    std::optional<Processes> made_;  ///< by the worker, or under way
+    std::uint64_t previewed_ = 0;    ///< count of the telemetry that the newest preview is about
 
     CalibrationLedger ledger_;
     std::optional<GhostTrack> track_;  ///< of the last estimate

@@ -51,11 +51,8 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
     connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::take,
             Qt::QueuedConnection);
     connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
-    connect(
-        this, &EstimatorWorker::adviceRequested, this,
-        [this](int job, const TerrainEstimate& estimate, const RobotModel& prober,
-               double stepLimit) { emit advised(job, adviseProbe(estimate, prober, stepLimit)); },
-        Qt::QueuedConnection);
+    connect(this, &EstimatorWorker::adviceRequested, this, &EstimatorWorker::answer,
+            Qt::QueuedConnection);
 }
 
 void EstimatorWorker::start()
@@ -66,6 +63,7 @@ void EstimatorWorker::start()
 EstimatorWorker::~EstimatorWorker()
 {
     cancel();
+    ++newestAdvice_;
     thread_.quit();
     thread_.wait();
 }
@@ -87,7 +85,20 @@ void EstimatorWorker::cancel()
 void EstimatorWorker::advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
                              double stepLimit)
 {
-    emit adviceRequested(job, estimate, prober, stepLimit);
+    emit adviceRequested(++newestAdvice_, job, estimate, prober, stepLimit);
+}
+
+void EstimatorWorker::answer(int number, int job, const TerrainEstimate& estimate,
+                             const RobotModel& prober, double stepLimit)
+{
+    const auto poll = [this, number] {
+        if (number != newestAdvice_) throw Cancelled{};
+    };
+    try {
+        emit advised(job, adviseProbe(estimate, prober, stepLimit, poll));
+    } catch (const Cancelled&) {
+        return;
+    }
 }
 
 std::optional<double> EstimatorWorker::progress() const

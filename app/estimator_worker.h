@@ -62,7 +62,7 @@ public:
     int request(const EstimateRequest& request);  ///< the job's number
     void cancel();
     /// Asks anew what `prober` should touch in the estimate of that job, once the requests before it are done;
-    /// cancels nothing and ends in advised().
+    /// cancels no request, and ends in advised() unless it is asked once more before that.
     void advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
                 double stepLimit);
     /// 0 … 1 of the job in flight; empty when there is none.  To be looked at, not to be signalled.
@@ -71,7 +71,7 @@ public:
 signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
     void loadRequested(const terratact::ModelLoader& load);              ///< likewise
-    void adviceRequested(int job, const terratact::TerrainEstimate& estimate,
+    void adviceRequested(int number, int job, const terratact::TerrainEstimate& estimate,
                          const terratact::RobotModel& prober, double stepLimit);  ///< likewise
     void modelLoaded(const QString& name, const QString& details, const QString& hash,
                      const QString& content);
@@ -86,11 +86,13 @@ signals:
 private:
     void take(const ModelLoader& load);
     void run(int job, const EstimateRequest& request);
+    void answer(int number, int job, const TerrainEstimate& estimate, const RobotModel& prober,
+                double stepLimit);
 
     ModelLoader load_;
     Estimator estimate_;  // used in the worker's thread only
     QString trouble_;     // why there is no model; likewise
-    std::atomic<int> newest_ = 0;
+    std::atomic<int> newest_ = 0, newestAdvice_ = 0;
     std::atomic<double> progress_ = -1.0;
     QThread thread_;
 };

@@ -164,6 +164,47 @@ TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
     EXPECT_FALSE(exploration->estimation().live());
 }
 
+TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
+{
+    Settings sampled;
+    sampled.method = Method::Pafc;
+    sampled.inducing = 300;
+    exploration->setSettings(sampled);
+    blocked = true;
+    exploration->request();
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressing;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates == 1;
+    }));
+    EXPECT_EQ(lastAsked().settings.method, Method::Pafc);
+    EXPECT_EQ(lastAsked().settings.inducing, 300);
+    EXPECT_EQ(lastAsked().settings.draws, 1);
+    EXPECT_EQ(lastAsked().settings.chains, 1);
+    EXPECT_EQ(lastAsked().settings.burnIn, 0);
+    tick(5);
+    EXPECT_EQ(estimates, 1) << "no preview overtakes it";
+    blocked = false;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().live().has_value();
+    }));
+    EXPECT_EQ(exploration->estimation().live()->settings.method, Method::Local)
+        << "it shows nothing";
+
+    const int before = estimates;
+    ASSERT_TRUE(gui::eventually([&] {
+        tick();
+        return estimates >= before + 3;
+    }));
+    EXPECT_EQ(lastAsked().settings.method, Method::Local) << "once is enough";
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Pafc);
+}
+
 TEST_F(Bench, aLivePreviewEndsWithTheExploration)
 {
     exploration->request();
