@@ -84,7 +84,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "the robot is not armed"),
     QT_TRANSLATE_NOOP("core", "not armed yet"),
     QT_TRANSLATE_NOOP("core", "disarmed by the operator"),
-    QT_TRANSLATE_NOOP("core", "the stop is latched"),
+    QT_TRANSLATE_NOOP("core", "STOP is latched"),
     QT_TRANSLATE_NOOP("core", "window or panel does not answer"),
     QT_TRANSLATE_NOOP("core", "somebody else sends this console's frames"),
     QT_TRANSLATE_NOOP("core", "the link is not good"),

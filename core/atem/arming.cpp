@@ -98,7 +98,7 @@ std::string describe(DisarmCause cause)
     switch (cause) {
     case DisarmCause::None: return "not armed yet";
     case DisarmCause::Operator: return "disarmed by the operator";
-    case DisarmCause::Stop: return "the stop is latched";
+    case DisarmCause::Stop: return "STOP is latched";
     case DisarmCause::OperatorAbsent: return "window or panel does not answer";
     case DisarmCause::ForeignSender: return "somebody else sends this console's frames";
     case DisarmCause::LinkNotGood: return "the link is not good";

@@ -161,7 +161,7 @@ std::string describe(GateRefusal refusal)
     case LinkNotGood: return "the link to the robot is not good";
     case NotAnswered: return "the robot does not answer: what arrives may be a recording";
     case WrongEpoch: return "the robot has begun a new arming";
-    case StopLatched: return "the stop is latched";
+    case StopLatched: return "STOP is latched";
     case NotStopped: return "the robot is not stopped";
     case NotArmed: return "not armed";
     case NotConfirmed: return "arming is not confirmed";

@@ -24,7 +24,7 @@ std::string describe(Refusal refusal)
 {
     switch (refusal) {
     case Refusal::None: return "nothing refused";
-    case Refusal::StopLatched: return "the stop is latched";
+    case Refusal::StopLatched: return "STOP is latched";
     case Refusal::Busy: return "the robot is busy";
     case Refusal::OutOfReach: return "the arm does not reach that bin";
     case Refusal::NotPressed: return "the front flippers are not pressed to the ground";

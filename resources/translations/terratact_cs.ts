@@ -738,7 +738,7 @@ značka K</translation>
     </message>
     <message>
         <source>arming</source>
-        <translation>odjištění</translation>
+        <translation>aktivace</translation>
     </message>
     <message>
         <source>link</source>
@@ -991,8 +991,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>deaktivoval operátor</translation>
     </message>
     <message>
-        <source>the stop is latched</source>
-        <translation>nouzové zastavení drží</translation>
+        <source>STOP is latched</source>
+        <translation>STOP drží</translation>
     </message>
     <message>
         <source>window or panel does not answer</source>
@@ -1834,7 +1834,7 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>arming</source>
-        <translation>odjištění</translation>
+        <translation>aktivace</translation>
     </message>
     <message>
         <source>approving a probe</source>
@@ -3142,7 +3142,7 @@ F1</translation>
     </message>
     <message>
         <source>%1 stands: a probe makes it surer.</source>
-        <translation>%1 platí: sonda to jen potvrdí.</translation>
+        <translation>%1 platí: sonda dá větší jistotu.</translation>
     </message>
     <message>
         <source>Do not probe: 0 s, %1 stands (N)</source>

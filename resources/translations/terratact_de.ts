@@ -430,7 +430,7 @@
     </message>
     <message>
         <source>STOP is latched: release it first</source>
-        <translation>STOP ist aktiv: erst lösen</translation>
+        <translation>STOP ist eingerastet: erst lösen</translation>
     </message>
     <message>
         <source>An exploration is running: end it with Esc first</source>
@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>there is no STOP to release</source>
-        <translation>es gibt kein STOP freizugeben</translation>
+        <translation>es gibt kein STOP zu lösen</translation>
     </message>
     <message>
         <source>STOP: not known, no telemetry</source>
@@ -738,7 +738,7 @@ Marke K</translation>
     </message>
     <message>
         <source>arming</source>
-        <translation>Scharfschalten</translation>
+        <translation>Freigabe</translation>
     </message>
     <message>
         <source>link</source>
@@ -991,8 +991,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>vom Bediener gesperrt</translation>
     </message>
     <message>
-        <source>the stop is latched</source>
-        <translation>der Halt ist eingerastet</translation>
+        <source>STOP is latched</source>
+        <translation>STOP ist eingerastet</translation>
     </message>
     <message>
         <source>window or panel does not answer</source>
@@ -1256,7 +1256,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>STOP is not latched</source>
-        <translation>STOP ist nicht aktiv</translation>
+        <translation>STOP ist nicht eingerastet</translation>
     </message>
     <message>
         <source>the link is good</source>
@@ -1834,7 +1834,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>arming</source>
-        <translation>Scharfschalten</translation>
+        <translation>Freigabe</translation>
     </message>
     <message>
         <source>approving a probe</source>
