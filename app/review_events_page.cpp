@@ -2,6 +2,7 @@
 
 #include <QAbstractTableModel>
 #include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -12,6 +13,7 @@
 #include "core/log/review_moment.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
+#include "widgets/plain_table.h"
 
 namespace terratact {
 
@@ -99,7 +101,6 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
     kinds_ = new QComboBox(card);
     kinds_->setAccessibleName(tr("Kind of the events"));
     kinds_->setToolTip(tr("Which events are listed"));
-    kinds_->setMinimumHeight(scaled(kTarget));
     kinds_->addItem(tr("all kinds"));
     for (int kind = 0; kind < kEventKinds; ++kind)
         kinds_->addItem(nameOf(static_cast<EventKind>(kind)));
@@ -115,13 +116,12 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
     table_->setShowGrid(false);
+    table_->setWordWrap(false);
     table_->setFrameShape(QFrame::NoFrame);
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setStretchLastSection(true);
-    table_->setColumnWidth(ReviewEvents::Time, scaled(130));
-    table_->setColumnWidth(ReviewEvents::Kind, scaled(130));
-    table_->setColumnWidth(ReviewEvents::What, scaled(420));
+    for (const int wide : {ReviewEvents::What, ReviewEvents::Shown})
+        table_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::Stretch);
     card->body()->addWidget(alarms_);
     card->body()->addWidget(table_, 1);
     auto* column = new QVBoxLayout(this);
@@ -133,6 +133,24 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
     });
     connect(table_, &QTableView::activated, this,
             [this](const QModelIndex& index) { emit seekWanted(events_->timeOf(index.row())); });
+    resizeToFont();
+}
+
+void ReviewEventsPage::changeEvent(QEvent* event)
+{
+    Page::changeEvent(event);
+    if (changesLetters(*event) && table_) resizeToFont();
+}
+
+void ReviewEventsPage::resizeToFont()
+{
+    kinds_->setMinimumHeight(scaled(kTarget));
+    fitRows(*table_, fontMetrics());
+    table_->setColumnWidth(ReviewEvents::Time, scaled(130));
+    QStringList kinds;
+    for (int kind = 0; kind < kEventKinds; ++kind) kinds << nameOf(static_cast<EventKind>(kind));
+    table_->setColumnWidth(ReviewEvents::Kind,
+                           columnWidthFor(*table_, fontMetrics(), ReviewEvents::Kind, kinds));
 }
 
 void ReviewEventsPage::reload()

@@ -30,7 +30,12 @@ public:
 signals:
     void seekWanted(double seconds);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void resizeToFont();
+
     ReviewEvents* events_ = nullptr;
     QLabel* alarms_ = nullptr;
     QComboBox* kinds_ = nullptr;

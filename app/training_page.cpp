@@ -198,8 +198,7 @@ QWidget* TrainingPage::trainCard()
     bar_->setAccessibleName(tr("Progress"));
     status_ = makeSentence(tr("State of the training"), card);
     status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    status_->setMinimumHeight(2
-                              * status_->fontMetrics().lineSpacing());  // the table stays in place
+    keepRoomForStatus();
     card->body()->addWidget(bar_);
     card->body()->addWidget(status_);
 
@@ -224,6 +223,12 @@ QWidget* TrainingPage::trainCard()
         bins_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     card->body()->addWidget(bins_, 1);
     return card;
+}
+
+/// So that the table stays in its place.
+void TrainingPage::keepRoomForStatus()
+{
+    status_->setMinimumHeight(2 * fontMetrics().lineSpacing());
 }
 
 QWidget* TrainingPage::compareCard()
@@ -474,7 +479,9 @@ void TrainingPage::refresh(double /*now*/)
 void TrainingPage::changeEvent(QEvent* event)
 {
     Page::changeEvent(event);
-    if (event->type() == QEvent::StyleChange && bins_) showBins(trainer_.progress());
+    if (event->type() != QEvent::StyleChange || !bins_) return;
+    keepRoomForStatus();
+    showBins(trainer_.progress());
 }
 
 void TrainingPage::showProgress()
@@ -510,10 +517,13 @@ void TrainingPage::showBins(const TrainingProgress& progress)
             const QString text = cellText(cell, phase_ == Phase::Training);
             const QColor colour =
                 cell.state == TrainingProgress::State::Waiting ? theme().muted : theme().text;
-            if (item->text() == text && item->foreground().color() == colour) continue;
-            item->setText(text);
-            QFont font = bins_->font();
+            QFont font = this->font();
             font.setBold(cell.state == TrainingProgress::State::Running);
+            if (item->text() == text && item->foreground().color() == colour
+                && item->font() == font)
+                continue;
+            item->setText(text);
+            item->setToolTip(text);  // there may be no room for all of it
             item->setFont(font);
             item->setForeground(colour);
         }

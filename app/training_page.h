@@ -85,6 +85,7 @@ private:
     void ended(const QString& what, bool bad);
     void showButtons();
     void showProgress();
+    void keepRoomForStatus();
     void showBins(const TrainingProgress& progress);
     void showComparison(const ModelComparison& comparison);
     void clearComparison();

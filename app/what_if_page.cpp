@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -22,6 +23,7 @@
 #include "core/learn/sha256.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
+#include "widgets/plain_table.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -35,7 +37,6 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     result_ = new QLabel(card);
     result_->setWordWrap(true);
     result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    result_->setMinimumHeight(4 * fontMetrics().lineSpacing());
     result_->setAccessibleName(tr("What differs"));
     table_ = new QTableWidget(kBins, 8, card);
     table_->setAccessibleName(tr("Recorded estimate and the other, bin by bin"));
@@ -51,7 +52,8 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     answers->addWidget(table_, 1);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(18);
-    columns->addWidget(form());
+    form_ = form();
+    columns->addWidget(form_);
     columns->addLayout(answers, 1);
     card->body()->addWidget(what_);
     card->body()->addLayout(columns, 1);
@@ -60,21 +62,36 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     page->addWidget(card);
     setRecorded(nullptr, nullptr, nullptr);
     drop();
+    resizeToFont();
 }
 
 WhatIfPage::~WhatIfPage() = default;
 
+void WhatIfPage::changeEvent(QEvent* event)
+{
+    Page::changeEvent(event);
+    if (changesLetters(*event) && form_) resizeToFont();
+}
+
+void WhatIfPage::resizeToFont()
+{
+    result_->setMinimumHeight(4 * fontMetrics().lineSpacing());
+    form_->setFixedWidth(scaled(360));
+    fitRows(*table_, fontMetrics());
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{method_, quality_, threshold_, seed_, model_})
+        field->setMinimumHeight(scaled(kTarget));
+}
+
 QWidget* WhatIfPage::form()
 {
     auto* form = new QWidget(this);
-    form->setFixedWidth(scaled(360));
     auto* rows = new QFormLayout(form);
     rows->setContentsMargins(0, 0, 0, 0);
     const auto combo = [&](const QString& label, const QString& tip) {
         auto* box = new QComboBox(form);
         box->setAccessibleName(label);
         box->setToolTip(tip);
-        box->setMinimumHeight(scaled(kTarget));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         rows->addRow(label, box);
         return box;
@@ -85,7 +102,6 @@ QWidget* WhatIfPage::form()
     quality_->addItem(tr("as recorded"));
     for (const Quality quality : kQualities) quality_->addItem(words::sentence(name(quality)));
     threshold_ = new QDoubleSpinBox(form);
-    threshold_->setMinimumHeight(scaled(kTarget));
     threshold_->setRange(0.1, 50.0);
     threshold_->setSingleStep(0.1);
     threshold_->setDecimals(2);
@@ -94,7 +110,6 @@ QWidget* WhatIfPage::form()
     threshold_->setToolTip(tr("Force from which an element touches the ground"));
     rows->addRow(tr("Contact above"), threshold_);
     seed_ = new QLineEdit(form);
-    seed_->setMinimumHeight(scaled(kTarget));
     seed_->setAccessibleName(tr("Seed"));
     seed_->setToolTip(tr("Of the random numbers: a whole number"));
     seed_->setValidator(

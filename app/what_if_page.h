@@ -53,8 +53,12 @@ public:
 signals:
     void answered();  ///< answer() is another
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     QWidget* form();
+    void resizeToFont();
     Settings settings() const;
     bool isRecordedModel() const;
     void useModel(const QString& path);
@@ -75,6 +79,7 @@ private:
     std::optional<Settings> asked_;
     std::optional<TerrainEstimate> answer_;
 
+    QWidget* form_ = nullptr;
     QComboBox* method_ = nullptr;
     QComboBox* quality_ = nullptr;
     QComboBox* model_ = nullptr;

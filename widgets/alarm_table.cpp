@@ -1,6 +1,7 @@
 #include "widgets/alarm_table.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -11,6 +12,7 @@
 
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_table.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -19,16 +21,15 @@ namespace {
 enum Column { State, Text, Since, Times, kColumns };
 constexpr double kMinute = 60.0;  // [s]
 
-QString stateWords(const Alarm& alarm)
+QString stateWords(AlarmState state, Severity severity)
 {
-    switch (alarm.state) {
+    const bool isCritical = severity == Severity::Critical;
+    switch (state) {
     case AlarmState::Unacknowledged:
-        return alarm.severity == Severity::Critical ? AlarmTable::tr("▲ CRITICAL, new")
-                                                    : AlarmTable::tr("◆ caution, new");
+        return isCritical ? AlarmTable::tr("▲ CRITICAL, new") : AlarmTable::tr("◆ caution, new");
     case AlarmState::Returned: return AlarmTable::tr("▽ over, not seen");
     case AlarmState::Acknowledged:
-        return alarm.severity == Severity::Critical ? AlarmTable::tr("■ critical, seen")
-                                                    : AlarmTable::tr("■ caution, seen");
+        return isCritical ? AlarmTable::tr("■ critical, seen") : AlarmTable::tr("■ caution, seen");
     }
     return {};
 }
@@ -44,6 +45,17 @@ QString sinceWords(const Alarm& alarm, double now)
     const QString ago = words::countdown(std::floor(now - alarm.since));
     if (alarm.state != AlarmState::Returned) return AlarmTable::tr("for %1").arg(ago);
     return AlarmTable::tr("over for %1").arg(words::countdown(std::floor(now - alarm.returned)));
+}
+
+/// All that the column of the states may say.
+QStringList allStates()
+{
+    QStringList words;
+    for (const AlarmState state :
+         {AlarmState::Unacknowledged, AlarmState::Returned, AlarmState::Acknowledged})
+        for (const Severity severity : {Severity::Caution, Severity::Critical})
+            words << stateWords(state, severity);
+    return words;
 }
 
 QPushButton* button(const QString& text, const QString& tip, QWidget* parent)
@@ -77,9 +89,6 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table_->horizontalHeader()->setSectionResizeMode(Text, QHeaderView::Stretch);
-    table_->setColumnWidth(State, 170);
-    table_->setColumnWidth(Since, 130);
-    table_->setColumnWidth(Times, 64);
     nothing_ = new QLabel(tr("✔ No alarms."), this);
     nothing_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTone(*nothing_, Tone::Good);
@@ -121,11 +130,29 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     column->addWidget(nothing_, 1);  // one of the two is there
     column->addWidget(table_, 1);
     setAlarms({}, 0.0, 0.0);
+    resizeToFont();
+}
+
+void AlarmTable::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (changesLetters(*event) && table_) resizeToFont();
+}
+
+void AlarmTable::resizeToFont()
+{
+    const QString longest = QStringLiteral("599:59");
+    table_->setColumnWidth(State, columnWidthFor(*table_, fontMetrics(), State, allStates()));
+    table_->setColumnWidth(
+        Since, columnWidthFor(*table_, fontMetrics(), Since,
+                              {tr("for %1").arg(longest), tr("over for %1").arg(longest)}));
+    table_->setColumnWidth(Times,
+                           columnWidthFor(*table_, fontMetrics(), Times, {QStringLiteral("9999")}));
 }
 
 void AlarmTable::put(int row, const Alarm& alarm, double now)
 {
-    const QString texts[kColumns]{stateWords(alarm), words::text(alarm.text),
+    const QString texts[kColumns]{stateWords(alarm.state, alarm.severity), words::text(alarm.text),
                                   sinceWords(alarm, now), QString::number(alarm.raised)};
     for (int column = 0; column < kColumns; ++column) {
         QTableWidgetItem* item = table_->item(row, column);

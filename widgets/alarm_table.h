@@ -35,7 +35,11 @@ signals:
     void silenced(double seconds);
     void soundWanted(bool on);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void resizeToFont();
     void put(int row, const Alarm& alarm, double now);
     void say(double silentFor);
     QString chosen() const;  ///< the id of the chosen row; may be empty

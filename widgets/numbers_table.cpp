@@ -19,6 +19,9 @@ NumbersTable::NumbersTable(QWidget* parent) : QTableWidget(kBins, kColumns, pare
                                tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("step to next"),
                                tr("R-hat"), tr("ESS"), tr("two heights")});
     verticalHeader()->hide();
+    verticalHeader()->setMinimumSectionSize(verticalHeader()->defaultSectionSize());
+    verticalHeader()->setSectionResizeMode(
+        QHeaderView::ResizeToContents);  // as high as the letters
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     for (const Column wide : {Step, TwoHeaps})
         horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);

@@ -1,35 +1,42 @@
 #pragma once
 
-#include <QHeaderView>
+#include <QFontMetrics>
+#include <QList>
 #include <QStringList>
 #include <QTableView>
-#include <algorithm>
 
 namespace terratact {
 
-/// A table to be read: nothing to edit, choose or move in it.  widest: for each column the longest text it has room
-/// for beside its name; the last one takes what is left.
-inline void makePlain(QTableView& table, const QStringList& widest)
-{
-    constexpr int kRowSpace = 6, kColumnSpace = 24;  // [px]
-    table.setSelectionMode(QAbstractItemView::NoSelection);
-    table.setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table.setTabKeyNavigation(false);
-    table.setShowGrid(false);
-    table.setWordWrap(false);
-    table.setFrameShape(QFrame::NoFrame);
-    table.verticalHeader()->setVisible(false);
-    table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().height() + kRowSpace);
-    table.horizontalHeader()->setHighlightSections(false);
-    table.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    for (int column = 0; column + 1 < widest.size(); ++column) {
-        const QString name = table.model()->headerData(column, Qt::Horizontal).toString();
-        const int text = std::max(table.fontMetrics().horizontalAdvance(widest[column]),
-                                  table.fontMetrics().horizontalAdvance(name));
-        table.setColumnWidth(column, text + kColumnSpace);
-    }
-    table.horizontalHeader()->setStretchLastSection(true);
-}
+/// Whether it is of those that come where the size of letters has changed.
+bool changesLetters(const QEvent& event);
+
+/// The width [px] of a table's column that has room for its name and for each of the texts.  letters: of the table, or of
+/// what it is in, which may know of a change before it does.
+int columnWidthFor(const QTableView& table, const QFontMetrics& letters, int column,
+                   const QStringList& texts);
+
+/// Makes the rows as high as the letters need.  A QTableView's are so many pixels whatever its letters are.
+void fitRows(QTableView& table, const QFontMetrics& letters);
+
+/// A tip that wraps and shows the text as it is: somebody's file may say what looks like HTML.
+QString plainTip(const QString& text);
+
+/// A table to be read: nothing to edit, choose or move in it.  Its rows and columns follow the size of the letters.
+class PlainTable : public QTableView {
+    Q_OBJECT
+public:
+    explicit PlainTable(QWidget* parent = nullptr);
+
+    /// For each column of the model the texts it has room for beside its name; the last column takes what is left.
+    void setWidest(QList<QStringList> widest);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void resizeToFont();
+
+    QList<QStringList> widest_;
+};
 
 }  // namespace terratact

@@ -1,11 +1,11 @@
 #include "widgets/raw_trace.h"
 
 #include <QAbstractTableModel>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -93,6 +93,8 @@ public:
             frames_[frames_.size() - 1 - static_cast<std::size_t>(index.row())];
         if (role == Qt::TextAlignmentRole) return alignment(index.column());
         if (role == Qt::ForegroundRole) return colour(traced.trouble);
+        if (role == Qt::ToolTipRole)  // there may be no room for all of it
+            return plainTip(data(index, Qt::DisplayRole).toString());
         if (role != Qt::DisplayRole) return {};
         if (index.column() == Number) return QString::number(traced.number);
         if (index.column() == Time) return words::number(traced.time, 3);
@@ -134,24 +136,23 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     filter_->setPlaceholderText(tr("id (hexadecimal) or a part of the name"));
     filter_->setAccessibleName(tr("Filter of the frames"));
     filter_->setClearButtonEnabled(true);
-    filter_->setFixedWidth(320);
-    filter_->setMinimumHeight(kTarget);
     pause_ = new QPushButton(tr("Hold the picture"), this);
     pause_->setCheckable(true);
     pause_->setFocusPolicy(Qt::TabFocus);
-    pause_->setMinimumHeight(kTarget);
     pause_->setToolTip(
         tr("The list stands still; everything is received and counted all the same"));
     summary_ = new QLabel(this);
     setTone(*summary_, Tone::Muted);
 
-    view_ = new QTableView(this);
+    view_ = new PlainTable(this);
     view_->setAccessibleName(tr("Newest frames"));
     view_->setModel(model_);
-    makePlain(*view_,
-              {QStringLiteral("123456789"), QStringLiteral("1234567.890"),
-               QStringLiteral("1FFFFFFF FD"), QStringLiteral("ConsoleHeartbeat (from here)"),
-               QStringLiteral("[8] DD DD DD DD DD DD DD DD"), QString()});
+    view_->setWidest({{QStringLiteral("123456789")},
+                      {QStringLiteral("1234567.890")},
+                      {QStringLiteral("1FFFFFFF FD")},
+                      {tr("%1 (from here)").arg(QStringLiteral("ConsoleHeartbeat"))},
+                      {QStringLiteral("[8] DD DD DD DD DD DD DD DD")},
+                      {}});
 
     auto* controls = new QHBoxLayout;
     controls->setSpacing(10);
@@ -168,6 +169,20 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     connect(pause_, &QPushButton::toggled, this, [this](bool held) {
         pause_->setText(held ? tr("Held: go on") : tr("Hold the picture"));
     });
+    resizeToFont();
+}
+
+void RawTrace::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (changesLetters(*event) && filter_) resizeToFont();
+}
+
+void RawTrace::resizeToFont()
+{
+    filter_->setFixedWidth(scaled(320));
+    filter_->setMinimumHeight(scaled(kTarget));
+    pause_->setMinimumHeight(scaled(kTarget));
 }
 
 void RawTrace::setFrames(std::vector<TracedFrame> frames)

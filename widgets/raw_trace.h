@@ -11,9 +11,10 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QTableView;
 
 namespace terratact {
+
+class PlainTable;
 
 /// A frame in words.
 struct TraceWords {
@@ -50,11 +51,15 @@ public:
     bool isPaused() const;
     QLineEdit* filter() const { return filter_; }
     QPushButton* pauseButton() const { return pause_; }
-    QTableView* view() const { return view_; }
+    PlainTable* view() const { return view_; }
     QString summary() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
 
 private:
     void applyFilter();
+    void resizeToFont();
 
     std::vector<TracedFrame> frames_;
     Name name_;
@@ -62,7 +67,7 @@ private:
     QLineEdit* filter_ = nullptr;
     QPushButton* pause_ = nullptr;
     QLabel* summary_ = nullptr;
-    QTableView* view_ = nullptr;
+    PlainTable* view_ = nullptr;
 };
 
 }  // namespace terratact

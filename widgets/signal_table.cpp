@@ -7,18 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/robot/measurement.h"
 #include "widgets/palette.h"
-#include "widgets/plain_table.h"
 #include "widgets/words.h"
 
 namespace terratact {
-
-QString plainTip(const QString& text)
-{
-    return text.isEmpty()
-             ? QString()
-             : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(text.toHtmlEscaped());
-}
 
 /// What SignalTable shows.
 class SignalModel final : public QAbstractTableModel {
@@ -65,8 +58,7 @@ public:
         case Qt::DisplayRole: return text(r, index.column());
         case Qt::TextAlignmentRole: return alignment(index.column());
         case Qt::ForegroundRole: return colour(r, index.column());
-        case Qt::ToolTipRole:
-            return plainTip(index.column() == SignalTable::Frame ? r.frameMeaning : r.meaning);
+        case Qt::ToolTipRole: return plainTip(tip(r, index.column()));
         case Qt::AccessibleDescriptionRole:
             return index.column() == SignalTable::Frame ? r.frameMeaning : r.meaning;
         case Qt::AccessibleTextRole:
@@ -92,6 +84,13 @@ private:
                            || column == SignalTable::Most || column == SignalTable::Rate;
         if (column == SignalTable::Frame || column == SignalTable::Name) return theme().text;
         return lives && !isBeside ? theme().text : theme().muted;
+    }
+    /// A long name and a value of many words may have no room for all of them.
+    static QString tip(const SignalRow& row, int column)
+    {
+        if (column == SignalTable::Frame) return row.frameMeaning;
+        if (column != SignalTable::Name && column != SignalTable::Value) return row.meaning;
+        return (text(row, column) + QLatin1Char('\n') + row.meaning).trimmed();
     }
     static QString text(const SignalRow& row, int column)
     {
@@ -135,6 +134,17 @@ public:
     }
 };
 
+/// The longest words that a signal has as a rule.
+QStringList activities()
+{
+    QStringList words;
+    for (const RobotActivity activity :
+         {RobotActivity::Halted, RobotActivity::Driving, RobotActivity::Pressing,
+          RobotActivity::Pressed, RobotActivity::Probing, RobotActivity::Stopped})
+        words << words::sentence(describe(activity));
+    return words;
+}
+
 }  // namespace
 
 std::vector<QPolygonF> sparkline(std::span<const float> history, const QRectF& box)
@@ -167,17 +177,23 @@ std::vector<QPolygonF> sparkline(std::span<const float> history, const QRectF& b
     return lines;
 }
 
-SignalTable::SignalTable(QWidget* parent) : QTableView(parent), model_(new SignalModel(this))
+SignalTable::SignalTable(QWidget* parent) : PlainTable(parent), model_(new SignalModel(this))
 {
     setAccessibleName(tr("Signals"));
     setModel(model_);
     setItemDelegateForColumn(History, new HistoryDelegate(this));
     setAlternatingRowColors(true);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    makePlain(*this, {QStringLiteral("00000000 RightForces4To6"), QStringLiteral("LastCounter"),
-                      QStringLiteral("flippers pressed down"), QStringLiteral("N.m "),
-                      QStringLiteral("9000.0 Hz"), QStringLiteral("3600.0 s"),
-                      QStringLiteral("\u22123.14159"), QStringLiteral("\u22123.14159"), QString()});
+    const QString number = QStringLiteral("\u22123.14159");
+    setWidest({{QStringLiteral("00000000 RightForces4To6")},
+               {QStringLiteral("LastCommand")},
+               activities(),
+               {QStringLiteral("N.m ")},
+               {QStringLiteral("9000.0 Hz")},
+               {QStringLiteral("3600.0 s")},
+               {number},
+               {number},
+               {}});
 }
 
 void SignalTable::setRows(std::vector<SignalRow> rows)

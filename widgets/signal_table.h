@@ -3,10 +3,11 @@
 #include <QPolygonF>
 #include <QRectF>
 #include <QString>
-#include <QTableView>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "widgets/plain_table.h"
 
 namespace terratact {
 
@@ -31,13 +32,10 @@ struct SignalRow {
 /// The lines of a history in a box, from its least to its most; what is not finite is a gap.
 std::vector<QPolygonF> sparkline(std::span<const float> history, const QRectF& box);
 
-/// A tip that wraps and shows the text as it is: somebody's file may say what looks like HTML.
-QString plainTip(const QString& text);
-
 class SignalModel;
 
 /// Signals with value, age, extremes and the last seconds.
-class SignalTable final : public QTableView {
+class SignalTable final : public PlainTable {
     Q_OBJECT
 public:
     enum Column { Frame, Name, Value, Unit, Rate, Age, Least, Most, History, kColumns };

@@ -157,7 +157,34 @@ private:
 
 inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border
 
-/// The texts of visible labels, buttons, bars and columns' names that have less room than they need.
+/// The texts of the cells in view that are less high than they need, or narrower and no tip says all.
+inline std::vector<std::string> cutCells(const QTableView& table)
+{
+    constexpr int kFrame = 2;  // [px] of sizeHintForIndex() around the text that is nobody's loss
+    std::vector<std::string> cut;
+    const QAbstractItemModel& model = *table.model();
+    for (int row = 0; row < model.rowCount(); ++row)
+        for (int column = 0; column < model.columnCount(); ++column) {
+            const QModelIndex cell = model.index(row, column);
+            const QRect room = table.visualRect(cell);
+            const QString text = cell.data().toString();
+            if (text.isEmpty() || !table.viewport()->rect().intersects(room)) continue;
+            const QSize needed =
+                table.wordWrap()
+                    ? table.fontMetrics()
+                          .boundingRect(QRect(0, 0, room.width(), 9999), Qt::TextWordWrap, text)
+                          .size()
+                    : static_cast<const QAbstractItemView&>(table).sizeHintForIndex(cell);
+            const QString tip = cell.data(Qt::ToolTipRole).toString();
+            const bool isTold = tip.contains(text) || tip.contains(text.toHtmlEscaped());
+            if ((!isTold && room.width() + kFrame < needed.width())
+                || room.height() + kFrame < needed.height())
+                cut.push_back(text.toStdString());
+        }
+    return cut;
+}
+
+/// The texts of visible labels, buttons, bars, columns' names and cells that have less room than they need.
 inline std::vector<std::string> cutText(const QWidget& window)
 {
     std::vector<std::string> cut;
@@ -185,6 +212,8 @@ inline std::vector<std::string> cutText(const QWidget& window)
                 && header.sectionSize(column) < needed.width() + kHeaderFrame)
                 cut.push_back(text.toStdString());
         }
+        if (!table->isVisible()) continue;
+        for (const std::string& text : cutCells(*table)) cut.push_back("cell: " + text);
     }
     return cut;
 }

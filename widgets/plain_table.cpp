@@ -1,0 +1,72 @@
+#include "widgets/plain_table.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <algorithm>
+#include <utility>
+
+namespace terratact {
+
+bool changesLetters(const QEvent& event)
+{
+    return event.type() == QEvent::StyleChange || event.type() == QEvent::FontChange;
+}
+
+int columnWidthFor(const QTableView& table, const QFontMetrics& letters, int column,
+                   const QStringList& texts)
+{
+    constexpr int kSpace = 24;  // [px]
+    int width =
+        letters.horizontalAdvance(table.model()->headerData(column, Qt::Horizontal).toString());
+    for (const QString& text : texts) width = std::max(width, letters.horizontalAdvance(text));
+    return width + kSpace;
+}
+
+void fitRows(QTableView& table, const QFontMetrics& letters)
+{
+    constexpr int kSpace = 6;  // [px]
+    table.verticalHeader()->setDefaultSectionSize(letters.height() + kSpace);
+}
+
+QString plainTip(const QString& text)
+{
+    return text.isEmpty()
+             ? QString()
+             : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(text.toHtmlEscaped());
+}
+
+PlainTable::PlainTable(QWidget* parent) : QTableView(parent)
+{
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setTabKeyNavigation(false);
+    setShowGrid(false);
+    setWordWrap(false);
+    setFrameShape(QFrame::NoFrame);
+    verticalHeader()->setVisible(false);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setStretchLastSection(true);
+}
+
+void PlainTable::setWidest(QList<QStringList> widest)
+{
+    widest_ = std::move(widest);
+    resizeToFont();
+}
+
+void PlainTable::changeEvent(QEvent* event)
+{
+    QTableView::changeEvent(event);
+    if (changesLetters(*event)) resizeToFont();
+}
+
+void PlainTable::resizeToFont()
+{
+    fitRows(*this, fontMetrics());
+    for (int column = 0; column + 1 < widest_.size(); ++column)
+        setColumnWidth(column, columnWidthFor(*this, fontMetrics(), column, widest_[column]));
+}
+
+}  // namespace terratact
