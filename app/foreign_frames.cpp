@@ -17,6 +17,23 @@ float pointOf(double value)
 
 }  // namespace
 
+void UsualInterval::take(double seconds)
+{
+    const double usual = this->seconds();
+    ++taken_;
+    if (usual > 0.0 && seconds > kSilence * usual) {
+        const bool isAlone = silence_ == 0 || taken_ - silence_ > last_.size();
+        silence_ = taken_;
+        if (isAlone) return;
+    }
+    last_[counted_++ % last_.size()] = std::clamp(seconds, 0.0, kMost);
+}
+
+double UsualInterval::seconds() const
+{
+    return *std::max_element(last_.begin(), last_.end());
+}
+
 std::shared_ptr<const DbcBook> ForeignFrames::describe(std::shared_ptr<const DbcBook> book)
 {
     described_.clear();
@@ -59,7 +76,10 @@ ForeignFrames::Kept* ForeignFrames::begin(const Key& key,
     signals_ += signals;
     Kept& kept = described_[key];
     kept.payload.resize(signals);
-    for (KeptSignal& signal : kept.payload) signal.signal.history.fill(kNoPoint);
+    for (std::size_t i = 0; i < signals; ++i) {
+        kept.payload[i].signal.history.fill(kNoPoint);
+        kept.payload[i].takesTurns = !described->message.payload[i].selectedBy.empty();
+    }
     kept.frame.described = std::move(described);
     return &kept;
 }
@@ -72,18 +92,21 @@ void ForeignFrames::takeValues(Kept& kept, const CanFrame& frame, double time)
         if (!values_[i]) continue;
         KeptSignal& of = kept.payload[i];
         of.signal.take(*values_[i]);
-        if (of.usedAt) of.interval = time - *of.usedAt;
+        if (of.usedAt) of.interval.take(time - *of.usedAt);
         of.usedAt = time;
         ++of.times;
     }
 }
 
-/// Three of its periods: the file's or, where that has none, the last there was.
+/// Three of its periods: the file's or, where that has none, its usual.  The file's is that of the message, in which a
+/// multiplexed signal waits for its turn.
 double ForeignFrames::freshOf(const Kept& kept, const KeptSignal& signal)
 {
     constexpr double kPeriods = 3.0;
     const double stated = kept.frame.described->message.period();
-    return std::max(kBusFresh, kPeriods * (stated > 0.0 ? stated : signal.interval));
+    const double usual = signal.interval.seconds();
+    const double period = stated > 0.0 && !signal.takesTurns ? stated : std::max(stated, usual);
+    return std::max(kBusFresh, kPeriods * period);
 }
 
 void ForeignFrames::step(double now, std::size_t tick, std::size_t point)

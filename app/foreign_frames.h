@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -10,6 +11,23 @@
 #include "app/tapped_frame.h"
 
 namespace terratact {
+
+/// How often a signal comes as a rule, by its last few intervals.  Neither does a burst make it more frequent nor an
+/// outage rarer: a silence counts where it is not the only one of late.
+class UsualInterval {
+public:
+    void take(double seconds);
+    double seconds() const;  ///< the longest of the last few, at most kMost; 0: there was none yet
+
+    static constexpr double kMost = 60.0;
+
+private:
+    static constexpr double kSilence = 5.0;  ///< times the usual
+    std::array<double, 16> last_{};          ///< [s] a ring of those that count
+    std::size_t counted_ = 0, taken_ = 0;
+    std::size_t silence_ =
+        0;  ///< the how-manieth that was taken was the newest silence; 0: none was
+};
 
 /// The frames of a bus that the robot's protocol does not know: counted, and decoded where a DBC file describes
 /// them.  Bounded whatever comes.  A part of BusTap, which guards it.
@@ -38,7 +56,8 @@ private:
     struct KeptSignal {
         TappedSignal signal;
         std::optional<double> usedAt{};  ///< [s]
-        double interval = 0.0;           ///< [s] between the last two; 0: there was one at most
+        UsualInterval interval;
+        bool takesTurns = false;  ///< multiplexed
         std::uint64_t times = 0;
         TickCounts counts{};
     };

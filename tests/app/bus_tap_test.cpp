@@ -177,7 +177,10 @@ struct Described : Tapping {
                        " SG_ Even m0 : 24|8@1+ (1,0) [0|0] \"\" C\n"
                        " SG_ Odd m1 : 24|8@1+ (1,0) [0|0] \"\" C\n"
                        "BO_ 292 Slow: 1 P\n SG_ Count : 0|8@1+ (1,0) [0|0] \"\" C\n"
-                       "BA_ \"GenMsgCycleTime\" BO_ 292 1000;\n")));
+                       "BO_ 293 Turns: 2 P\n SG_ Turn M : 0|8@1+ (1,0) [0|0] \"\" C\n"
+                       " SG_ Third m3 : 8|8@1+ (1,0) [0|0] \"\" C\n"
+                       "BA_ \"GenMsgCycleTime\" BO_ 292 1000;\n"
+                       "BA_ \"GenMsgCycleTime\" BO_ 293 100;\n")));
         tap.describe(book);
     }
     static BusFrame gas(std::uint8_t group, double oxygen, std::uint8_t value, double time)
@@ -265,6 +268,49 @@ TEST_F(Described, areNotFreshAgainOnceTheyHaveEnded)
         tap.tick(now);
         EXPECT_NEAR(described(291, now).times[1].fresh, 3 * kPeriod, 1e-9) << now;
     }
+}
+
+TEST_F(Described, areFreshUntilTheirNextTurn)
+{
+    for (int i = 0; i < 40; ++i) {
+        take({.frame = {.id = 293, .length = 2, .data = {static_cast<std::uint8_t>(i % 10), 7}},
+              .time = 0.1 * i});
+        tap.tick(0.1 * i);
+        if (i < 20) continue;  // each has had two turns
+        const TappedFrame frame = described(293, 0.1 * i);
+        EXPECT_NEAR(frame.times[0].fresh, 0.3, 1e-9) << "the file's";
+        EXPECT_LE(frame.times[1].age.value(), frame.times[1].fresh) << i;
+        EXPECT_FLOAT_EQ(frame.payload[1].history.back(), 7.0F) << "no gaps between, " << i;
+    }
+}
+
+TEST_F(Described, anOutageIsNoPeriod)
+{
+    double time = 0.0;
+    const auto run = [&](int frames, double interval) {
+        for (int i = 0; i < frames; ++i) take(gas(0, 20.0, 7, time += interval));
+    };
+    const auto fresh = [&] { return described(291, time).times[1].fresh; };
+    run(20, 0.1);
+    run(1, 600.0);
+    EXPECT_NEAR(fresh(), 0.3, 1e-9) << "the first after it";
+    run(20, 0.1);
+    EXPECT_NEAR(fresh(), 0.3, 1e-9);
+    run(2, 4.0);
+    EXPECT_NEAR(fresh(), 12.0, 1e-9) << "it has become rarer";
+    run(1, 21.0);
+    run(1, 900.0);
+    EXPECT_NEAR(fresh(), 3.0 * UsualInterval::kMost, 1e-9) << "whatever comes";
+}
+
+TEST_F(Described, aBurstIsNoPeriod)
+{
+    double time = 0.0;
+    for (int burst = 0; burst < 4; ++burst) {
+        time += 2.0;
+        for (int i = 0; i < 5; ++i) take(gas(0, 20.0, 7, time += 0.001));
+    }
+    EXPECT_NEAR(described(291, time).times[1].fresh, 6.0, 0.01);
 }
 
 TEST_F(Described, needsAllBytesOfASignal)
