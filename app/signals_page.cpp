@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <cstdio>
+#include <functional>
 #include <utility>
 
 #include "app/acquisition.h"
@@ -69,7 +70,9 @@ std::vector<SignalRow> rowsOf(const Measurement& m)
     return rows;
 }
 
-DbcReading readDbcFiles(const QStringList& paths)
+/// Empty: it is no longer wanted.
+std::optional<DbcReading> readDbcFiles(const QStringList& paths,
+                                       const std::function<bool()>& isWanted)
 {
     DbcReading reading;
     auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
@@ -78,6 +81,7 @@ DbcReading readDbcFiles(const QStringList& paths)
 
     auto book = std::make_shared<DbcBook>();
     for (const QString& path : paths) {
+        if (!isWanted()) return std::nullopt;
         const Status added = book->add(path.toStdString());
         if (!added) reading.troubles.push_back(added.error().text);
         reading.files.emplace_back(path, added ? std::optional(book->files().back().frames)
@@ -181,15 +185,23 @@ void SignalsPage::addTools(QHBoxLayout& row)
     connect(forget, &QPushButton::clicked, this, [this] { link_->tap().forgetExtremes(); });
 }
 
+SignalsPage::~SignalsPage()
+{
+    ++readings_;
+    reader_.clear();
+}
+
 /// In a thread of its own: a large file takes longer than an armed robot waits for the operator's sign of life.
 void SignalsPage::readDbc()
 {
     const int job = ++readings_;
+    reader_.clear();
     reader_.start([this, job, paths = preferences_.current().dbc] {
-        DbcReading reading = readDbcFiles(paths);
+        auto reading = readDbcFiles(paths, [this, job] { return job == readings_; });
+        if (!reading) return;
         QMetaObject::invokeMethod(
             this,
-            [this, job, reading = std::move(reading)] {
+            [this, job, reading = *std::move(reading)] {
                 if (job == readings_) useDbc(reading);
             },
             Qt::QueuedConnection);

@@ -3,6 +3,7 @@
 #include <QString>
 #include <QStringList>
 #include <QThreadPool>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -47,6 +48,7 @@ public:
     /// link: null where the source is no bus.  All must outlive it.
     SignalsPage(const Acquisition& acquisition, CanSource* link, PreferenceStore& preferences,
                 QWidget* parent = nullptr);
+    ~SignalsPage() override;  ///< waits for the one file that is being read
     void refresh(double now) override;
 
     SignalTable* table() const { return table_; }
@@ -69,7 +71,8 @@ private:
     const Acquisition& acquisition_;
     CanSource* link_;
     PreferenceStore& preferences_;
-    int readings_ = 0;                  ///< of the DBC files that were asked for
+    std::atomic<int> readings_ =
+        0;  ///< of the DBC files that were asked for; only the newest counts
     std::vector<DbcMessage> protocol_;  ///< empty: its file could not be used
     std::shared_ptr<const DbcBook> book_;
     QLabel* headline_ = nullptr;

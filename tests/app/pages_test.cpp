@@ -1,5 +1,7 @@
 // The pages of alarms, signals and diagnostics, in a console with a robot on a bus.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <QApplication>
 #include <QClipboard>
@@ -9,6 +11,9 @@
 #include <QTimer>
 #include <array>
 #include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
 
 #include "app/alarms_page.h"
 #include "app/console_alarms.h"
@@ -257,6 +262,48 @@ TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
     window->preferences().change([&](Preferences& p) { p.dbc << file("gas.dbc"); });
     EXPECT_FALSE(page->removeDbcButton()->isVisible()) << "no file is read in this thread";
     EXPECT_TRUE(eventually([&] { return page->removeDbcButton()->isVisible(); }));
+}
+
+/// A file whose reader waits, as on a network that does not answer, until it is let go.
+class SlowFile {
+public:
+    explicit SlowFile(const std::string& path) : fd_(::open(path.c_str(), O_RDWR | O_CLOEXEC))
+    {
+        std::signal(SIGIO, SIG_IGN);  // how the kernel asks for it
+        waits_ = fd_ >= 0 && ::fcntl(fd_, F_SETLEASE, F_WRLCK) == 0;
+    }
+    ~SlowFile()
+    {
+        letGo();
+        if (fd_ >= 0) ::close(fd_);
+    }
+    SlowFile(const SlowFile&) = delete;
+    SlowFile& operator=(const SlowFile&) = delete;
+    bool waits() const { return waits_; }
+    void letGo() const { (void)::fcntl(fd_, F_SETLEASE, F_UNLCK); }
+
+private:
+    int fd_;
+    bool waits_ = false;
+};
+
+TEST_F(ForeignFramesOnThePage, ofWhatIsReadTheWindowWaitsForOneFileAtMost)
+{
+    using namespace std::chrono_literals;
+    constexpr double kHang = 20.0;  // [s]; the kernel makes readers of such a file wait for 45 s
+    const SlowFile first(directory.file("gas.dbc")), second(directory.file("clash.dbc"));
+    if (!first.waits() || !second.waits()) GTEST_SKIP() << "no leases of files here";
+    open({file("gas.dbc"), file("clash.dbc")});
+    for (int i = 0; i < 5; ++i)
+        window->preferences().change([this](Preferences& p) { p.dbc = {file("clash.dbc")}; });
+    QTest::qWait(300);
+    const std::jthread lets([&] {
+        std::this_thread::sleep_for(500ms);
+        first.letGo();
+    });
+    const double began = steadyNow();
+    window.reset();
+    EXPECT_LT(steadyNow() - began, kHang);
 }
 
 TEST_F(Pages, whatIsTypedIntoTheFilterMovesNoRobot)
