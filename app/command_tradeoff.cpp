@@ -17,6 +17,7 @@
 #include "core/file_write.h"
 #include "core/infer/quantile.h"
 #include "core/learn/scene_file.h"
+#include "core/text.h"
 
 namespace terratact {
 
@@ -161,9 +162,9 @@ std::string referenceText(const Measured& measured)
     const ReferenceQuality& r = measured.reference;
     if (isClosedForm(r.method)) return {};
     std::string text =
-        fmt::format("{:<10} {} draws, worst R-hat {:.3f}, worst effective draws {:.0f}, error of "
+        fmt::format("{:<10} {} draws, worst R-hat {}, worst effective draws {:.0f}, error of "
                     "the means {:.2f} mm\n",
-                    name(r.method), r.draws, r.rhat, r.ess, 1e3 * r.error);
+                    name(r.method), r.draws, rhatText(r.rhat), r.ess, 1e3 * r.error);
     const int least = leastReferenceDraws(measured.points);
     if (r.draws < least)
         text += fmt::format(

@@ -11,6 +11,7 @@
 #include "app/canvas.h"
 #include "app/figure_colours.h"
 #include "core/infer/provenance.h"
+#include "core/text.h"
 
 namespace terratact {
 namespace {
@@ -360,9 +361,9 @@ std::string profileTable(const TerrainEstimate& estimate, const std::optional<He
         const std::string ceiling =
             std::isfinite(estimate.ceiling[i]) ? fmt::format("{:+.3f}", estimate.ceiling[i]) : "-";
         fmt::format_to(
-            out, "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<11} {:7.3f} {:6.0f}",
+            out, "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<11} {:>7} {:6.0f}",
             binCentre(bin), estimate.height[i], 1000.0 * estimate.sd[i], estimate.q10[i],
-            estimate.q90[i], ceiling, name(provenance(estimate, bin)), estimate.rhat[i],
+            estimate.q90[i], ceiling, name(provenance(estimate, bin)), rhatText(estimate.rhat[i]),
             estimate.ess[i]);
         if (truth)
             fmt::format_to(out, "   {:+.3f}  {:+5.0f}", (*truth)[i],

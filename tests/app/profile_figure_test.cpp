@@ -222,9 +222,13 @@ TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
     EXPECT_EQ(profileTable(e, std::nullopt).find("truth"), std::string::npos);
 }
 
-TEST(ProfileTable, hasRowsOfOneWidth)
+TEST(ProfileTable, hasRowsOfOneWidthAlsoOfChainsThatAreStuck)
 {
-    std::istringstream table(profileTable(flatGround().estimate, flatGround().estimate.height));
+    FigureInput input = flatGround();
+    input.estimate.rhat[3] = 1e12;
+    const std::string text = profileTable(input.estimate, input.estimate.height);
+    EXPECT_NE(text.find("  > 100 "), std::string::npos) << text;
+    std::istringstream table(text);
     std::string line;
     std::set<std::size_t> widths;
     std::getline(table, line);
