@@ -124,11 +124,12 @@ SessionRetention retentionOf(const Preferences& preferences)
 }
 
 /// Looks after the earlier recordings, once there is a window to tell of it.
-void keepHouse(Lasting& lasting, std::vector<std::string> earlier, MainWindow& window)
+void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::string& folder,
+               MainWindow& window)
 {
     const PreferenceStore& preferences = window.preferences();
     if (!lasting.house)
-        lasting.house.emplace(std::move(earlier), retentionOf(preferences.current()));
+        lasting.house.emplace(std::move(earlier), folder, retentionOf(preferences.current()));
     SessionHousekeeping* house = &*lasting.house;
     QObject::connect(&preferences, &PreferenceStore::changed, house, [house, &preferences] {
         house->setLimits(retentionOf(preferences.current()));
@@ -171,7 +172,7 @@ Result<int> openOnce(Application& application, const ConsoleOptions& options, La
         &window, &MainWindow::reopenWanted, &window, [] { QApplication::exit(kReopen); },
         Qt::QueuedConnection);
     showWindow(window, options, window.preferences().current().window);
-    keepHouse(lasting, std::move(earlier), window);
+    keepHouse(lasting, std::move(earlier), sessionsOf(options), window);
     std::optional<ScreenshotDemo> screenshot;
     if (options.isPicture()) screenshot.emplace(window, QString::fromStdString(options.screenshot));
     const int ended = QApplication::exec();

@@ -1,23 +1,27 @@
 #include "app/session_housekeeping.h"
 
+#include <algorithm>
 #include <utility>
 
-namespace terratact {
+#include "widgets/words.h"
 
-SessionHousekeeping::SessionHousekeeping(std::vector<std::string> paths,
+namespace terratact {
+namespace {
+
+double looser(double a, double b)
+{
+    return a <= 0.0 || b <= 0.0 ? 0.0 : std::max(a, b);
+}
+
+}  // namespace
+
+SessionHousekeeping::SessionHousekeeping(std::vector<std::string> earlier, std::string folder,
                                          const SessionRetention& limits)
-    : paths_(std::move(paths)), wanted_(limits), limits_(limits)
+    : earlier_(std::move(earlier)), folder_(std::move(folder)), wanted_(limits), limits_(limits)
 {
     grace_.setSingleShot(true);
     grace_.setInterval(kGrace);
-    connect(&grace_, &QTimer::timeout, this, [this] {
-        {
-            const std::scoped_lock lock(mutex_);
-            limits_ = wanted_;
-            due_ = true;
-        }
-        limitsSet_.notify_one();
-    });
+    connect(&grace_, &QTimer::timeout, this, [this] { apply(wanted_); });
 }
 
 SessionHousekeeping::~SessionHousekeeping()
@@ -35,18 +39,51 @@ void SessionHousekeeping::setLimits(const SessionRetention& limits)
 {
     if (limits == wanted_) return;
     wanted_ = limits;
-    grace_.start();
+    SessionRetention now;
+    {
+        const std::scoped_lock lock(mutex_);
+        now = {.days = looser(limits_.days, wanted_.days),
+               .gigabytes = looser(limits_.gigabytes, wanted_.gigabytes)};
+    }
+    apply(now);
+    if (now == wanted_)
+        grace_.stop();
+    else
+        grace_.start();
+}
+
+void SessionHousekeeping::apply(const SessionRetention& limits)
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        if (limits_ == limits) return;
+        limits_ = limits;
+        due_ = true;
+    }
+    limitsSet_.notify_one();
+}
+
+bool SessionHousekeeping::inForce(const SessionRetention& limits)
+{
+    const std::scoped_lock lock(mutex_);
+    return limits_ == limits;
 }
 
 QStringList SessionHousekeeping::takeNews()
 {
-    const std::scoped_lock lock(mutex_);
-    return std::exchange(news_, {});
+    std::vector<std::string> told;
+    {
+        const std::scoped_lock lock(mutex_);
+        told = std::exchange(news_, {});
+    }
+    QStringList sentences;
+    for (const std::string& sentence : told) sentences << words::sentence(sentence);
+    return sentences;
 }
 
 void SessionHousekeeping::run(const std::stop_token& stop)
 {
-    for (const std::string& path : paths_) {
+    for (const std::string& path : earlier_) {
         if (stop.stop_requested()) return;
         tell(recoverDeadSessions({path}));
     }
@@ -59,7 +96,8 @@ void SessionHousekeeping::run(const std::stop_token& stop)
             due_ = false;
             limits = limits_;
         }
-        tell(applyRetention(paths_, limits));
+        tell(applyRetention(sessionsIn(folder_), limits,
+                            [&] { return !stop.stop_requested() && inForce(limits); }));
     }
 }
 
@@ -68,7 +106,7 @@ void SessionHousekeeping::tell(const std::vector<std::string>& sentences)
     if (sentences.empty()) return;
     {
         const std::scoped_lock lock(mutex_);
-        for (const std::string& sentence : sentences) news_ << QString::fromStdString(sentence);
+        news_.insert(news_.end(), sentences.begin(), sentences.end());
     }
     emit news();
 }

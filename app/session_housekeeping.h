@@ -13,18 +13,20 @@
 
 namespace terratact {
 
-/// Looks after the recordings of earlier runs in a thread of its own, however large they are: closes those whose program
-/// died, then deletes what is beyond the user's limits.  Between two files it can be ended.  GUI thread only.
+/// Looks after the recordings in a thread of its own, however large they are: closes those of earlier runs whose program
+/// died, then deletes what is beyond the user's limits, never what is not closed.  Between two files it can be ended.
+/// GUI thread only.
 class SessionHousekeeping final : public QObject {
     Q_OBJECT
 public:
-    /// paths: as sessionsIn() found them before this run's own recording began.
-    SessionHousekeeping(std::vector<std::string> paths, const SessionRetention& limits);
+    /// earlier: the folder's sessions as sessionsIn() found them before this run's own recording began.
+    SessionHousekeeping(std::vector<std::string> earlier, std::string folder,
+                        const SessionRetention& limits);
     ~SessionHousekeeping() override;
 
     void start();  ///< at the first call
-    /// Other limits from now on.  They delete once they have stood for the grace, so that a number that is being typed,
-    /// or was mistaken, deletes nothing.
+    /// Other limits.  A looser one is in force at once, also for a deletion that is under way.  A stricter one deletes
+    /// once it has stood for the grace, so that a number that is being typed, or was mistaken, deletes nothing.
     void setLimits(const SessionRetention& limits);
     void setGrace(int milliseconds) { grace_.setInterval(milliseconds); }
     static constexpr int kGrace = 10'000;  ///< [ms]
@@ -37,16 +39,19 @@ signals:
 
 private:
     void run(const std::stop_token& stop);
+    void apply(const SessionRetention& limits);
+    bool inForce(const SessionRetention& limits);
     void tell(const std::vector<std::string>& sentences);
 
-    std::vector<std::string> paths_;
+    std::vector<std::string> earlier_;
+    std::string folder_;
     SessionRetention wanted_;
     QTimer grace_;
     std::mutex mutex_;  // guards what follows
     SessionRetention limits_;
     bool due_ = true;  ///< they have not been applied yet
     std::condition_variable_any limitsSet_;
-    QStringList news_;
+    std::vector<std::string> news_;
     std::jthread thread_;  // last: it ends before all else goes
 };
 

@@ -411,23 +411,33 @@ std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& pat
 }
 
 std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
-                                        const SessionRetention& limits)
+                                        const SessionRetention& limits,
+                                        const std::function<bool()>& goesOn)
 {
+    struct Closed {
+        const std::string& path;
+        double bytes, age;  // [s]
+    };
     std::vector<std::string> told;
     if (limits.days <= 0.0 && limits.gigabytes <= 0.0) return told;
+    std::vector<Closed> sessions;
     double total = 0.0;
-    for (const std::string& path : paths) total += static_cast<double>(sizeOf(path));
-    const double most = limits.gigabytes * 1e9;
     for (const std::string& path : paths) {
+        if (!goesOn()) return told;
         const auto session = SessionReader::open(path);
         if (!session || !session->sealed()) continue;
-        const double age =
-            1e-9 * static_cast<double>(wallNow() - session->start().wallTime - session->end());
+        sessions.push_back(
+            {path, static_cast<double>(sizeOf(path)),
+             1e-9 * static_cast<double>(wallNow() - session->start().wallTime - session->end())});
+        total += sessions.back().bytes;
+    }
+    for (const auto& [path, bytes, age] : sessions) {
         const bool tooOld = limits.days > 0.0 && age > limits.days * 86'400.0;
-        const bool tooMuch = limits.gigabytes > 0.0 && total > most;
+        const bool tooMuch = limits.gigabytes > 0.0 && total > limits.gigabytes * 1e9;
         if (!tooOld && !tooMuch) continue;
+        if (!goesOn()) break;
+        total -= bytes;
         std::error_code none;
-        total -= static_cast<double>(sizeOf(path));
         if (std::filesystem::remove(path, none))
             told.push_back(std::string("session deleted, since ")
                            + (tooOld ? "it is older" : "all together are larger")

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -138,13 +139,15 @@ std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& pat
 /// Limits a user has set; 0: none.
 struct SessionRetention {
     double days = 0.0;
-    double gigabytes = 0.0;  ///< of all sessions together
+    double gigabytes = 0.0;  ///< of all closed sessions together
     bool operator==(const SessionRetention&) const = default;
 };
 
 /// Deletes the oldest closed ones of these sessions, the oldest first, beyond the limits; one sentence for each.
-/// Deletes nothing without a limit, and never what is not a session.
-std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
-                                        const SessionRetention& limits);
+/// Deletes nothing without a limit, and never what is not a session; one that is not closed does not count either.
+/// goesOn: asked before each file; false ends it.
+std::vector<std::string> applyRetention(
+    const std::vector<std::string>& paths, const SessionRetention& limits,
+    const std::function<bool()>& goesOn = [] { return true; });
 
 }  // namespace terratact

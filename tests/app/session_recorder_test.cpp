@@ -348,6 +348,35 @@ TEST_F(Recorder, deletesOnlyWhatTheUsersLimitsSay)
     EXPECT_TRUE(std::filesystem::exists(folder + "/2019.tts")) << "what is no session stays";
 }
 
+TEST_F(Recorder, deletesNoMoreOnceItIsToldToEnd)
+{
+    std::filesystem::create_directories(folder);
+    for (int i = 0; i < 6; ++i) {
+        auto writer = someSession(folder + "/" + std::to_string(i) + ".tts", 100);
+        ASSERT_TRUE(writer && writer->seal());
+    }
+    const SessionRetention none{.gigabytes = 1e-9};
+    int asked = 0;
+    EXPECT_EQ(applyRetention(sessionsIn(folder), none, [&] { return ++asked <= 3; }).size(), 0U)
+        << "it had not seen all of them";
+    EXPECT_EQ(asked, 4) << "nor looked at more";
+    asked = 0;
+    EXPECT_EQ(applyRetention(sessionsIn(folder), none, [&] { return ++asked <= 8; }).size(), 2U);
+    EXPECT_EQ(filesIn(folder).size(), 4U);
+}
+
+TEST_F(Recorder, anOpenSessionIsNoneOfThoseThatCount)
+{
+    std::filesystem::create_directories(folder);
+    auto closed = someSession(folder + "/1.tts", 100);
+    ASSERT_TRUE(closed && closed->seal());
+    const double one = static_cast<double>(std::filesystem::file_size(folder + "/1.tts"));
+    const auto open = someSession(folder + "/2.tts", 20'000);
+    ASSERT_TRUE(open);
+    EXPECT_EQ(applyRetention(sessionsIn(folder), {.gigabytes = 1e-9 * (one + 1.0)}).size(), 0U);
+    EXPECT_TRUE(std::filesystem::exists(folder + "/1.tts"));
+}
+
 // 3.6 million frames as in an hour at 1 kHz, as fast as they are taken; TERRATACT_RECORD_FRAMES sets the number.
 TEST_F(Recorder, costsLittle)
 {

@@ -319,7 +319,7 @@ TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
     std::filesystem::create_directory(folder);
     ASSERT_TRUE(someSession(path, 300));  // whose writer goes without sealing it
     ASSERT_FALSE(SessionReader::open(path)->sealed());
-    SessionHousekeeping house(sessionsIn(folder), {});
+    SessionHousekeeping house(sessionsIn(folder), folder, {});
     QStringList told;
     QObject::connect(&house, &SessionHousekeeping::news, &house, [&] { told << house.takeNews(); });
     QTest::qWait(100);
@@ -338,7 +338,7 @@ TEST(SessionHousekeeping, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhi
     ASSERT_TRUE(someSession(path, 300));
     ASSERT_FALSE(recoverDeadSessions({path}).empty());  // closes it
     const SessionRetention any{}, small{.gigabytes = 1e-9};
-    SessionHousekeeping house(sessionsIn(folder), any);
+    SessionHousekeeping house(sessionsIn(folder), folder, any);
     house.setGrace(300);
     house.start();
     QStringList told;
@@ -351,6 +351,37 @@ TEST(SessionHousekeeping, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhi
     ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
     EXPECT_TRUE(told[0].contains("session deleted")) << told[0].toStdString();
     EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(SessionHousekeeping, countsAndDeletesTheSessionsOfThisRunToo)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions");
+    std::filesystem::create_directory(folder);
+    SessionHousekeeping house({}, folder, {});
+    house.setGrace(1);
+    house.start();
+    auto closed = someSession(folder + "/of-this-run.tts", 300);
+    ASSERT_TRUE(closed && closed->seal());
+    const auto open = someSession(folder + "/under-way.tts", 300);
+    ASSERT_TRUE(open);
+    house.setLimits({.gigabytes = 1e-9});
+    EXPECT_TRUE(eventually([&] { return !std::filesystem::exists(folder + "/of-this-run.tts"); }));
+    EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts"));
+}
+
+TEST(SessionHousekeeping, aLimitThatIsTakenBackDeletesNothingFromThenOn)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions"), path = folder + "/old.tts";
+    std::filesystem::create_directory(folder);
+    auto session = someSession(path, 300);
+    ASSERT_TRUE(session && session->seal());
+    SessionHousekeeping house(sessionsIn(folder), folder, {.gigabytes = 1e-9});
+    house.setLimits({.days = 1.0});  // of the two, this one is stricter
+    house.start();
+    QTest::qWait(500);
+    EXPECT_TRUE(std::filesystem::exists(path)) << "although the grace has hardly begun";
 }
 
 }  // namespace
