@@ -32,6 +32,9 @@ bool install(QCoreApplication& application, const QString& name, const QString& 
 QString installLanguage(QCoreApplication& application, const QString& language)
 {
     initTranslations();
+    QLocale numbers = QLocale::c();
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
+    QLocale::setDefault(numbers);
     const QString wanted =
         language.isEmpty() ? QLocale::system().name().section(QLatin1Char('_'), 0, 0) : language;
     const bool found = install(application, QStringLiteral("terratact"),

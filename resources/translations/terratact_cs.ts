@@ -2967,7 +2967,7 @@ F1</translation>
     </message>
     <message>
         <source>not approved: the panel&apos;s button has to be held for 1.5 s</source>
-        <translation>neschváleno: tlačítko panelu je třeba držet 1,5 s</translation>
+        <translation>neschváleno: tlačítko panelu je třeba držet 1.5 s</translation>
     </message>
     <message>
         <source>STOP is pressed on the panel: release it there first</source>

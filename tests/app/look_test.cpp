@@ -1,7 +1,11 @@
 // Letters, layouts, languages and preferences: that the console can be read by everybody.
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSpinBox>
 #include <algorithm>
 
 #include "app/bus_words.h"
@@ -168,6 +172,26 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     EXPECT_EQ(installLanguage(*qApp, "tlh"), "en");
     EXPECT_EQ(words::sentence("ready"), "ready");
     EXPECT_EQ(words::sentence(kTrouble), kTrouble);
+}
+
+TEST(Languages, numbersAreWrittenAndReadTheSameInEach)
+{
+    for (const char* language : {"en", "cs", "de"}) {
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));  // as with LANG=de_DE
+        (void)installLanguage(*qApp, language);
+        QDoubleSpinBox box;
+        box.setRange(0.0, 100'000.0);
+        box.setValue(12'345.5);
+        EXPECT_EQ(box.text(), "12345.50") << language;
+        box.findChild<QLineEdit*>()->setText("0.25");
+        box.interpretText();
+        EXPECT_EQ(box.value(), 0.25) << language;
+        QSpinBox whole;
+        whole.setRange(0, 100'000);
+        whole.setValue(10'000);
+        EXPECT_EQ(whole.text(), "10000") << language;
+    }
+    installLanguage(*qApp, "en");
 }
 
 TEST(Letters, areTheLargestThatFit)
