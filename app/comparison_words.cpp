@@ -83,7 +83,7 @@ QString ComparisonWords::caution(const ModelComparison& c)
                         .arg(c.tried - c.scenes)
                         .arg(c.onlyBefore)
                         .arg(c.onlyAfter)
-                        .arg(QString::fromStdString(c.whyNot));
+                        .arg(words::sentence(c.whyNot));
     return cautions.join(QLatin1Char(' '));
 }
 

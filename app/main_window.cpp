@@ -69,7 +69,7 @@ MainWindow::MainWindow(Options options)
         std::make_unique<ConsoleSights>(ConsoleSights::Parts{*acquisition_, *exploration_, *worker_,
                                                              link_, panel_.get(), recorder_.get()},
                                         robot_);
-    setWindowTitle(tr("Terratact — %1").arg(QString::fromStdString(source_->name())));
+    setWindowTitle(tr("Terratact — %1").arg(words::sentence(source_->name())));
     build(options);
     connectAll();
     if (recorder_) {
@@ -101,7 +101,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::build(const Options& options)
 {
-    header()->setSource(QString::fromStdString(source_->name()));
+    header()->setSource(words::sentence(source_->name()));
     header()->setModel(tr("model loading …"), Tone::Doubt);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());
@@ -420,7 +420,7 @@ void MainWindow::connectStop()
         stopLine_.emplace(std::move(*line));
     else
         events()->add(tr("F12 in windows that are opened from here stops nothing: %1")
-                          .arg(words::text(line.error().text)),
+                          .arg(words::sentence(line.error().text)),
                       Weight::Doubt, QTime::currentTime());
 }
 
@@ -539,7 +539,7 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
     const auto latest = acquisition_->latest();
     ConsoleFacts facts{.telemetryRate = acquisition_->rate(),
                        .estimating = worker_->progress().has_value(),
-                       .source = QString::fromStdString(source_->name()),
+                       .source = words::sentence(source_->name()),
                        .robot = QString::fromStdString(robot_.name),
                        .robotDetails = robotDetails_,
                        .model = exploration_->estimation().model(),

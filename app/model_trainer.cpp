@@ -177,9 +177,7 @@ void ModelTrainer::doTrain(const TrainingPlan& plan, const QString& path)
         progress_.cells[static_cast<std::size_t>(step.bin)][static_cast<std::size_t>(step.kind)] = {
             stateAfter(step.event), step.logLikelihood};
     };
-    watch.notice = [this](const std::string& notice) {
-        emit noticed(QString::fromStdString(notice));
-    };
+    watch.notice = [this](const std::string& notice) { emit noticed(words::sentence(notice)); };
     int scenes = 0;
     const Status written = trainInto(path.toStdString(), plan, watch, scenes);
     if (!written) {

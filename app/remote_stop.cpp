@@ -47,7 +47,7 @@ void RemoteStop::fail(const Error& error)
 {
     emit said(error.code == ECONNREFUSED
                   ? tr("STOP HAS NO EFFECT HERE: the console that opened this window is gone")
-                  : tr("STOP NOT SENT: %1").arg(words::text(error.text)),
+                  : tr("STOP NOT SENT: %1").arg(words::sentence(error.text)),
               Weight::Bad);
 }
 

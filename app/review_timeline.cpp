@@ -164,13 +164,13 @@ void addSurvey(Timeline& timeline, const Surveyed& surveyed)
     for (const SessionDamage& damage : surveyed.damage)
         timeline.gaps << TimelineSpan{
             secondsOf(damage.first), secondsOf(damage.last), TimelineWeight::Bad,
-            ReviewWords::tr("DAMAGED, not shown: %1").arg(QString::fromStdString(damage.why))};
+            ReviewWords::tr("DAMAGED, not shown: %1").arg(words::sentence(damage.why))};
 }
 
 QString alarmSentence(const EventRow& event)
 {
     const QString text =
-        event.text.empty() ? words::text(event.subject) : QString::fromStdString(event.text);
+        event.text.empty() ? words::text(event.subject) : words::sentence(event.text);
     const double state = event.number.value_or(0.0);
     if (state == 3.0) return ReviewWords::tr("alarm: %1").arg(text);
     if (state == 2.0) return ReviewWords::tr("alarm seen: %1").arg(text);
@@ -216,7 +216,7 @@ QString nameOf(EventKind kind)
 QString sentenceOf(const EventRow& event)
 {
     if (event.kind == EventKind::Alarm) return alarmSentence(event);
-    if (event.kind == EventKind::Word) return QString::fromStdString(event.text);
+    if (event.kind == EventKind::Word) return words::sentence(event.text);
     if (event.kind == EventKind::Panel)
         return event.number.value_or(0.0) > 0.0
                  ? ReviewWords::tr("contact closed: %1").arg(words::text(event.subject))

@@ -113,7 +113,7 @@ ReviewWindow::~ReviewWindow() = default;
 
 void ReviewWindow::buildHeader()
 {
-    header()->setSource(tr("REVIEW · %1").arg(QString::fromStdString(session_.start().source)));
+    header()->setSource(tr("REVIEW · %1").arg(words::sentence(session_.start().source)));
     header()->arming()->hide();
     header()->qualityButton()->hide();
     state_ = addStrip(QStringLiteral("reviewStrip"));
@@ -263,7 +263,7 @@ void ReviewWindow::showMoment()
         damage_->setText(tr("DAMAGED from %1 to %2, nothing of it is shown: %3")
                              .arg(timeWords(secondsOf(moment_.damage->first)),
                                   timeWords(secondsOf(moment_.damage->last)),
-                                  QString::fromStdString(moment_.damage->why)));
+                                  words::sentence(moment_.damage->why)));
 }
 
 void ReviewWindow::showHeader()

@@ -199,7 +199,7 @@ void WhatIfPage::asRecorded()
     row.name = recordedModel_.toStdString();
     row.hash = recordedHash_.toStdString();
     const auto found = modelFileOf(row, paths);
-    if (!found) return say(QString::fromStdString(found.error().text), Tone::Doubt);
+    if (!found) return say(words::sentence(found.error().text), Tone::Doubt);
     model_->setCurrentIndex(model_->findData(QString::fromStdString(*found)));
 }
 

@@ -991,10 +991,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>deaktivoval operátor</translation>
     </message>
     <message>
-        <source>STOP is latched</source>
-        <translation>STOP drží</translation>
-    </message>
-    <message>
         <source>window or panel does not answer</source>
         <translation>okno nebo panel neodpovídá</translation>
     </message>
@@ -1537,6 +1533,214 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the link was lost, the robot may have moved</source>
         <translation>spojení bylo ztraceno, robot se mohl pohnout</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP drží</translation>
+    </message>
+    <message>
+        <source>is not TOML</source>
+        <translation>není TOML</translation>
+    </message>
+    <message>
+        <source>nests deeper than %1 levels</source>
+        <translation>vnoření je hlubší než %1 úrovní</translation>
+    </message>
+    <message>
+        <source>force_array holds no table</source>
+        <translation>force_array neobsahuje tabulku</translation>
+    </message>
+    <message>
+        <source>force_array is no list of tables, expected [[force_array]]</source>
+        <translation>force_array není seznam tabulek, očekává se [[force_array]]</translation>
+    </message>
+    <message>
+        <source>no force_array has element %1, expected each of %2 to %3 left, right or on both sides</source>
+        <translation>žádné force_array nemá prvek %1, očekává se každý z %2 až %3 vlevo, vpravo nebo na obou stranách</translation>
+    </message>
+    <message>
+        <source>is a whole model, expected a part of one</source>
+        <translation>je celý model, očekává se jeho část</translation>
+    </message>
+    <message>
+        <source>its table meta describes another kind of model</source>
+        <translation>jeho tabulka meta popisuje jiný druh modelu</translation>
+    </message>
+    <message>
+        <source>its training rows have the wrong number of columns</source>
+        <translation>jeho trénovací řádky mají nesprávný počet sloupců</translation>
+    </message>
+    <message>
+        <source>its list of bins is empty</source>
+        <translation>jeho seznam bodů je prázdný</translation>
+    </message>
+    <message>
+        <source>its texts are too long</source>
+        <translation>jeho texty jsou příliš dlouhé</translation>
+    </message>
+    <message>
+        <source>a row covers a bin that does not exist</source>
+        <translation>řádek zahrnuje neexistující bod</translation>
+    </message>
+    <message>
+        <source>%1 scenes without any known height left out</source>
+        <translation>vynecháno scén bez jediné známé výšky: %1</translation>
+    </message>
+    <message>
+        <source>a stop line needs a name of %1 to %2 characters</source>
+        <translation>vedení pro zastavení potřebuje jméno o %1 až %2 znacích</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>adresa se již používá</translation>
+    </message>
+    <message>
+        <source>SIMULATED ROBOT</source>
+        <translation>SIMULOVANÝ ROBOT</translation>
+    </message>
+    <message>
+        <source>session recovered, whose program had ended without closing it</source>
+        <translation>relace obnovena; její program skončil, aniž ji uzavřel</translation>
+    </message>
+    <message>
+        <source>session not recovered</source>
+        <translation>relace nebyla obnovena</translation>
+    </message>
+    <message>
+        <source>session deleted, since it is older than you have set</source>
+        <translation>relace smazána, neboť je starší, než jste nastavili</translation>
+    </message>
+    <message>
+        <source>session deleted, since all together are larger than you have set</source>
+        <translation>relace smazána, neboť všechny dohromady jsou větší, než jste nastavili</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>funguje</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>ztraceno</translation>
+    </message>
+    <message>
+        <source>approve</source>
+        <translation>schválit</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>zvolit</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>jet</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>prozkoumat</translation>
+    </message>
+    <message>
+        <source>abort</source>
+        <translation>přerušit</translation>
+    </message>
+    <message>
+        <source>halt</source>
+        <translation>zastavit jízdu</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>přes pochybnost</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>odmítnout</translation>
+    </message>
+    <message>
+        <source>release stop</source>
+        <translation>uvolnit zastavení</translation>
+    </message>
+    <message>
+        <source>second method</source>
+        <translation>druhá metoda</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>zastavit</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>vpřed</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>zpět</translation>
+    </message>
+    <message>
+        <source>REPLAY %1</source>
+        <translation>PŘEHRÁVÁNÍ %1</translation>
+    </message>
+    <message>
+        <source>the key %1 is missing</source>
+        <translation>chybí klíč %1</translation>
+    </message>
+    <message>
+        <source>%1 is not a number, expected a number from %2 to %3</source>
+        <translation>%1 není číslo, očekává se číslo od %2 do %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected a number from %3 to %4</source>
+        <translation>%1 je %2, očekává se číslo od %3 do %4</translation>
+    </message>
+    <message>
+        <source>%1 is not an array of %2 elements</source>
+        <translation>%1 není pole o počtu prvků %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a table</source>
+        <translation>%1 není tabulka</translation>
+    </message>
+    <message>
+        <source>%1 is not a known key</source>
+        <translation>%1 není známý klíč</translation>
+    </message>
+    <message>
+        <source>%1 is not a text of 1 to 100 characters, none of them a control character</source>
+        <translation>%1 není text o 1 až 100 znacích bez řídicích znaků</translation>
+    </message>
+    <message>
+        <source>%1 holds a polygon that is not convex</source>
+        <translation>%1 obsahuje mnohoúhelník, který není konvexní</translation>
+    </message>
+    <message>
+        <source>%1 does not increase from pivot to tip</source>
+        <translation>%1 neroste od čepu ke špičce</translation>
+    </message>
+    <message>
+        <source>is a model of other features: %1 stands where %2 is expected</source>
+        <translation>je model jiných příznaků: stojí tu %1, očekává se %2</translation>
+    </message>
+    <message>
+        <source>is a model of other bins: %1 stands where %2 is expected</source>
+        <translation>je model jiných bodů: stojí tu %1, očekává se %2</translation>
+    </message>
+    <message>
+        <source>its table %1 ends too early</source>
+        <translation>jeho tabulka %1 končí příliš brzy</translation>
+    </message>
+    <message>
+        <source>its table %1 has too many rows</source>
+        <translation>jeho tabulka %1 má příliš mnoho řádků</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>the column %1 is not known and was left out</source>
+        <translation>sloupec %1 není známý a byl vynechán</translation>
     </message>
 </context>
 <context>
@@ -2618,10 +2822,6 @@ F1</translation>
         <translation>%1: neměřeno (terratact tradeoff)</translation>
     </message>
     <message>
-        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm</source>
-        <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, střední chyba %4 mm</translation>
-    </message>
-    <message>
         <source>model %1</source>
         <translation>model %1</translation>
     </message>
@@ -2844,6 +3044,10 @@ F1</translation>
     <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PANEL ZTRACEN: připojte panel operátora, nebo spusťte bez --panel</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
+        <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, střední chyba %4 mm; řetězce konvergují v %5 % scén, bez toho není verdikt</translation>
     </message>
 </context>
 <context>
@@ -4402,10 +4606,6 @@ F1</translation>
         <translation>Jak je změřil terratact tradeoff: čas, střední chyba a v závorkách, jak daleko jsou kvantily od dlouhého běhu</translation>
     </message>
     <message>
-        <source>%1: %2 ms, %3 mm (± %4 mm)</source>
-        <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
-    </message>
-    <message>
         <source>Back to what came with the program</source>
         <translation>Zpět k tomu, co přišlo s programem</translation>
     </message>
@@ -4438,12 +4638,16 @@ F1</translation>
         <translation>Jakmile hodnota platí deset sekund; nikdy: nic se nemaže</translation>
     </message>
     <message>
-        <source>Of all sessions together, once it has stood for ten seconds</source>
-        <translation>Všech záznamů dohromady, jakmile hodnota platí deset sekund</translation>
-    </message>
-    <message>
         <source>%1: %2 ms, %3 mm (exact)</source>
         <translation>%1: %2 ms, %3 mm (přesně)</translation>
+    </message>
+    <message>
+        <source>Of all closed sessions together, once it has stood for ten seconds</source>
+        <translation>Všech uzavřených relací dohromady, jakmile to platí deset sekund</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (± %4 mm), %5 % converge</source>
+        <translation>%1: %2 ms, %3 mm (± %4 mm), %5 % konverguje</translation>
     </message>
 </context>
 <context>

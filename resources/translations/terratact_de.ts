@@ -991,10 +991,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>vom Bediener gesperrt</translation>
     </message>
     <message>
-        <source>STOP is latched</source>
-        <translation>STOP ist eingerastet</translation>
-    </message>
-    <message>
         <source>window or panel does not answer</source>
         <translation>Fenster oder Pult antwortet nicht</translation>
     </message>
@@ -1537,6 +1533,214 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the link was lost, the robot may have moved</source>
         <translation>die Verbindung war verloren, der Roboter kann sich bewegt haben</translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation>STOP ist eingerastet</translation>
+    </message>
+    <message>
+        <source>is not TOML</source>
+        <translation>ist kein TOML</translation>
+    </message>
+    <message>
+        <source>nests deeper than %1 levels</source>
+        <translation>ist tiefer als %1 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>force_array holds no table</source>
+        <translation>force_array enthält keine Tabelle</translation>
+    </message>
+    <message>
+        <source>force_array is no list of tables, expected [[force_array]]</source>
+        <translation>force_array ist keine Liste von Tabellen, erwartet wird [[force_array]]</translation>
+    </message>
+    <message>
+        <source>no force_array has element %1, expected each of %2 to %3 left, right or on both sides</source>
+        <translation>kein force_array hat das Element %1, erwartet wird jedes von %2 bis %3 links, rechts oder auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>is a whole model, expected a part of one</source>
+        <translation>ist ein ganzes Modell, erwartet wird ein Teil davon</translation>
+    </message>
+    <message>
+        <source>its table meta describes another kind of model</source>
+        <translation>seine Tabelle meta beschreibt eine andere Art von Modell</translation>
+    </message>
+    <message>
+        <source>its training rows have the wrong number of columns</source>
+        <translation>seine Trainingszeilen haben die falsche Zahl von Spalten</translation>
+    </message>
+    <message>
+        <source>its list of bins is empty</source>
+        <translation>seine Liste der Felder ist leer</translation>
+    </message>
+    <message>
+        <source>its texts are too long</source>
+        <translation>seine Texte sind zu lang</translation>
+    </message>
+    <message>
+        <source>a row covers a bin that does not exist</source>
+        <translation>eine Zeile gilt für ein Feld, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>%1 scenes without any known height left out</source>
+        <translation>ausgelassene Szenen ohne jede bekannte Höhe: %1</translation>
+    </message>
+    <message>
+        <source>a stop line needs a name of %1 to %2 characters</source>
+        <translation>eine Leitung zum Anhalten braucht einen Namen von %1 bis %2 Zeichen</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>Adresse wird schon verwendet</translation>
+    </message>
+    <message>
+        <source>SIMULATED ROBOT</source>
+        <translation>SIMULATION</translation>
+    </message>
+    <message>
+        <source>session recovered, whose program had ended without closing it</source>
+        <translation>Sitzung wiederhergestellt, deren Programm geendet hatte, ohne sie zu schließen</translation>
+    </message>
+    <message>
+        <source>session not recovered</source>
+        <translation>Sitzung nicht wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>session deleted, since it is older than you have set</source>
+        <translation>Sitzung gelöscht, da sie älter ist als eingestellt</translation>
+    </message>
+    <message>
+        <source>session deleted, since all together are larger than you have set</source>
+        <translation>Sitzung gelöscht, da alle zusammen größer sind als eingestellt</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>approve</source>
+        <translation>genehmigen</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>wählen</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>fahren</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>erkunden</translation>
+    </message>
+    <message>
+        <source>abort</source>
+        <translation>abbrechen</translation>
+    </message>
+    <message>
+        <source>halt</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>trotz Zweifel</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>release stop</source>
+        <translation>Halt lösen</translation>
+    </message>
+    <message>
+        <source>second method</source>
+        <translation>zweite Methode</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>anhalten</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>zurück</translation>
+    </message>
+    <message>
+        <source>REPLAY %1</source>
+        <translation>WIEDERGABE %1</translation>
+    </message>
+    <message>
+        <source>the key %1 is missing</source>
+        <translation>der Schlüssel %1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is not a number, expected a number from %2 to %3</source>
+        <translation>%1 ist keine Zahl, erwartet wird eine Zahl von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected a number from %3 to %4</source>
+        <translation>%1 ist %2, erwartet wird eine Zahl von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1 is not an array of %2 elements</source>
+        <translation>%1 ist keine Liste von %2 Elementen</translation>
+    </message>
+    <message>
+        <source>%1 is not a table</source>
+        <translation>%1 ist keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1 is not a known key</source>
+        <translation>%1 ist kein bekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>%1 is not a text of 1 to 100 characters, none of them a control character</source>
+        <translation>%1 ist kein Text von 1 bis 100 Zeichen ohne Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>%1 holds a polygon that is not convex</source>
+        <translation>%1 enthält ein Vieleck, das nicht konvex ist</translation>
+    </message>
+    <message>
+        <source>%1 does not increase from pivot to tip</source>
+        <translation>%1 wächst nicht vom Drehpunkt zur Spitze</translation>
+    </message>
+    <message>
+        <source>is a model of other features: %1 stands where %2 is expected</source>
+        <translation>ist ein Modell anderer Merkmale: hier steht %1, erwartet wird %2</translation>
+    </message>
+    <message>
+        <source>is a model of other bins: %1 stands where %2 is expected</source>
+        <translation>ist ein Modell anderer Felder: hier steht %1, erwartet wird %2</translation>
+    </message>
+    <message>
+        <source>its table %1 ends too early</source>
+        <translation>seine Tabelle %1 endet zu früh</translation>
+    </message>
+    <message>
+        <source>its table %1 has too many rows</source>
+        <translation>seine Tabelle %1 hat zu viele Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the column %1 is not known and was left out</source>
+        <translation>die Spalte %1 ist nicht bekannt und wurde ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -2618,10 +2822,6 @@ F1</translation>
         <translation>%1: nicht gemessen (terratact tradeoff)</translation>
     </message>
     <message>
-        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm</source>
-        <translation>%1: %2 ms, Quantile ± %3 mm von einem langen Lauf, mittlerer Fehler %4 mm</translation>
-    </message>
-    <message>
         <source>model %1</source>
         <translation>Modell %1</translation>
     </message>
@@ -2844,6 +3044,10 @@ F1</translation>
     <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PULT VERLOREN: das Bedienpult anschließen oder ohne --panel starten</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
+        <translation>%1: %2 ms, Quantile ± %3 mm von einem langen Lauf, mittlerer Fehler %4 mm; die Ketten konvergieren in %5 % der Szenen, sonst gibt es kein Urteil</translation>
     </message>
 </context>
 <context>
@@ -4402,10 +4606,6 @@ F1</translation>
         <translation>Wie terratact tradeoff sie gemessen hat: Zeit, mittlerer Fehler und in Klammern, wie weit die Quantile von denen eines langen Laufs liegen</translation>
     </message>
     <message>
-        <source>%1: %2 ms, %3 mm (± %4 mm)</source>
-        <translation>%1: %2 ms, %3 mm (± %4 mm)</translation>
-    </message>
-    <message>
         <source>Back to what came with the program</source>
         <translation>Zurück zu dem, was mit dem Programm kam</translation>
     </message>
@@ -4438,12 +4638,16 @@ F1</translation>
         <translation>Sobald der Wert zehn Sekunden steht; nie: nichts wird gelöscht</translation>
     </message>
     <message>
-        <source>Of all sessions together, once it has stood for ten seconds</source>
-        <translation>Aller Sitzungen zusammen, sobald der Wert zehn Sekunden steht</translation>
-    </message>
-    <message>
         <source>%1: %2 ms, %3 mm (exact)</source>
         <translation>%1: %2 ms, %3 mm (exakt)</translation>
+    </message>
+    <message>
+        <source>Of all closed sessions together, once it has stood for ten seconds</source>
+        <translation>Aller geschlossenen Sitzungen zusammen, sobald es zehn Sekunden gilt</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (± %4 mm), %5 % converge</source>
+        <translation>%1: %2 ms, %3 mm (± %4 mm), %5 % konvergieren</translation>
     </message>
 </context>
 <context>

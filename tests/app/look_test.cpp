@@ -194,6 +194,35 @@ TEST(Languages, numbersAreWrittenAndReadTheSameInEach)
     installLanguage(*qApp, "en");
 }
 
+TEST(Languages, whatIsWrongWithAFileIsTranslatedBetweenWhatItNames)
+{
+    const std::string english[]{
+        "/home/no 2/robot.toml: line 7: body.mass_kg is 0, expected a number from 0.1 to 5000",
+        "robot.toml: the key body.mass_kg is missing",
+        "robot.toml: line 3: 'wheels' is not a known key",
+        "scenes.csv: the column 'colour' is not known and was left out",
+        "mine.ttm: its table bin ends too early",
+        "session deleted, since all together are larger than you have set: /tmp/a.tts",
+        "REPLAY mission.log"};
+    for (const char* language : {"cs", "de"}) {
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        for (const std::string& sentence : english) {
+            const QString translated = words::sentence(sentence);
+            EXPECT_NE(translated.toStdString(), sentence) << language;
+            for (const char* word : {" is ", " not ", "expected", "since", "line ", "REPLAY"})
+                EXPECT_FALSE(translated.contains(QLatin1String(word))) << translated.toStdString();
+            for (const char* name :
+                 {"/home/no 2/robot.toml", "body.mass_kg", "0.1", "5000", "'wheels'", "'colour'",
+                  "mine.ttm", "/tmp/a.tts", "mission.log"})
+                EXPECT_EQ(translated.contains(QLatin1String(name)),
+                          sentence.find(name) != std::string::npos)
+                    << translated.toStdString();
+        }
+    }
+    installLanguage(*qApp, "en");
+}
+
 TEST(Letters, areTheLargestThatFit)
 {
     const auto needs = [](int percent) { return QSize(10 * percent, 5 * percent); };
