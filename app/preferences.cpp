@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <numbers>
 #include <utility>
 
 #include "widgets/words.h"
@@ -50,12 +49,12 @@ struct Reader {
                 .arg(text, QLatin1String(key));
         });
     }
-    void number(const char* key, double& to, double least, double most)
+    void number(const char* key, double& to, PreferenceRange range)
     {
         value(key, [&](const QString& text) {
             bool good = false;
             const double parsed = text.toDouble(&good);
-            if (!good || !(parsed >= least && parsed <= most)) return false;
+            if (!good || !(parsed >= range.least && parsed <= range.most)) return false;
             to = parsed;
             return true;
         });
@@ -131,7 +130,7 @@ struct Reader {
 struct Writer {
     std::function<void(const char* key, const QString& text)> value;
 
-    void number(const char* key, double value_, double, double)
+    void number(const char* key, double value_, PreferenceRange)
     {
         value(key, QString::number(value_, 'g', QLocale::FloatingPointShortest));
     }
@@ -158,21 +157,20 @@ struct Writer {
 template <class Visitor, class Values>
 void visit(Visitor visitor, Values& p)
 {
-    constexpr double kRight = std::numbers::pi / 2.0;
     visitor.oneOf("theme", p.theme, kThemes);
     visitor.number("font-scale", p.fontScale, kSmallestFont, kLargestFont);
     visitor.language("language", p.language);
     visitor.oneOf("layout", p.layout, kLayouts);
     visitor.flag("sound", p.sound);
-    visitor.number("obstacle-limit", p.obstacleLimit, 0.02, 0.60);
-    visitor.oneOf("method", p.method, kMethods);
+    visitor.number("obstacle-limit", p.obstacleLimit, kObstacleRange);
+    visitor.oneOf("method", p.method, offeredMethods());
     visitor.oneOf("quality", p.quality, kQualities);
     visitor.number("estimate-seconds", p.estimateSeconds, 0, kMostEstimateSeconds);
-    visitor.number("force-threshold", p.forceThreshold, 0.1, 500.0);
+    visitor.number("force-threshold", p.forceThreshold, kForceRange);
     visitor.oneOf("probe-policy", p.probes, kProbePolicies);
-    visitor.number("probe-above", p.probeAbove, 0.001, 1.0);
-    visitor.number("roll-limit", p.rollLimit, 0.01, kRight);
-    visitor.number("asymmetry-limit", p.asymmetryLimit, 0.01, kRight);
+    visitor.number("probe-above", p.probeAbove, kProbeAboveRange);
+    visitor.number("roll-limit", p.rollLimit, kRollRange);
+    visitor.number("asymmetry-limit", p.asymmetryLimit, kAsymmetryRange);
     visitor.flag("record", p.record);
     visitor.number("keep-days", p.keepDays, 0, kMostDays);
     visitor.number("keep-gigabytes", p.keepGigabytes, 0, kMostGigabytes);
@@ -220,6 +218,13 @@ std::string_view name(Layout layout)
     case Layout::Review: return "review";
     }
     return {};
+}
+
+std::vector<Method> offeredMethods()
+{
+    std::vector<Method> methods(kMethods.begin(), kMethods.end());
+    std::erase(methods, Method::Pafac);
+    return methods;
 }
 
 Settings withPreferences(Settings settings, const Preferences& preferences)

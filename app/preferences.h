@@ -3,6 +3,7 @@
 #include <QByteArray>
 #include <QString>
 #include <functional>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -40,11 +41,24 @@ struct Preferences {
     bool operator==(const Preferences&) const = default;
 };
 
-inline constexpr int kSmallestFont = 80, kLargestFont = 200;  ///< [%]
-inline constexpr int kMostEstimateSeconds = 25;               ///< an exploration waits for 30 s
+/// What a preference may be, in the file and on the page of the settings.
+struct PreferenceRange {
+    double least, most;
+};
+inline constexpr double kDegree = std::numbers::pi / 180.0;
+inline constexpr PreferenceRange kObstacleRange{0.02, 0.60};                      ///< [m]
+inline constexpr PreferenceRange kForceRange{0.1, 50.0};                          ///< [N]
+inline constexpr PreferenceRange kProbeAboveRange{0.01, 0.50};                    ///< [m]
+inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};       ///< [rad]
+inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};  ///< [rad]
+inline constexpr int kSmallestFont = 80, kLargestFont = 200;                      ///< [%]
+inline constexpr int kMostEstimateSeconds = 25;  ///< an exploration waits for 30 s
 inline constexpr int kMostDays = 10'000, kMostGigabytes = 100'000;
 inline constexpr qsizetype kMostDbcFiles = 32;
 inline constexpr int kPreferencesSchema = 1;
+
+/// The methods an operator chooses from; PAFAc is what PAFc becomes once the arm has measured.
+std::vector<Method> offeredMethods();
 
 /// The settings with what the preferences say about method, quality and limits.
 Settings withPreferences(Settings settings, const Preferences& preferences);

@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "app/file_dialog.h"
 #include "app/letters.h"
@@ -24,17 +23,8 @@
 namespace terratact {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 const std::array<QString, 4> kLanguages{QString(), QStringLiteral("en"), QStringLiteral("cs"),
                                         QStringLiteral("de")};
-
-/// The methods an operator chooses from; PAFAc is what PAFc becomes once the arm has measured.
-std::vector<Method> offered()
-{
-    std::vector<Method> methods(kMethods.begin(), kMethods.end());
-    std::erase(methods, Method::Pafac);
-    return methods;
-}
 
 template <class Range, class Value>
 int indexOf(const Range& range, const Value& value)
@@ -151,13 +141,13 @@ QComboBox* SettingsPage::choice(QFormLayout* form, const QString& label, const Q
     return box;
 }
 
-QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, double least,
-                                     double most, int decimals, const QString& suffix,
-                                     const QString& tip, double Preferences::*value, double unit)
+QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, PreferenceRange range,
+                                     int decimals, const QString& suffix, const QString& tip,
+                                     double Preferences::*value, double unit)
 {
     auto* box = new QDoubleSpinBox(this);
     box->setDecimals(decimals);
-    box->setRange(least, most);
+    box->setRange(range.least / unit, range.most / unit);
     box->setSingleStep(decimals == 2 ? 0.01 : decimals == 1 ? 0.1 : 1.0);
     box->setSuffix(QLatin1Char(' ') + suffix);
     box->setKeyboardTracking(false);  // a number is told when it is whole
@@ -204,13 +194,13 @@ QCheckBox* SettingsPage::flag(QFormLayout* form, const QString& text, const QStr
 void SettingsPage::buildEstimate(QFormLayout* form)
 {
     QStringList methods, qualities;
-    for (const Method method : offered()) methods << words::text(name(method));
+    for (const Method method : offeredMethods()) methods << words::text(name(method));
     for (const Quality quality : kQualities) qualities << words::sentence(name(quality));
     method_ = choice(
         form, tr("Method"), methods,
         tr("local and joint are closed formulas; the others draw chains of samples"),
-        [](const Preferences& p) { return indexOf(offered(), p.method); },
-        [](Preferences& p, std::size_t i) { p.method = offered().at(i); });
+        [](const Preferences& p) { return indexOf(offeredMethods(), p.method); },
+        [](Preferences& p, std::size_t i) { p.method = offeredMethods().at(i); });
     quality_ = choice(
         form, tr("Quality"), qualities,
         tr("As terratact tradeoff has measured them: time, mean error, and in brackets how far the "
@@ -221,9 +211,9 @@ void SettingsPage::buildEstimate(QFormLayout* form)
                      tr("Then sampling ends with the draws there are, and the result says so"),
                      &Preferences::estimateSeconds);
     seconds_->setSpecialValueText(tr("no limit"));
-    obstacle_ = number(form, tr("An obstacle is a step of more than"), 0.02, 0.60, 2, tr("m"),
+    obstacle_ = number(form, tr("An obstacle is a step of more than"), kObstacleRange, 2, tr("m"),
                        tr("The verdict's question (PgUp, PgDown)"), &Preferences::obstacleLimit);
-    threshold_ = number(form, tr("An element is a contact above"), 0.1, 50.0, 1, tr("N"),
+    threshold_ = number(form, tr("An element is a contact above"), kForceRange, 1, tr("N"),
                         tr("Weaker forces are noise"), &Preferences::forceThreshold);
     probes_ = choice(
         form, tr("The arm is offered"),
@@ -233,11 +223,11 @@ void SettingsPage::buildEstimate(QFormLayout* form)
            "question, whatever the sd, and only while it is open"),
         [](const Preferences& p) { return indexOf(kProbePolicies, p.probes); },
         [](Preferences& p, std::size_t i) { p.probes = kProbePolicies.at(i); });
-    number(form, tr("The arm is offered above a sd of"), 0.01, 0.50, 2, tr("m"),
+    number(form, tr("The arm is offered above a sd of"), kProbeAboveRange, 2, tr("m"),
            tr("A bin less certain than this asks for a probe"), &Preferences::probeAbove);
-    number(form, tr("The verdict is withheld above a roll of"), 1.0, 45.0, 1, tr("°"),
+    number(form, tr("The verdict is withheld above a roll of"), kRollRange, 1, tr("°"),
            tr("Then left and right ground differ"), &Preferences::rollLimit, kDegree);
-    number(form, tr("… or left and right flippers apart by"), 1.0, 90.0, 1, tr("°"),
+    number(form, tr("… or left and right flippers apart by"), kAsymmetryRange, 1, tr("°"),
            tr("Then left and right ground differ"), &Preferences::asymmetryLimit, kDegree);
 }
 
@@ -281,7 +271,7 @@ void SettingsPage::buildRecording(QFormLayout* form)
           &Preferences::keepDays)
         ->setSpecialValueText(tr("never"));
     whole(form, tr("Delete the oldest beyond"), 0, kMostGigabytes, tr("GB"),
-          tr("Of all sessions together, once it has stood for ten seconds"),
+          tr("Of all closed sessions together, once it has stood for ten seconds"),
           &Preferences::keepGigabytes)
         ->setSpecialValueText(tr("never"));
 }

@@ -63,7 +63,7 @@ private:
                       const QString& tip, std::function<int(const Preferences&)> get,
                       std::function<void(Preferences&, std::size_t)> set);
     /// unit: [SI] of what the box counts in.
-    QDoubleSpinBox* number(QFormLayout* form, const QString& label, double least, double most,
+    QDoubleSpinBox* number(QFormLayout* form, const QString& label, PreferenceRange range,
                            int decimals, const QString& suffix, const QString& tip,
                            double Preferences::*value, double unit = 1.0);
     QSpinBox* whole(QFormLayout* form, const QString& label, int least, int most,

@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <filesystem>
+#include <numbers>
 #include <vector>
 
 #include "app/main_window.h"
@@ -310,6 +311,57 @@ TEST_F(SettingsInForce, aWindowThatGoesWithoutBeingClosedEndsWhatItHadSetInMotio
     explore();
     window.reset();
     EXPECT_TRUE(wasTold<AbortAtemCommand>());
+}
+
+QDoubleSpinBox* boxOf(const SettingsPage& page, const char* name)
+{
+    for (QDoubleSpinBox* box : page.findChildren<QDoubleSpinBox*>())
+        if (box->accessibleName() == QString::fromUtf8(name)) return box;
+    return nullptr;
+}
+
+TEST(SettingsPageAlone, showsWhateverTheFileMayHold)
+{
+    constexpr double kDegrees = std::numbers::pi / 180.0;
+    const struct {
+        const char *key, *box;
+        double Preferences::*value;
+        double unit = 1.0;
+    } cases[]{{"obstacle-limit", "An obstacle is a step of more than", &Preferences::obstacleLimit},
+              {"force-threshold", "An element is a contact above", &Preferences::forceThreshold},
+              {"probe-above", "The arm is offered above a sd of", &Preferences::probeAbove},
+              {"roll-limit", "The verdict is withheld above a roll of", &Preferences::rollLimit,
+               kDegrees},
+              {"asymmetry-limit", "… or left and right flippers apart by",
+               &Preferences::asymmetryLimit, kDegrees}};
+    TemporaryDirectory directory;
+    int files = 0;  // another each time: QSettings remembers what it has read
+    PreferenceStore store(LoadedPreferences{}, Preferences{});
+    const SettingsPage page(store);
+    for (const auto& [key, name, value, unit] : cases) {
+        const QDoubleSpinBox* box = boxOf(page, name);
+        ASSERT_TRUE(box) << name;
+        const auto saying = [&, of = key](double number) {
+            const std::string path =
+                directory.write(std::to_string(++files) + ".ini",
+                                "[General]\nschema=1\n" + std::string(of) + "="
+                                    + QByteArray::number(number, 'g', 17).toStdString() + "\n");
+            return loadPreferences(QString::fromStdString(path));
+        };
+        for (const auto& [end, outwards] :
+             {std::pair(box->minimum(), -1e-4), std::pair(box->maximum(), 1e-4)}) {
+            const LoadedPreferences held = saying(end * unit);
+            EXPECT_TRUE(held.troubles.empty()) << key << " " << end;
+            EXPECT_NEAR(held.preferences.*value, end * unit, 1e-12) << key;
+            store.change([&](Preferences& p) { p = held.preferences; });
+            EXPECT_NEAR(box->value(), end, 1e-9) << key;
+            EXPECT_FALSE(saying((end + outwards) * unit).troubles.empty())
+                << key << " may be more than the page can show";
+        }
+    }
+    const std::string path = directory.write("method.ini", "[General]\nschema=1\nmethod=pafac\n");
+    EXPECT_EQ(loadPreferences(QString::fromStdString(path)).troubles.size(), 1U)
+        << "the page does not offer it";
 }
 
 TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)

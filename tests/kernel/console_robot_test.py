@@ -168,7 +168,7 @@ class Programs(unittest.TestCase):
         path = pathlib.Path(folder.name)
         config = path / "terratact" / "console.ini"
         config.parent.mkdir()
-        config.write_text("[General]\nschema=1\nprobe-above=0.005\n")  # there is always something to probe
+        config.write_text("[General]\nschema=1\nprobe-above=0.01\n")  # there is always something to probe
         environment = os.environ | {"QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": str(path), "XDG_RUNTIME_DIR": str(path)}
         console = self.begin(CONSOLE, "--can", "vcan0", "--transmit", "--sessions", path / "sessions", "--size", "1200x680",
                              env=environment)
