@@ -1,7 +1,11 @@
 #include "app/about.h"
 
 #include <QApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QStringList>
+
+#include "app/resources.h"
 
 namespace terratact {
 namespace {
@@ -9,6 +13,14 @@ namespace {
 QString programName()
 {
     return QStringLiteral("Terratact ") + QApplication::applicationVersion();
+}
+
+/// As the package has it, beside what else is shared; empty where the program was installed without it.
+QString licencesFile()
+{
+    const QFileInfo file(
+        QDir::cleanPath(QString::fromStdString(resourcePath("../doc/terratact/copyright"))));
+    return file.isFile() ? file.filePath() : QString();
 }
 
 }  // namespace
@@ -20,7 +32,7 @@ QString aboutLine()
 
 QString aboutHtml()
 {
-    const QStringList paragraphs{
+    QStringList paragraphs{
         QCoreApplication::translate(
             "About",
             "The operator's console of a tracked rescue robot. Where cameras see nothing, it "
@@ -41,9 +53,9 @@ QString aboutHtml()
             "Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo "
             "(LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost "
             "(BSL 1.0)."),
-        QCoreApplication::translate("About", "All licences in full: %1")
-            .arg(QStringLiteral("/usr/share/doc/terratact/copyright")),
     };
+    if (const QString file = licencesFile(); !file.isEmpty())
+        paragraphs << QCoreApplication::translate("About", "All licences in full: %1").arg(file);
     QString html = QStringLiteral("<h3>%1</h3>").arg(programName().toHtmlEscaped());
     for (const QString& paragraph : paragraphs)
         html += QStringLiteral("<p>%1</p>").arg(paragraph.toHtmlEscaped());

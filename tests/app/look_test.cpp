@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <algorithm>
 
+#include "app/about.h"
 #include "app/bus_words.h"
 #include "app/language.h"
 #include "app/letters.h"
@@ -221,6 +224,16 @@ TEST(Languages, whatIsWrongWithAFileIsTranslatedBetweenWhatItNames)
         }
     }
     installLanguage(*qApp, "en");
+}
+
+TEST(About, namesNoFileThatIsNotThere)
+{
+    static const QRegularExpression kFile(QStringLiteral("(?<![:/])/[a-z][^ <]*"));
+    for (auto file = kFile.globalMatch(aboutHtml().remove(QRegularExpression("</[a-z0-9]+>")));
+         file.hasNext();) {
+        const QString path = file.next().captured();
+        EXPECT_TRUE(QFileInfo::exists(path)) << path.toStdString();
+    }
 }
 
 TEST(Letters, areTheLargestThatFit)
