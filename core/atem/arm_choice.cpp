@@ -5,13 +5,17 @@
 namespace terratact {
 namespace {
 
-bool reachesOpenBin(const TerrainEstimate& estimate, const RobotModel& robot)
+/// An arm may measure it that says something of a height, and nothing has.
+bool isOpen(const TerrainEstimate& estimate, const RobotModel& robot, int bin)
 {
-    if (!(robot.armSd > 0.0)) return false;  // it has no arm
+    return robot.armSd > 0.0 && robot.armReaches(bin)
+        && estimate.origin[static_cast<std::size_t>(bin)] == Origin::Sampled;
+}
+
+bool hasOpenBin(const TerrainEstimate& estimate, const RobotModel& robot)
+{
     for (int bin = 0; bin < kBins; ++bin)
-        if (robot.armReaches(bin)
-            && estimate.origin[static_cast<std::size_t>(bin)] == Origin::Sampled)
-            return true;
+        if (isOpen(estimate, robot, bin)) return true;
     return false;
 }
 
@@ -23,8 +27,7 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
     double bestSd = estimate.settings.probeAbove;
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        const bool candidate = estimate.origin[i] == Origin::Sampled && robot.armReaches(bin);
-        if (candidate && estimate.sd[i] > bestSd) {
+        if (isOpen(estimate, robot, bin) && estimate.sd[i] > bestSd) {
             best = bin;
             bestSd = estimate.sd[i];
         }
@@ -49,10 +52,7 @@ ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot
     advice.bin = proposeProbe(estimate, robot);
     if (estimate.draws.empty()) return advice;
     advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
-    if (!reachesOpenBin(estimate, robot)) {
-        advice.bin.reset();  // an arm that says nothing of a height
-        return advice;
-    }
+    if (!hasOpenBin(estimate, robot)) return advice;
     advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
     std::erase_if(advice.gains, [&](const ProbeGain& gain) {
         return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;

@@ -11,7 +11,8 @@ namespace terratact {
 
 /// Section 4.4: the bin with the largest sd among those the arm reaches and that were sampled, if that
 /// sd exceeds settings.probeAbove; else empty.  The paper asks for a probe when any sd is too large; a
-/// large sd out of the arm's reach cannot be helped by it and asks for nothing here.
+/// large sd out of the arm's reach cannot be helped by it and asks for nothing here.  Nor does anything of a robot whose
+/// arm says nothing of a height (armSd 0).
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
 /// What the operator is offered: nothing where proposeProbe() asks for nothing; else its bin for the paper's

@@ -21,6 +21,7 @@ struct ArmChoice : testing::Test {
     {
         robot.armReachBegin = 0.35;
         robot.armReachEnd = 0.75;
+        robot.armSd = 0.03;
         estimate.sd.fill(0.01);
         estimate.settings.probeAbove = 0.06;
     }
@@ -54,6 +55,17 @@ TEST_F(ArmChoice, leavesOutBinsOutOfReach)
     EXPECT_EQ(proposeProbe(estimate, robot), std::nullopt);
     estimate.sd[kBin06] = 0.07;
     EXPECT_EQ(proposeProbe(estimate, robot), kBin06);
+}
+
+TEST_F(ArmChoice, asksForNothingOfARobotWithoutAnArm)
+{
+    estimate.sd[kBin06] = 0.5;
+    ASSERT_EQ(proposeProbe(estimate, robot), kBin06);
+    robot.armSd = 0.0;
+    EXPECT_EQ(proposeProbe(estimate, robot), std::nullopt);
+    estimate.settings.method = Method::Joint;
+    estimate.draws = {Heights{}, Heights{}, Heights{}};
+    EXPECT_EQ(chooseProbe(estimate, robot), std::nullopt);
 }
 
 TEST_F(ArmChoice, leavesOutBinsThatWereMeasured)
