@@ -78,6 +78,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "can-utils, gpiod")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS iproute2)   # `terratact can check` names its commands
 if(TERRATACT_GUI)
   # Qt's plugins are loaded at run time: that of X11 and the offscreen one come with libqt6gui6.
-  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", qt6-wayland")
+  # Its own words, such as those of a file dialog, in Czech and German come apart.
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", qt6-wayland, qt6-translations-l10n")
 endif()
 include(CPack)

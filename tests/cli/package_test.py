@@ -122,7 +122,9 @@ class Package(unittest.TestCase):
         for needed in ("libc6 (>=", "libqt6gui6", "libqt6widgets6", "libcairo2", "libopenblas0", "libsqlite3-0",
                        "fonts-dejavu-core"):
             self.assertIn(needed, depends)
-        self.assertIn("qt6-wayland", output("dpkg-deb", "-f", self.package, "Recommends"))
+        recommends = output("dpkg-deb", "-f", self.package, "Recommends")
+        self.assertIn("qt6-wayland", recommends)
+        self.assertIn("qt6-translations-l10n", recommends)
 
     def test_the_programs_are_stripped_and_know_no_place_of_this_machine(self):
         for name in ("terratact", "terratact-console"):
