@@ -68,7 +68,9 @@ std::vector<Pair> textPairs(const Theme& t)
         {"caution", t.caution},    {"chip", t.chip},
         {"chip good", t.chipGood}, {"chip doubt", t.chipDoubt},
         {"chip bad", t.chipBad},   {"chip accent", t.chipAccent},
-        {"banner", t.banner},      {"done", t.done}};
+        {"banner", t.banner},      {"done", t.done},
+        {"clear", t.clear},        {"blocked", t.blocked},
+        {"open", t.open}};
     for (const auto& [name, fill] : fills) pairs.push_back({name, fill.text, fill.area});
     pairs.push_back({"progress not done", t.done.text, t.card});
     return pairs;
