@@ -21,7 +21,7 @@ set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|n
 set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
 set(widgets_core "^core/(text|robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
 
-set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
+set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|QColorDialog::get|QFontDialog::get|QMenu::exec[(]|[Dd]ialog[A-Za-z0-9_]*([.]|->)open[(]|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
 set(unlike "std::([a-z_]+_distribution|shuffle|sample|generate_canonical|random_device)")
 # A campaign's rows for a search and a simulated scanner's noise: what training draws is kept in the model.
 set(may_be_unlike "^core/learn/training\\.cpp$")
