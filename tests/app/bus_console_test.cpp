@@ -1,15 +1,18 @@
 // The console on a robot on a bus, as an operator meets it.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <memory>
+#include <span>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/main_window.h"
@@ -194,16 +197,35 @@ struct Freeze {
     }
 };
 
-/// How long this process' threads have been kept from running [s], by the kernel's account; 0 where it keeps none.
-double keptWaiting()
-{
-    double nanoseconds = 0.0;
-    for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
-        std::ifstream file(thread.path() / "schedstat");
-        double ran = 0.0, waited = 0.0;
-        if (file >> ran >> waited) nanoseconds += waited;
+/// An end of a bus that knows the thread that serves it.
+class ServedBus final : public CanBus {
+public:
+    ServedBus(std::unique_ptr<CanBus> bus, std::shared_ptr<std::atomic<pid_t>> thread)
+        : bus_(std::move(bus)), thread_(std::move(thread))
+    {
     }
-    return 1e-9 * nanoseconds;
+    std::string name() const override { return bus_->name(); }
+    Result<std::size_t> receive(std::span<BusFrame> frames,
+                                std::chrono::milliseconds patience) override
+    {
+        *thread_ = ::gettid();
+        return bus_->receive(frames, patience);
+    }
+    Status send(const CanFrame& frame) override { return bus_->send(frame); }
+    BusState state() const override { return bus_->state(); }
+    BusCounters counters() const override { return bus_->counters(); }
+
+private:
+    std::unique_ptr<CanBus> bus_;
+    std::shared_ptr<std::atomic<pid_t>> thread_;
+};
+
+/// How long a thread of this process has been kept from running [s], by the kernel's account; 0 where it keeps none.
+double keptWaiting(pid_t thread)
+{
+    std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/schedstat");
+    double ran = 0.0, waited = 0.0;
+    return file >> ran >> waited ? 1e-9 * waited : 0.0;
 }
 
 TEST_F(BusConsole, frozenWindowStopsTheDrive)
@@ -212,15 +234,19 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
     constexpr double kLimit = 0.1;  // [s]
     operatorAge = GateLimits{}.operatorAge;
     const auto recorder = bus.join("recorder", 0);
-    open();
+    const auto sender = std::make_shared<std::atomic<pid_t>>(0);
+    startRobot();
+    window = console(std::make_unique<ServedBus>(bus.join("can0"), sender),
+                     CanSource::Mode::Transmit, [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
     int judged = 0, strictly = 0;
-    for (int go = 0; go < 40 && (judged < kGoes || strictly == 0) && !HasFailure(); ++go) {
+    for (int go = 0; go < 40 && (judged < kGoes || 2 * strictly < judged) && !HasFailure(); ++go) {
         if (!drives()) continue;
         Freeze freeze;
         freeze.began = steadyNow();
-        const double waited = keptWaiting();
+        const double waited = keptWaiting(*sender);
         std::this_thread::sleep_for(1s);
-        const double kept = keptWaiting() - waited;
+        const double kept = keptWaiting(*sender) - waited;
         freeze.ended = steadyNow();
         freeze.frames = framesOf(*recorder);
         // On a busy machine this window may have been held up for 100 ms before, and the drive has ended with that.
@@ -242,7 +268,8 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
         EXPECT_EQ(arming(), ArmingPhase::Disarmed);
     }
     EXPECT_GE(judged, kGoes) << "it hardly ever drove into a freeze";
-    EXPECT_GT(strictly, 0) << "later than " << kLimit << " s in each of " << judged << " goes";
+    EXPECT_GE(2 * strictly, judged)
+        << "later than " << kLimit << " s in most of " << judged << " goes";
 }
 
 QString modelInUse(MainWindow& console)
