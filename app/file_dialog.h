@@ -12,8 +12,9 @@ namespace terratact {
 struct FileWish {
     enum class Kind : std::uint8_t { Existing, ToWrite };
     QString title;
-    /// A file; or a folder, for the first time: a dialog with this title begins where the last one's file was.  Empty:
-    /// where the program was started.
+    /// A file.  Or a folder, for the first time: after that a dialog with this title begins where its last file was.
+    /// Empty: likewise, but for the first time with the folder that any dialog had last, or else where the program was
+    /// started.
     QString start{};
     QString filter{};  ///< as QFileDialog has it
     Kind kind = Kind::Existing;
