@@ -84,11 +84,10 @@ std::string tradeoffTable(std::span<const TradePoint> points)
         "converged, time, and how far means and 0.1/0.9 quantiles lie from a long run [mm]; error "
         "and CRPS against the truth [mm]; * on its method's Pareto front of time and quantiles, + "
         "on that of time and error of all\n\n";
-    text +=
-        fmt::format("{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>6} {:>9} {:>9} {:>7} {:>9} "
-                    "{:>7} {:>6}\n",
-                    "method", "varied", "draws", "chains", "burn-in", "precision", "inducing",
-                    "used", "converged", "ms", "means", "quantiles", "|error|", "CRPS");
+    text += fmt::format("{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>6} {:>9} {:>9} {:>7} {:>9} "
+                        "{:>7} {:>6}\n",
+                        "method", "varied", "draws", "chains", "burn-in", "precision", "inducing",
+                        "used", "converged", "ms", "means", "quantiles", "|error|", "CRPS");
     for (std::size_t k = 0; k < points.size(); ++k) {
         const TradePoint& p = points[k];
         const Settings& s = p.setting.settings;
@@ -96,8 +95,9 @@ std::string tradeoffTable(std::span<const TradePoint> points)
             "{:<10} {:<11} {:>6} {:>6} {:>7} {:>9} {:>8} {:>6} {:>8.0f}% {:>9.3g} {:>7.2f} "
             "{:>9.2f} {:>7.1f} {:>6.1f}{}\n",
             name(s.method), p.setting.varied, s.draws, s.chains, s.burnIn, name(s.precision),
-            inducingName(s.inducing), p.draws, 100.0 * p.converged, 1e3 * p.seconds, 1e3 * p.reference.mean,
-            1e3 * p.reference.quantile, 1e3 * p.error, 1e3 * p.crps, mark(fronts, k));
+            inducingName(s.inducing), p.draws, 100.0 * p.converged, 1e3 * p.seconds,
+            1e3 * p.reference.mean, 1e3 * p.reference.quantile, 1e3 * p.error, 1e3 * p.crps,
+            mark(fronts, k));
     }
     return text;
 }
@@ -109,10 +109,10 @@ std::string presetsCsv(std::string_view model, std::span<const TradePoint> point
     for (const TradePoint& p : points) {
         if (!p.setting.preset) continue;
         const Settings& s = p.setting.settings;
-        text += fmt::format("{},{},{},{},{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", model,
-                            name(s.method), name(*p.setting.preset), s.draws, s.chains, s.burnIn,
-                            s.inducing, 1e3 * p.seconds, 1e3 * p.reference.quantile, 1e3 * p.error,
-                            p.converged);
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", model, name(s.method),
+                        name(*p.setting.preset), s.draws, s.chains, s.burnIn, s.inducing,
+                        1e3 * p.seconds, 1e3 * p.reference.quantile, 1e3 * p.error, p.converged);
     }
     return text;
 }

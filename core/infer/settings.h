@@ -23,9 +23,9 @@ struct Settings {
     double forceThreshold = 2.0;  ///< [N] an element above it touches the ground (paper: 2 units)
     double contactSd = 0.02;      ///< [m] sd of a contact height
     int draws = 1000;             ///< K: kept sweeps, all chains together, at most; 1 to kMostDraws
-    bool stopEarly = true;        ///< ends once the chains have converged; closed forms: at kEnoughDraws
-    int chains = 16;              ///< independent chains, run side by side; 1 to kMostChains
-    int burnIn = 50;  ///< sweeps thrown away at the start of every chain; 0 to kMostBurnIn
+    bool stopEarly = true;  ///< ends once the chains have converged; closed forms: at kEnoughDraws
+    int chains = 16;        ///< independent chains, run side by side; 1 to kMostChains
+    int burnIn = 50;        ///< sweeps thrown away at the start of every chain; 0 to kMostBurnIn
     ScanOrder scan = ScanOrder::Forward;      ///< in which a sweep visits the bins
     Precision precision = Precision::Single;  ///< of sampled variances; means are double
     /// Rows of the training set that a sampling method's predictions go through, at most; 0: as trained.  Fewer

@@ -314,10 +314,10 @@ TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
     EXPECT_EQ(settings, withQuality(settings, Quality::Fast));
     EXPECT_NE(settings, withQuality(settings, Quality::Balanced));
     window->preferences().change([](Preferences& p) { p.method = Method::Pafac; });
-    EXPECT_EQ(
-        offered()[0]->text(),
-        QStringLiteral("fast: 4.0 ms, quantiles ± 11.3 mm from a long run, mean error 34 mm; chains "
-                       "converge in 13 % of scenes, without which there is no verdict"));
+    EXPECT_EQ(offered()[0]->text(),
+              QStringLiteral(
+                  "fast: 4.0 ms, quantiles ± 11.3 mm from a long run, mean error 34 mm; chains "
+                  "converge in 13 % of scenes, without which there is no verdict"));
 }
 
 TEST_F(Console, escapeAbortsAnExploration)

@@ -36,9 +36,11 @@ const std::vector<TradePoint> kPoints{point("fast", Quality::Fast, 0.001, 0.003)
 TEST(TradeoffCsv, marksTheFronts)
 {
     const std::string text = tradeoffCsv(kPoints);
-    EXPECT_NE(text.find("pafc,fast,1000,16,50,single,all,800,0.75,1,1.5,3,20,15,1,1\n"), std::string::npos)
+    EXPECT_NE(text.find("pafc,fast,1000,16,50,single,all,800,0.75,1,1.5,3,20,15,1,1\n"),
+              std::string::npos)
         << text;
-    EXPECT_NE(text.find("pafc,draws,1000,16,50,single,all,800,0.75,2,2,4,20,15,0,0\n"), std::string::npos);
+    EXPECT_NE(text.find("pafc,draws,1000,16,50,single,all,800,0.75,2,2,4,20,15,0,0\n"),
+              std::string::npos);
     EXPECT_NE(text.find("pafc,accurate,1000,16,50,single,all,800,0.75,50,0.25,0.5,20,15,1,0\n"),
               std::string::npos);
 }
@@ -78,8 +80,8 @@ TEST(PresetsCsv, thatIsShippedIsOfTheShippedModelAndOfThePresetsAsTheyAre)
 TEST(PresetsCsv, refusesWhatItIsNot)
 {
     const TemporaryDirectory directory;
-    const std::string header =
-        "model,method,quality,draws,chains,burn_in,inducing,ms,quantile_off_mm,error_mm,converged\n";
+    const std::string header = "model,method,quality,draws,chains,burn_in,inducing,ms,quantile_off_"
+                               "mm,error_mm,converged\n";
     const std::string rest = ",8,4,2,0,1,2,3,1\n";
     const auto refuses = [&](const std::string& text,
                              std::initializer_list<std::string_view> parts) {
