@@ -244,9 +244,13 @@ QWidget* TrainingPage::compareCard()
     comparison_ = makeTable(static_cast<int>(rows.size()),
                             {tr("error"), tr("old"), tr("new"), tr("new − old")},
                             tr("Old and new model"), card);
-    for (const int wide : {0, kColumnDifference})
-        comparison_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
-    for (int row = 0; row < rows.size(); ++row) comparison_->item(row, 0)->setText(rows[row].what);
+    for (int number = 1; number <= kColumnDifference; ++number)
+        comparison_->horizontalHeader()->setSectionResizeMode(number,
+                                                              QHeaderView::ResizeToContents);
+    for (int row = 0; row < rows.size(); ++row) {
+        comparison_->item(row, 0)->setText(rows[row].what);
+        comparison_->item(row, 0)->setToolTip(rows[row].what);
+    }
     card->body()->addWidget(comparison_, 1);
     verdict_ = makeSentence(tr("Outcome"), card);
     setTone(*verdict_, Tone::Strong);

@@ -83,10 +83,10 @@ bool isSameEverywhere(const std::string& text)
     return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);
 }
 
-/// A tip that shows what a DBC file says, in the file's language (plainTip()).
+/// The first or the last line of a tip that shows what a DBC file says, in the file's language (plainTip()).
 bool isWordsOfAFile(const std::string& text)
 {
-    return text.starts_with("<p ");
+    return text.starts_with("<p ") || text.ends_with("</p>");
 }
 
 /// A text and what it is put together of.

@@ -288,6 +288,7 @@ TEST_P(EveryMethod, canBeCancelledAtEveryQuestionAndAnswersTheSameAfterwards)
 {
     Asked quick = asked();
     quick.settings.draws = isClosedForm(GetParam()) ? 30000 : 16;
+    quick.settings.stopEarly = !isClosedForm(GetParam());
     quick.settings.burnIn = 1;
     int asking = 0;
     Watch counting;
@@ -405,6 +406,7 @@ TEST(Cancelling, ofManyDrawsIsAskedForInProportionToTheirNumber)
         Asked many;
         many.settings.method = method;
         many.settings.draws = kDraws;
+        many.settings.stopEarly = false;
         EXPECT_GE(questions([&](const Poll& poll) {
                       Watch watch;
                       watch.cancelled = [&] {
