@@ -8,6 +8,7 @@
 #include "app/model_cards.h"
 #include "app/model_conditions.h"
 #include "core/infer/obstacle.h"
+#include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
 #include "core/learn/projected_process.h"
 #include "core/learn/scene_file.h"
