@@ -171,10 +171,7 @@ TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
     sampled.inducing = 300;
     exploration->setSettings(sampled);
     blocked = true;
-    exploration->request();
-    telemetry.activity = RobotActivity::Halted;
-    ASSERT_TRUE(reaches(AtemPhase::Pressing));
-    telemetry.activity = RobotActivity::Pressing;
+    ASSERT_TRUE(begunToPress());
     ASSERT_TRUE(gui::eventually([this] {
         tick();
         return estimates == 1;
@@ -207,10 +204,7 @@ TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
 
 TEST_F(Bench, aLivePreviewEndsWithTheExploration)
 {
-    exploration->request();
-    telemetry.activity = RobotActivity::Halted;
-    ASSERT_TRUE(reaches(AtemPhase::Pressing));
-    telemetry.activity = RobotActivity::Pressing;
+    ASSERT_TRUE(begunToPress());
     ASSERT_TRUE(gui::eventually([this] {
         tick();
         return exploration->estimation().live().has_value();

@@ -104,6 +104,15 @@ struct Bench : testing::Test {
             return phase() == wanted;
         });
     }
+    /// Explores until the flippers move.
+    bool begunToPress()
+    {
+        exploration->request();
+        telemetry.activity = RobotActivity::Halted;
+        if (!reaches(AtemPhase::Pressing)) return false;
+        telemetry.activity = RobotActivity::Pressing;
+        return true;
+    }
     template <class C>
     int sent()
     {
