@@ -1903,7 +1903,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>ARMED · disarm (M)</source>
-        <translation>FREI · sperren (M)</translation>
+        <translation>FREIGEGEBEN · sperren (M)</translation>
     </message>
     <message>
         <source>arming … cancel (M)</source>
