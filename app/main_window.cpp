@@ -1,15 +1,12 @@
 #include "app/main_window.h"
 
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTime>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -18,6 +15,8 @@
 #include "app/numbers_page.h"
 #include "app/open_file.h"
 #include "app/page.h"
+#include "app/preset_words.h"
+#include "app/profile_menu.h"
 #include "app/session_scribe.h"
 #include "app/settings_page.h"
 #include "app/signals_page.h"
@@ -79,7 +78,8 @@ MainWindow::MainWindow(Options options)
         if (!unusual.isEmpty()) scribe_->decision("settings", unusual);
     }
     offerQualities();
-    offerViews();
+    profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
+    viewButton()->setMenu(profileMenu_);
     defineKeys();
     for (const QString& trouble : preferences_->troubles())
         events()->add(trouble, Weight::Doubt, QTime::currentTime());
@@ -199,30 +199,6 @@ void MainWindow::addTraining(const Options& options)
         connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
 }
 
-void MainWindow::offerViews()
-{
-    auto* menu = new QMenu(viewButton());
-    drawsAction_ = menu->addAction(tr("Some of the draws as thin lines (D)"));
-    drawsAction_->setCheckable(true);
-    connect(drawsAction_, &QAction::toggled, terrain(), &TerrainProfileView::setDrawsShown);
-    menu->addSeparator();
-    QAction* title = menu->addAction(tr("A second method beside it"));
-    title->setEnabled(false);  // addSection() draws no title where there is a style sheet
-    auto* group = new QActionGroup(menu);
-    const auto offer = [&](const QString& text, std::optional<Method> method) {
-        QAction* action = menu->addAction(text);
-        action->setCheckable(true);
-        action->setChecked(method == exploration_->estimation().secondMethod());
-        group->addAction(action);
-        connect(action, &QAction::triggered, exploration_.get(),
-                [this, method] { exploration_->setSecondMethod(method); });
-    };
-    offer(tr("none"), std::nullopt);
-    for (const Method method : kMethods)
-        if (method != Method::Pafac) offer(words::text(name(method)), method);
-    viewButton()->setMenu(menu);
-}
-
 void MainWindow::arrange()
 {
     const Preferences& preferences = preferences_->current();
@@ -301,27 +277,10 @@ void MainWindow::offerQualities()
     const bool measured = !model.name.isEmpty() && model.content.toStdString() == presets_.model;
     const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
     settings_->setPresets(costs);
-    QStringList names, lines;
-    for (const Quality quality : kQualities) {
-        names << words::sentence(name(quality));
-        const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& p) {
-            return p.method == method && p.quality == quality;
-        });
-        if (cost == costs.end()) {
-            lines << tr("%1: not measured (terratact tradeoff)").arg(names.back());
-            continue;
-        }
-        const QString time = words::number(cost->milliseconds, 1);
-        const QString error = words::number(cost->errorMm, 0);
-        lines << (isClosedForm(method)
-                      ? tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")
-                            .arg(names.back(), time, error)
-                      : tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains "
-                           "converge in %5 % of scenes, without which there is no verdict")
-                            .arg(names.back(), time, words::number(cost->offMm, 1), error,
-                                 words::number(100.0 * cost->converged, 0)));
-    }
-    header()->setQualities(names, lines, static_cast<int>(preferences_->current().quality));
+    QStringList names;
+    for (const Quality quality : kQualities) names << words::sentence(name(quality));
+    header()->setQualities(names, presetLines(method, costs),
+                           static_cast<int>(preferences_->current().quality));
 }
 
 void MainWindow::connectAll()
@@ -594,7 +553,7 @@ void MainWindow::defineKeys()
     if (recorder_)
         keys.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
 
-    addExplorationKeys(keys, *this, *drawsAction_);
+    addExplorationKeys(keys, *this, profileMenu_->draws());
 
     keys.addGroup(tr("View"));
     addViewKeys(keys, *preferences_);

@@ -26,7 +26,6 @@
 #include "app/terrain_page.h"
 #include "app/tradeoff_csv.h"
 
-class QAction;
 class QLabel;
 class QPushButton;
 
@@ -38,6 +37,7 @@ class ArmingControl;
 class SettingsPage;
 class SignalsPage;
 class NumbersPage;
+class ProfileMenu;
 class TrainingPage;
 
 /// The operator's console: lays the widgets out, shows them the newest state every 40 ms at most and passes on
@@ -119,7 +119,6 @@ private:
     void releaseStop();
     void connectStop();
     void addTraining(const Options& options);
-    void offerViews();
     void open();
     void defineKeys();
     void applyPreferences(const Preferences& before);
@@ -172,7 +171,7 @@ private:
     TerrainPage* terrainPage_ = nullptr;
     TrainingPage* training_ = nullptr;
     QPushButton* recording_ = nullptr;
-    QAction* drawsAction_ = nullptr;
+    ProfileMenu* profileMenu_ = nullptr;
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;
     DiagnosticsPage* diagnosticsPage_ = nullptr;

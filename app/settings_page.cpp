@@ -15,6 +15,7 @@
 
 #include "app/file_dialog.h"
 #include "app/letters.h"
+#include "app/preset_words.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
@@ -335,24 +336,8 @@ void SettingsPage::show()
 void SettingsPage::showCosts()
 {
     const QSignalBlocker quiet(quality_);
-    for (int i = 0; i < quality_->count(); ++i) {
-        const Quality quality = kQualities.at(static_cast<std::size_t>(i));
-        const auto cost = std::find_if(presets_.begin(), presets_.end(), [&](const PresetCost& c) {
-            return c.method == store_.current().method && c.quality == quality;
-        });
-        const QString word = words::sentence(name(quality));
-        if (cost == presets_.end()) {
-            quality_->setItemText(i, tr("%1: not measured").arg(word));
-            continue;
-        }
-        const QString time = words::number(cost->milliseconds, 1);
-        const QString error = words::number(cost->errorMm, 0);
-        quality_->setItemText(i, isClosedForm(cost->method)
-                                     ? tr("%1: %2 ms, %3 mm (exact)").arg(word, time, error)
-                                     : tr("%1: %2 ms, %3 mm (± %4 mm), %5 % converge")
-                                           .arg(word, time, error, words::number(cost->offMm, 1),
-                                                words::number(100.0 * cost->converged, 0)));
-    }
+    const QStringList entries = presetEntries(store_.current().method, presets_);
+    for (int i = 0; i < quality_->count(); ++i) quality_->setItemText(i, entries.at(i));
 }
 
 void SettingsPage::setPresets(std::vector<PresetCost> presets)

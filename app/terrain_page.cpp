@@ -3,13 +3,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/console_window.h"
-#include "app/letters.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/outline.h"
 #include "widgets/card.h"
@@ -24,14 +20,6 @@
 
 namespace terratact {
 namespace {
-
-constexpr int kBetween = 10;                       // [px] cards
-constexpr int kToSpare = 10;                       // [px] before cards have to leave
-constexpr QSize kLeastTerrain{420, 230};           // [px]
-constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] of the decisions, at 100 %
-// [px] of the terrain beside them, likewise: it is the largest part
-constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
-constexpr double kTerrainToColumn = 1.17;
 
 // What the probe's card says where nobody asks this operator.
 QString followedProbe(const AtemState& state)
@@ -115,49 +103,20 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     terrainCard_ = terrainCard();
     atem_ = new AtemPanel(this);
     probe_ = new ProbeCard(this);
-    Card* const forces = forceCard();
-    robotCard_ = robotCard();
-    auto* eventCard = new Card(tr("Last minutes"), this);
-    events_ = new EventList(eventCard);
-    eventCard->body()->addWidget(events_, 1);
-
-    decisions_ = new QWidget(this);
-    auto* reserved = new QHBoxLayout(decisions_);
-    reserved->setContentsMargins(0, 0, 0, 0);
-    reserved->setSpacing(0);
-    question_ = new QSpacerItem(0, 0);
-    decide_ = new QVBoxLayout;
-    reserved->addLayout(decide_);
-    reserved->addItem(question_);
-    decide_->setSpacing(kBetween);
-    decide_->addWidget(atem_);
-    decide_->addWidget(probe_, 1);
-    column_ = new QVBoxLayout;
-    column_->setSpacing(kBetween);
-    column_->addWidget(decisions_, 1);
-    upper_ = new QHBoxLayout;
-    upper_->setSpacing(kBetween);
-    ground_ = new QVBoxLayout;
-    ground_->setSpacing(kBetween);
-    ground_->addWidget(verdict_);
-    ground_->addWidget(terrainCard_, 1);
-    upper_->addLayout(ground_, 1);
-    upper_->addLayout(column_);
-    lowerPanel_ = new QWidget(this);
-    lower_ = new QHBoxLayout(lowerPanel_);
-    lower_->setContentsMargins(0, 0, 0, 0);
-    lower_->setSpacing(kBetween);
-    recent_ = new QHBoxLayout;
-    recent_->setSpacing(kBetween);
-    recent_->addWidget(robotCard_);
-    recent_->addWidget(eventCard);
-    lower_->addWidget(forces);
-    lower_->addLayout(recent_);
-
-    rows_ = new QVBoxLayout(this);
-    rows_->setSpacing(kBetween);
-    rows_->addLayout(upper_);
-    rows_->addWidget(lowerPanel_);
+    Card* const forcesCard = forceCard();
+    Card* const readoutCard = robotCard();
+    Card* const newsCard = eventCard();
+    layout_ = new TerrainLayout(*this, {.verdict = verdict_,
+                                        .terrainCard = terrainCard_,
+                                        .strip = strip_,
+                                        .terrain = terrain_,
+                                        .atem = atem_,
+                                        .probe = probe_,
+                                        .forces = forcesCard,
+                                        .robot = readoutCard,
+                                        .drive = drive_,
+                                        .events = newsCard});
+    connect(layout_, &TerrainLayout::tightened, this, &TerrainPage::tightened);
 }
 
 Card* TerrainPage::terrainCard()
@@ -211,29 +170,12 @@ Card* TerrainPage::robotCard()
     return card;
 }
 
-void TerrainPage::placeLower()
+Card* TerrainPage::eventCard()
 {
-    if (rows_->indexOf(lowerPanel_) < 0) rows_->addWidget(lowerPanel_);
-    share();
-}
-
-void TerrainPage::stackLower(bool stacked)
-{
-    stacked_ = stacked;
-    share();
-}
-
-void TerrainPage::placeDecisions()
-{
-    if (column_->indexOf(decisions_) < 0) column_->insertWidget(1, decisions_, 1);
-}
-
-void TerrainPage::setVerdictBeside(int columnWidth)
-{
-    columnWidth_ = columnWidth;
-    if (!verdictBeside_) column_->addStretch();  // where only the verdict is beside
-    verdictBeside_ = true;
-    arrange(layout_, fontScale_);
+    auto* card = new Card(tr("Last minutes"), this);
+    events_ = new EventList(card);
+    card->body()->addWidget(events_, 1);
+    return card;
 }
 
 void TerrainPage::addTerrainTool(QWidget* tool)
@@ -241,153 +183,21 @@ void TerrainPage::addTerrainTool(QWidget* tool)
     terrainCard_->titleRow()->addWidget(tool);
 }
 
-void TerrainPage::allowTight(const ConsoleWindow& window)
-{
-    window_ = &window;
-    arrange(layout_, fontScale_);
-}
-
 void TerrainPage::arrange(Layout layout, int fontScale)
 {
-    const bool isMeasured = roomyNeeds_.isValid() && layout == layout_ && fontScale == fontScale_;
-    layout_ = layout;
-    fontScale_ = fontScale;
-    if (isMeasured) return;
-    if (window_) {
-        const bool tight = tight_;
-        measures_ = true;
-        tightNeeds_ = needs(true);
-        roomyNeeds_ = needs(false);
-        setTight(tight);
-        measures_ = false;
-        fit();
-        setColumn();
-    } else {
-        setTight(false);
-    }
+    layout_->arrange(layout, fontScale);
     showThreshold();
-}
-
-/// [px] of the page, arranged like that.
-QSize TerrainPage::needs(bool tight)
-{
-    setTight(tight);
-    forgetSizes(*this);
-    forgetSizes(*lowerPanel_);  // it may be elsewhere
-    const QMargins margins = rows_->contentsMargins();
-    QSize size = upper_->minimumSize();
-    if (!tight) {
-        // With a banner, what it takes is given; without one, nothing is.
-        const int line = window_->bannerLine();
-        size.setHeight(std::max(size.height() + line, column_->minimumSize().height()
-                                                          + probe_->givenHeight() + kToSpare));
-    }
-    const auto below = [&size](const QSize& part) {
-        size = {std::max(size.width(), part.width()), size.height() + kBetween + part.height()};
-    };
-    if (rows_->indexOf(verdict_) >= 0) below(verdict_->minimumSizeHint());
-    if (!tight) below(lowerPanel_->minimumSizeHint());
-    return size.grownBy(margins);
 }
 
 QSize TerrainPage::minimumSizeHint() const
 {
-    return window_ ? tightNeeds_ : QWidget::minimumSizeHint();
+    return layout_->tightNeeds().isValid() ? layout_->tightNeeds() : QWidget::minimumSizeHint();
 }
 
 void TerrainPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    fit();
-    setColumn();
-}
-
-void TerrainPage::fit()
-{
-    if (!window_ || measures_) return;
-    const QSize room = size() + QSize(0, window_->bannersTake());  // as without a banner
-    const bool tight = room != room.expandedTo(roomyNeeds_);
-    if (tight == tight_ && (rows_->indexOf(lowerPanel_) < 0) == tight) return;
-    setTight(tight);
-    emit tightened(tight);
-    rows_->activate();
-}
-
-void TerrainPage::setTight(bool tight)
-{
-    tight_ = tight;
-    if (window_) stacked_ = tight;
-    const int margin = tight ? 6 : 10;
-    rows_->setContentsMargins(12, margin, 12, margin);
-    atem_->setNarrow(tight);
-    probe_->setNarrow(tight);
-    drive_->setNarrow(tight);
-    // A banner's line is the terrain's and the question's, where it would else make the cards leave.
-    if (window_)
-        terrain_->setMinimumSize(kLeastTerrain - QSize(0, tight ? 0 : window_->bannerLine()));
-    if (window_) terrainCard_->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
-    // Driving is needed at any time; the rest of its card is looked up.
-    if (tight)
-        decide_->addWidget(drive_);
-    else
-        robotCard_->body()->addWidget(drive_);
-    setColumn();
-    placeVerdict();
-    share();
-}
-
-/// Where room is tight the decisions are as wide as leaves the terrain wider.
-void TerrainPage::setColumn()
-{
-    int wide = scaled(tight_ ? kNarrowColumn : kColumn);
-    if (tight_ && window_ && !measures_) {
-        const int room =
-            width() - rows_->contentsMargins().left() - rows_->contentsMargins().right() - kBetween;
-        const auto share = static_cast<int>(room / (1.0 + kTerrainToColumn));
-        wide = std::clamp(share, wide, scaled(kColumn));
-    }
-    for (QWidget* card : std::initializer_list<QWidget*>{atem_, probe_}) card->setFixedWidth(wide);
-    // Room for the question is kept, so that nothing moves when it comes.
-    question_->changeSize(
-        0, verdictBeside_ ? 0 : atem_->leastHeight() + kBetween + probe_->leastHeight());
-}
-
-void TerrainPage::placeVerdict()
-{
-    // Large letters leave no room for the result beside the card's title; a review's page has its name already.
-    QBoxLayout *beside = terrainCard_->titleRow(), *below = terrainCard_->body();
-    const bool large = fontScale_ > 100 || tight_, apart = large && !verdictBeside_;
-    for (QBoxLayout* row : {beside, below}) row->removeWidget(strip_);
-    (apart ? below : beside)->insertWidget(apart ? 1 : 2, strip_, apart ? 0 : 1);
-    beside->setStretch(0, apart ? 1 : 0);
-    beside->itemAt(0)->widget()->setVisible(!large || apart);
-    // Nor for the verdict above the terrain alone: it then stands above the whole page.
-    for (QBoxLayout* column : {ground_, rows_, column_}) column->removeWidget(verdict_);
-    (verdictBeside_ ? column_ : large ? rows_ : ground_)->insertWidget(0, verdict_);
-    verdict_->setStacked(verdictBeside_);
-    if (verdictBeside_) verdict_->setFixedWidth(scaled(columnWidth_));
-}
-
-void TerrainPage::share()
-{
-    struct Shares {
-        int upper, lower, forces, robot, events;
-    };
-    const Shares shares = verdictBeside_            ? Shares{17, 6, 9, 8, 16}
-                        : layout_ == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
-                        : layout_ == Layout::Review ? Shares{13, 9, 9, 8, 16}
-                                                    : Shares{17, 6, 10, 9, 10};
-    rows_->setStretchFactor(upper_, shares.upper + (fontScale_ > 100 ? 4 : 0));
-    rows_->setStretchFactor(lowerPanel_, shares.lower);
-    lower_->setStretch(0, shares.forces);
-    lower_->setStretch(1, shares.robot + shares.events);
-    recent_->setDirection(stacked_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    recent_->setStretch(0, stacked_ ? 0 : shares.robot);
-    recent_->setStretch(1, stacked_ ? 1 : shares.events);
-    recent_->itemAt(1)->widget()->setVisible(shares.events > 0);
-    // Where large letters leave little room, what exploring needs is seen whole before driving is large.
-    drive_->setProminent(layout_ == Layout::Drive && !(tight_ && fontScale_ > 120));
-    drive_->setVisible(layout_ != Layout::Review);
+    layout_->fit();
 }
 
 void TerrainPage::setThreshold(double newtons)
@@ -406,7 +216,7 @@ void TerrainPage::showThreshold()
     }
     const bool raw = forces_->unit() == ForceBars::Unit::Volts;
     const QString value = words::number(threshold_, 1);
-    if (fontScale_ > 100 || forces_->arrays() > 2)  // no room for a word
+    if (layout_->fontScale() > 100 || forces_->arrays() > 2)  // no room for a word
         thresholdText_->setText(raw ? QString() : tr("- - %1 N").arg(value));
     else
         thresholdText_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
@@ -579,10 +389,10 @@ void TerrainPage::showProbe(const TerrainSight& sight)
     const bool asking = sight.proposal && sight.state.phase == AtemPhase::ProposingProbe;
     // What asks or moves is shown in every layout.
     const bool needed = asking || sight.probingBin;
-    probe_->setVisible((layout_ == Layout::Probe && !tight_) || needed);
-    drive_->setVisible(layout_ != Layout::Review && !(tight_ && needed));
+    probe_->setVisible((layout_->layout() == Layout::Probe && !isTight()) || needed);
+    drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
     // In large letters the question needs the room; the robot stands still while it is asked.
-    readout_->setVisible(!asking || fontScale_ <= 120 || tight_);
+    readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
     terrain_->setArmTip(armTipOf(sight, asking));
     if (asking) {
         ProbeProposal proposal = *sight.proposal;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/preferences.h"
+#include "app/terrain_layout.h"
 #include "core/atem/atem_machine.h"
 #include "core/infer/estimate.h"
 #include "core/infer/ghost.h"
@@ -16,15 +16,12 @@
 #include "widgets/probe_card.h"
 #include "widgets/robot_readout.h"
 
-class QBoxLayout;
 class QLabel;
 class QPushButton;
-class QSpacerItem;
 
 namespace terratact {
 
 class Card;
-class ConsoleWindow;
 class DrivePad;
 class ElidedLabel;
 class EstimateStrip;
@@ -88,22 +85,17 @@ public:
     void setSight(const TerrainSight& sight);
     /// fontScale: [%] of the letters in force.
     void arrange(Layout layout, int fontScale);
-    void setThreshold(double newtons);  ///< of contact
-    /// Forces, robot and events, below the terrain; whoever takes them into a layout of its own gives them back so.
-    QWidget* lower() const { return lowerPanel_; }
-    void placeLower();
-    void stackLower(bool stacked);  ///< robot and events one above the other: half as wide
-    /// Likewise exploring and the arm, beside the terrain.
-    QWidget* decisions() const { return decisions_; }
-    void placeDecisions();
-    /// Verdict and decisions in a column beside the terrain, which gets all the height; columnWidth: at 100 %.
-    void setVerdictBeside(int columnWidth);
+    void setThreshold(double newtons);   ///< of contact
     void addTerrainTool(QWidget* tool);  ///< to the terrain's title
-    /// From now on, where there is no room for the cards below the terrain, they leave it for somebody else's place
-    /// (tightened()), and what is to be decided stands in a narrow column.  A banner of the window, the page's own,
-    /// moves no card: its line is the terrain's.
-    void allowTight(const ConsoleWindow& window);
-    bool isTight() const { return tight_; }
+    // Likewise TerrainLayout's, which see.
+    QWidget* lower() const { return layout_->lower(); }
+    void placeLower() { layout_->placeLower(); }
+    void stackLower(bool stacked) { layout_->stackLower(stacked); }
+    QWidget* decisions() const { return layout_->decisions(); }
+    void placeDecisions() { layout_->placeDecisions(); }
+    void setVerdictBeside(int columnWidth) { layout_->setVerdictBeside(columnWidth); }
+    void allowTight(const ConsoleWindow& window) { layout_->allowTight(window); }
+    bool isTight() const { return layout_->isTight(); }
 
     QSize
     minimumSizeHint() const override;  ///< whatever is shown, so that no text moves the window
@@ -133,6 +125,7 @@ private:
     Card* terrainCard();
     Card* forceCard();
     Card* robotCard();
+    Card* eventCard();
     void showRobot(const TerrainSight& sight);
     void showAge(const TerrainSight& sight);
     void showEstimate(const TerrainSight& sight);
@@ -142,30 +135,14 @@ private:
     void showProbe(const TerrainSight& sight);
     void showForcesAge(const TerrainSight& sight);
     void showThreshold();
-    void fit();
-    void setTight(bool tight);
-    void setColumn();
-    void placeVerdict();
-    void share();
-    QSize needs(bool tight);
 
     RobotModel robot_;
-    Layout layout_ = Layout::Probe;
-    int fontScale_ = 100;
-    bool verdictBeside_ = false;
-    bool stacked_ = false;                   ///< robot and events
-    const ConsoleWindow* window_ = nullptr;  ///< null: it does not tighten
-    bool tight_ = false;
-    bool measures_ = false;          ///< arranged for a moment only
-    QSize roomyNeeds_, tightNeeds_;  ///< [px]
-    int columnWidth_ = 404;          ///< [px] at 100 %
     double threshold_ = 0.0;
     std::optional<double> forcesAge_;  ///< [s] where it is said: they are not shown any more
 
     // Qt's parents own the widgets.
     VerdictStrip* verdict_ = nullptr;
     Card* terrainCard_ = nullptr;
-    Card* robotCard_ = nullptr;
     QPushButton* view_ = nullptr;
     EstimateStrip* strip_ = nullptr;
     TerrainProfileView* terrain_ = nullptr;
@@ -180,16 +157,7 @@ private:
     bool numbersFresh_ = false;  ///< those of the robot, when they were shown last
     DrivePad* drive_ = nullptr;
     EventList* events_ = nullptr;
-    QBoxLayout* ground_ = nullptr;     ///< verdict and terrain
-    QBoxLayout* rows_ = nullptr;       ///< terrain and decisions, the cards below
-    QBoxLayout* upper_ = nullptr;      ///< the terrain and the decisions
-    QBoxLayout* column_ = nullptr;     ///< of the decisions
-    QSpacerItem* question_ = nullptr;  ///< the height that a probe's question needs, beside them
-    QWidget* decisions_ = nullptr;
-    QBoxLayout* decide_ = nullptr;  ///< of them
-    QWidget* lowerPanel_ = nullptr;
-    QBoxLayout* lower_ = nullptr;   ///< forces, and beside them
-    QBoxLayout* recent_ = nullptr;  ///< robot and events
+    TerrainLayout* layout_ = nullptr;
 
     std::uint64_t shownCount_ = 0;
     std::optional<TerrainEstimate> shown_, shownLive_, shownSecond_;

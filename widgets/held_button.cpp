@@ -11,7 +11,28 @@
 namespace terratact {
 namespace {
 
-constexpr int kFrame = 6;  // [px] between the edge and the text
+constexpr int kFrame = 6;                    // [px] between the edge and the text
+constexpr double kRound = 5.0, kRing = 4.0;  // [px] its corners, the line that closes around it
+
+/// That much of the way around, clockwise from the top's middle.
+void paintRing(QPainter& painter, const QRectF& area, double share, const QColor& colour)
+{
+    const QRectF way = area.adjusted(kRing / 2, kRing / 2, -kRing / 2, -kRing / 2);
+    const QPointF top(way.center().x(), way.top());
+    QPainterPath ring(top);
+    const auto corner = [&](double x, double y, double angle) {
+        ring.arcTo(QRectF(x, y, 2 * kRound, 2 * kRound), angle, -90.0);
+    };
+    corner(way.right() - 2 * kRound, way.top(), 90.0);
+    corner(way.right() - 2 * kRound, way.bottom() - 2 * kRound, 0.0);
+    corner(way.left(), way.bottom() - 2 * kRound, -90.0);
+    corner(way.left(), way.top(), 180.0);
+    ring.lineTo(top);
+    QPen pen(colour, kRing, Qt::CustomDashLine, Qt::FlatCap);
+    const double length = ring.length() / kRing;  // dashes are counted in widths
+    pen.setDashPattern({std::max(1e-3, share * length), length});
+    painter.strokePath(ring, pen);
+}
 
 }  // namespace
 
@@ -168,7 +189,7 @@ void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF area = QRectF(rect()).adjusted(1, 1, -1, -1);
     QPainterPath shape;
-    shape.addRoundedRect(area, 5, 5);
+    shape.addRoundedRect(area, kRound, kRound);
     const Fill fill = isEnabled() ? theme().*fill_ : theme().off;
     painter.fillPath(shape, fill.area);
     if (isHeld()) {
@@ -177,12 +198,12 @@ void HoldToConfirmButton::paintEvent(QPaintEvent* /*event*/)
         QColor filled = fill.text;
         filled.setAlphaF(0.25F);
         painter.fillRect(done, filled);
-        painter.fillRect(QRectF(done.right() - 3, area.top(), 3, area.height()), fill.text);
         painter.setClipping(false);
     }
     const QColor edge = isEnabled() ? theme().buttonBorder : theme().offBorder;
     painter.setPen(QPen(hasFocus() ? theme().text : edge, hasFocus() ? 2.5 : 1.0));
     painter.drawPath(shape);
+    if (isHeld()) paintRing(painter, area, share(), fill.text);
     painter.setPen(fill.text);
     painter.setFont(isEnabled() ? boldFont() : font());
     painter.drawText(rect().adjusted(kFrame, 0, -kFrame, 0), Qt::AlignCenter | Qt::TextWordWrap,

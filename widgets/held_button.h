@@ -51,8 +51,8 @@ private:
     QTimer release_;
 };
 
-/// A button that must be held for a while before it means yes; its fill shows how far.  Letting go
-/// early means nothing.  It lets go, too, as soon as it may not be held any more.
+/// A button that must be held for a while before it means yes; a ring that closes around it and its fill show how far.
+/// Letting go early means nothing.  It lets go, too, as soon as it may not be held any more.
 class HoldToConfirmButton final : public HeldButton {
     Q_OBJECT
 public:

@@ -21,19 +21,12 @@ QFont sized(QFont font, int pixels, bool bold)
     return font;
 }
 
-MetreScale::MetreScale(bool withPlus) : withPlus_(withPlus)
+QwtText inked(const QString& words, const QColor& colour, const QFont& font)
 {
-    enableComponent(QwtAbstractScaleDraw::Backbone, false);
-    setTickLength(QwtScaleDiv::MajorTick, 5);
-    setTickLength(QwtScaleDiv::MediumTick, 0);
-    setTickLength(QwtScaleDiv::MinorTick, 0);
-}
-
-QwtText MetreScale::label(double value) const
-{
-    const double rounded = std::round(value * 10.0) / 10.0;
-    if (rounded == 0.0) return QStringLiteral("0.0");
-    return withPlus_ ? words::signedNumber(rounded, 1) : words::number(rounded, 1);
+    QwtText result(words);
+    result.setColor(colour);
+    result.setFont(font);
+    return result;
 }
 
 QwtGraphic LineItem::legendIcon(int /*index*/, const QSizeF& /*size*/) const

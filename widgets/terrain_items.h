@@ -4,7 +4,7 @@
 #include <qwt_plot_item.h>
 #include <qwt_plot_shapeitem.h>
 #include <qwt_plot_textlabel.h>
-#include <qwt_scale_draw.h>
+#include <qwt_text.h>
 
 #include <QFont>
 #include <array>
@@ -16,15 +16,8 @@ namespace terratact {
 /// The font in so many pixels, at 100 %.
 QFont sized(QFont font, int pixels, bool bold = false);
 
-/// Ticks in the form "+0.1", "0.0", "−0.2"; every label as wide as the widest.
-class MetreScale final : public QwtScaleDraw {
-public:
-    explicit MetreScale(bool withPlus);
-    QwtText label(double value) const override;
-
-private:
-    bool withPlus_;
-};
+/// Words of a plot.
+QwtText inked(const QString& words, const QColor& colour, const QFont& font);
 
 /// A line in metres whose legend shows a piece of it.
 class LineItem final : public QwtPlotShapeItem {

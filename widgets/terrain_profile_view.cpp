@@ -11,7 +11,6 @@
 #include <qwt_plot_shapeitem.h>
 #include <qwt_plot_textlabel.h>
 #include <qwt_scale_map.h>
-#include <qwt_scale_widget.h>
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
@@ -34,18 +33,8 @@
 namespace terratact {
 namespace {
 
-// What is always in the picture [m]: the robot with its flippers out, and the bins.
-constexpr double kLeft = -0.66, kRight = 0.80, kBottom = -0.42, kTop = 0.22;
 // How far it grows for heights that lie outside.
 constexpr double kLowest = -1.6, kHighest = 1.2;
-
-QwtText text(const QString& words, const QColor& colour, const QFont& font)
-{
-    QwtText result(words);
-    result.setColor(colour);
-    result.setFont(font);
-    return result;
-}
 
 QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill, int size)
 {
@@ -87,7 +76,8 @@ void setInLegend(QwtPlotItem& item, bool shown)
 
 }  // namespace
 
-TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
+TerrainProfileView::TerrainProfileView(QWidget* parent)
+    : QwtPlot(parent), axes_(*this), robot_(*this)
 {
     setAccessibleName(tr("Terrain profile"));
     setAutoReplot(false);
@@ -104,10 +94,6 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
     plotLayout()->setAlignCanvasToScales(true);
     plotLayout()->setCanvasMargin(0);
 
-    setAxisScaleDraw(QwtPlot::xBottom, new MetreScale(false));
-    setAxisScaleDraw(QwtPlot::yLeft, new MetreScale(true));
-    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)})
-        axisWidget(axis)->setMargin(0);
     auto* key = new Key(*this);
     key->setFrameStyle(QFrame::NoFrame);
     insertLegend(key, QwtPlot::BottomLegend);
@@ -201,19 +187,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : QwtPlot(parent)
 void TerrainProfileView::restyle()
 {
     setCanvasBackground(theme().card);
-    const QFont small = sized(font(), 13);
-    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
-        setAxisFont(axis, small);
-        QPalette colours = axisWidget(axis)->palette();
-        colours.setColor(QPalette::Text, theme().muted);
-        colours.setColor(QPalette::WindowText, theme().muted);
-        axisWidget(axis)->setPalette(colours);
-    }
-    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(48));
-    // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
-    axisWidget(QwtPlot::xBottom)->setMinBorderDist(scaled(22), scaled(22));
-    axisWidget(QwtPlot::yLeft)->setMinBorderDist(scaled(10), scaled(10));
-    nameAxes();
+    axes_.restyle();
     grid_->setMajorPen(theme().grid, 1.0);
 
     ceilings_->setPen(QPen(theme().ceiling, 1.5, Qt::DotLine));
@@ -230,10 +204,10 @@ void TerrainProfileView::restyle()
         points_[kind]->setSymbol(symbol(mark.shape, mark.line, mark.fill, scaled(mark.size)));
     }
     imu_->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, scaled(7)));
-    imu_->setLabel(text(tr("IMU"), theme().muted, sized(font(), 12)));
+    imu_->setLabel(inked(tr("IMU"), theme().muted, sized(font(), 12)));
     showNote(note_->text().text(), estimate_.has_value());
     showGhostNote(ghostNote_->text().text());
-    setOutline(outline_);
+    robot_.restyle();
     for (QwtPlotItem* item : itemList()) item->legendChanged();
     sizeLegend();
     replot();
@@ -268,14 +242,14 @@ void TerrainProfileView::clearEstimate(const QString& why)
 
 void TerrainProfileView::showNote(const QString& note, bool warns)
 {
-    setLabel(*note_, text(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true)));
+    setLabel(*note_, inked(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true)));
     arrangeNotes();
 }
 
 void TerrainProfileView::showGhostNote(const QString& note)
 {
     setLabel(*ghostNote_,
-             text(note, ghost_->ghost ? theme().sampled : theme().muted, sized(font(), 15, true)));
+             inked(note, ghost_->ghost ? theme().sampled : theme().muted, sized(font(), 15, true)));
     arrangeNotes();
 }
 
@@ -288,24 +262,9 @@ void TerrainProfileView::arrangeNotes()
     ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));         // else below the other one
 }
 
-void TerrainProfileView::nameAxes()
-{
-    // One name for both leaves a narrow picture the width of the other.
-    constexpr int kNarrow = 400;  // [px] at 100 %
-    const bool isNarrow = width() < scaled(kNarrow);
-    const QString x = isNarrow ? tr("forward, height [m]") : tr("forward from the IMU [m]");
-    const QString y = isNarrow ? QString() : tr("height [m]");
-    if (axisTitle(QwtPlot::xBottom).text() == x
-        && axisTitle(QwtPlot::xBottom).font() == sized(font(), 13)
-        && axisTitle(QwtPlot::xBottom).color() == theme().muted)
-        return;
-    for (const auto& [axis, name] : {std::pair(QwtPlot::xBottom, x), std::pair(QwtPlot::yLeft, y)})
-        setAxisTitle(axis, text(name, theme().muted, sized(font(), 13)));
-}
-
 void TerrainProfileView::resizeEvent(QResizeEvent* event)
 {
-    nameAxes();
+    axes_.name();
     QwtPlot::resizeEvent(event);
     arrangeNotes();
 }
@@ -459,36 +418,7 @@ QStringList TerrainProfileView::closeUp(int bin) const
 
 void TerrainProfileView::setOutline(const Outline& outline)
 {
-    outline_ = outline;
-    while (robot_.size() < outline.size()) {
-        auto* part = new QwtPlotShapeItem;
-        part->setItemAttribute(QwtPlotItem::Legend, false);
-        part->setRenderHint(QwtPlotItem::RenderAntialiased);
-        part->setZ(5.0 + 0.01 * static_cast<double>(robot_.size()));
-        part->attach(this);
-        robot_.push_back(part);
-    }
-    for (std::size_t i = 0; i < robot_.size(); ++i) {
-        QPainterPath path;
-        if (i < outline.size()) {
-            std::vector<QPointF> corners;
-            for (const auto& [x, z] : outline[i].points)
-                if (drawable(QPointF(x, z))) corners.emplace_back(x, z);
-            path = pathThrough(corners);
-            if (!path.isEmpty()) path.closeSubpath();
-            QColor fill;
-            switch (outline[i].kind) {
-            case OutlinePart::Kind::Body: fill = theme().robotBody; break;
-            case OutlinePart::Kind::Track: fill = theme().robotTrack; break;
-            case OutlinePart::Kind::FrontFlipper:
-            case OutlinePart::Kind::RearFlipper: fill = theme().robotFlipper; break;
-            }
-            fill.setAlpha(0xd0);
-            robot_[i]->setBrush(fill);
-            robot_[i]->setPen(QPen(theme().robotLine, 1.0));
-        }
-        robot_[i]->setShape(path);
-    }
+    robot_.setOutline(outline);
     fitAxes();
     replot();
 }
@@ -564,7 +494,7 @@ void TerrainProfileView::fitAxes()
 
 bool TerrainProfileView::setScales()
 {
-    double bottom = kBottom, top = kTop;
+    double bottom = ProfileAxes::kBottom, top = ProfileAxes::kTop;
     const auto include = [&](double z) {
         if (!drawable(z)) return;
         bottom = std::min(bottom, std::max(kLowest, z - 0.03));
@@ -588,33 +518,7 @@ bool TerrainProfileView::setScales()
             for (const double z : {bin->height, bin->q10, bin->q90}) include(z);
         }
     }
-    // In steps, so that the picture does not swim with the noise.
-    bottom = std::floor(bottom / 0.05 + 1e-9) * 0.05;
-    top = std::ceil(top / 0.05 - 1e-9) * 0.05;
-
-    const double width = canvasMap(QwtPlot::xBottom).pDist();
-    const double height = canvasMap(QwtPlot::yLeft).pDist();
-    if (!(width > 10.0 && height > 10.0)) return false;
-    const std::array<double, 4> wanted{bottom, top, width, height};
-    if (wanted == fitted_) return false;
-    fitted_ = wanted;
-    const double scale = std::min(width / (kRight - kLeft), height / (top - bottom));  // [px/m]
-    const double spareX = width / scale - (kRight - kLeft);
-    const double spareZ = height / scale - (top - bottom);
-
-    const auto setScale = [this, scale](int axis, double from, double to) {
-        QList<double> centres;
-        const double least = scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] between labels
-        const double step = 0.1 * scale >= least ? 0.1 : 0.2 * scale >= least ? 0.2 : 0.5;
-        const auto last = static_cast<int>(std::floor(to / step + 1e-9));
-        for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)
-            centres << tick * step;
-        setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
-    };
-    setScale(QwtPlot::xBottom, kLeft - spareX / 2.0, kRight + spareX / 2.0);
-    setScale(QwtPlot::yLeft, bottom - spareZ * 0.6, top + spareZ * 0.4);
-    updateAxes();
-    return true;
+    return axes_.fit(bottom, top);
 }
 
 QPointF TerrainProfileView::pixelOf(double x, double z) const

@@ -10,6 +10,8 @@
 #include "core/infer/ghost.h"
 #include "core/infer/provenance.h"
 #include "core/terrain/outline.h"
+#include "widgets/profile_axes.h"
+#include "widgets/robot_sketch.h"
 
 class QwtPlotCurve;
 class QwtPlotGrid;
@@ -100,7 +102,6 @@ private:
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
     void arrangeNotes();
-    void nameAxes();
     void showTruth();
     void showArm();
     double underArm() const;
@@ -110,10 +111,9 @@ private:
 
     std::optional<TerrainEstimate> estimate_;
     std::optional<Heights> truth_;
-    Outline outline_;
     std::optional<ArmTip> armTip_;
-    std::array<double, 4>
-        fitted_{};  ///< bottom, top [m], width, height [px] the scales were made for
+    ProfileAxes axes_;
+    RobotSketch robot_;
 
     // The plot owns its items once they are attached.
     std::array<QwtPlotCurve*, kKinds> points_{};
@@ -124,7 +124,6 @@ private:
     QwtPlotShapeItem* meanPrior_ = nullptr;
     QwtPlotShapeItem* ceilings_ = nullptr;
     QwtPlotShapeItem* truthLine_ = nullptr;
-    std::vector<QwtPlotShapeItem*> robot_;
     BinZones* zones_ = nullptr;
     MarkLetters* letters_ = nullptr;
     ArmMark* armMark_ = nullptr;

@@ -529,6 +529,33 @@
     </message>
 </context>
 <context>
+    <name>PresetWords</name>
+    <message>
+        <source>%1: not measured (terratact tradeoff)</source>
+        <translation>%1: neměřeno (terratact tradeoff)</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, exact quantiles by a formula, mean error %3 mm</source>
+        <translation>%1: %2 ms, přesné kvantily podle vzorce, střední chyba %3 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
+        <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, střední chyba %4 mm; řetězce konvergují v %5 % scén, bez toho není verdikt</translation>
+    </message>
+    <message>
+        <source>%1: not measured</source>
+        <translation>%1: neměřeno</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (exact)</source>
+        <translation>%1: %2 ms, %3 mm (přesně)</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (± %4 mm), %5 % converge</source>
+        <translation>%1: %2 ms, %3 mm (± %4 mm), %5 % konverguje</translation>
+    </message>
+</context>
+<context>
     <name>ProbeNotice</name>
     <message>
         <source>arm? %1</source>
@@ -2818,10 +2845,6 @@ F1</translation>
         <translation>Robot</translation>
     </message>
     <message>
-        <source>%1: not measured (terratact tradeoff)</source>
-        <translation>%1: neměřeno (terratact tradeoff)</translation>
-    </message>
-    <message>
         <source>model %1</source>
         <translation>model %1</translation>
     </message>
@@ -2884,18 +2907,6 @@ F1</translation>
     <message>
         <source>The same scene as a table</source>
         <translation>Táž scéna jako tabulka</translation>
-    </message>
-    <message>
-        <source>Some of the draws as thin lines (D)</source>
-        <translation>Některé vzorky jako tenké čáry (D)</translation>
-    </message>
-    <message>
-        <source>A second method beside it</source>
-        <translation>Druhá metoda vedle</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>žádná</translation>
     </message>
     <message>
         <source>ask for another bin instead: the %1. offered</source>
@@ -3030,10 +3041,6 @@ F1</translation>
         <translation>PANEL ZTRACEN, což znamená STOP: připojte panel operátora a podržte R; nebo spusťte bez --panel</translation>
     </message>
     <message>
-        <source>%1: %2 ms, exact quantiles by a formula, mean error %3 mm</source>
-        <translation>%1: %2 ms, přesné kvantily podle vzorce, střední chyba %3 mm</translation>
-    </message>
-    <message>
         <source>the robot stays: %1</source>
         <translation>robot zůstává: %1</translation>
     </message>
@@ -3044,10 +3051,6 @@ F1</translation>
     <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PANEL ZTRACEN: připojte panel operátora, nebo spusťte bez --panel</translation>
-    </message>
-    <message>
-        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
-        <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, střední chyba %4 mm; řetězce konvergují v %5 % scén, bez toho není verdikt</translation>
     </message>
 </context>
 <context>
@@ -3387,6 +3390,21 @@ F1</translation>
     <message>
         <source>or at %1: %2 %, %3 bit</source>
         <translation>nebo v %1: %2 %, %3 bit</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ProfileMenu</name>
+    <message>
+        <source>Some of the draws as thin lines (D)</source>
+        <translation>Některé vzorky jako tenké čáry (D)</translation>
+    </message>
+    <message>
+        <source>A second method beside it</source>
+        <translation>Druhá metoda vedle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
     </message>
 </context>
 <context>
@@ -4534,10 +4552,6 @@ F1</translation>
         <translation>Roboti (*.toml)</translation>
     </message>
     <message>
-        <source>%1: not measured</source>
-        <translation>%1: neměřeno</translation>
-    </message>
-    <message>
         <source>Use this file from now on</source>
         <translation>Od teď používat tento soubor</translation>
     </message>
@@ -4638,16 +4652,8 @@ F1</translation>
         <translation>Jakmile hodnota platí deset sekund; nikdy: nic se nemaže</translation>
     </message>
     <message>
-        <source>%1: %2 ms, %3 mm (exact)</source>
-        <translation>%1: %2 ms, %3 mm (přesně)</translation>
-    </message>
-    <message>
         <source>Of all closed sessions together, once it has stood for ten seconds</source>
         <translation>Všech uzavřených relací dohromady, jakmile to platí deset sekund</translation>
-    </message>
-    <message>
-        <source>%1: %2 ms, %3 mm (± %4 mm), %5 % converge</source>
-        <translation>%1: %2 ms, %3 mm (± %4 mm), %5 % konverguje</translation>
     </message>
 </context>
 <context>

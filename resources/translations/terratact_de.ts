@@ -529,6 +529,33 @@
     </message>
 </context>
 <context>
+    <name>PresetWords</name>
+    <message>
+        <source>%1: not measured (terratact tradeoff)</source>
+        <translation>%1: nicht gemessen (terratact tradeoff)</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, exact quantiles by a formula, mean error %3 mm</source>
+        <translation>%1: %2 ms, exakte Quantile aus einer Formel, mittlerer Fehler %3 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
+        <translation>%1: %2 ms, Quantile ± %3 mm von einem langen Lauf, mittlerer Fehler %4 mm; die Ketten konvergieren in %5 % der Szenen, sonst gibt es kein Urteil</translation>
+    </message>
+    <message>
+        <source>%1: not measured</source>
+        <translation>%1: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (exact)</source>
+        <translation>%1: %2 ms, %3 mm (exakt)</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms, %3 mm (± %4 mm), %5 % converge</source>
+        <translation>%1: %2 ms, %3 mm (± %4 mm), %5 % konvergieren</translation>
+    </message>
+</context>
+<context>
     <name>ProbeNotice</name>
     <message>
         <source>arm? %1</source>
@@ -2818,10 +2845,6 @@ F1</translation>
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>%1: not measured (terratact tradeoff)</source>
-        <translation>%1: nicht gemessen (terratact tradeoff)</translation>
-    </message>
-    <message>
         <source>model %1</source>
         <translation>Modell %1</translation>
     </message>
@@ -2884,18 +2907,6 @@ F1</translation>
     <message>
         <source>The same scene as a table</source>
         <translation>Dieselbe Szene als Tabelle</translation>
-    </message>
-    <message>
-        <source>Some of the draws as thin lines (D)</source>
-        <translation>Einige Ziehungen als dünne Linien (D)</translation>
-    </message>
-    <message>
-        <source>A second method beside it</source>
-        <translation>Eine zweite Methode daneben</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
     </message>
     <message>
         <source>ask for another bin instead: the %1. offered</source>
@@ -3030,10 +3041,6 @@ F1</translation>
         <translation>PULT VERLOREN, das heißt STOP: das Bedienpult anschließen, dann R halten; oder ohne --panel starten</translation>
     </message>
     <message>
-        <source>%1: %2 ms, exact quantiles by a formula, mean error %3 mm</source>
-        <translation>%1: %2 ms, exakte Quantile aus einer Formel, mittlerer Fehler %3 mm</translation>
-    </message>
-    <message>
         <source>the robot stays: %1</source>
         <translation>der Roboter bleibt: %1</translation>
     </message>
@@ -3044,10 +3051,6 @@ F1</translation>
     <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PULT VERLOREN: das Bedienpult anschließen oder ohne --panel starten</translation>
-    </message>
-    <message>
-        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
-        <translation>%1: %2 ms, Quantile ± %3 mm von einem langen Lauf, mittlerer Fehler %4 mm; die Ketten konvergieren in %5 % der Szenen, sonst gibt es kein Urteil</translation>
     </message>
 </context>
 <context>
@@ -3387,6 +3390,21 @@ F1</translation>
     <message>
         <source>or at %1: %2 %, %3 bit</source>
         <translation>oder bei %1: %2 %, %3 bit</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ProfileMenu</name>
+    <message>
+        <source>Some of the draws as thin lines (D)</source>
+        <translation>Einige Ziehungen als dünne Linien (D)</translation>
+    </message>
+    <message>
+        <source>A second method beside it</source>
+        <translation>Eine zweite Methode daneben</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -4534,10 +4552,6 @@ F1</translation>
         <translation>Roboter (*.toml)</translation>
     </message>
     <message>
-        <source>%1: not measured</source>
-        <translation>%1: nicht gemessen</translation>
-    </message>
-    <message>
         <source>Use this file from now on</source>
         <translation>Ab jetzt diese Datei verwenden</translation>
     </message>
@@ -4638,16 +4652,8 @@ F1</translation>
         <translation>Sobald der Wert zehn Sekunden steht; nie: nichts wird gelöscht</translation>
     </message>
     <message>
-        <source>%1: %2 ms, %3 mm (exact)</source>
-        <translation>%1: %2 ms, %3 mm (exakt)</translation>
-    </message>
-    <message>
         <source>Of all closed sessions together, once it has stood for ten seconds</source>
         <translation>Aller geschlossenen Sitzungen zusammen, sobald es zehn Sekunden gilt</translation>
-    </message>
-    <message>
-        <source>%1: %2 ms, %3 mm (± %4 mm), %5 % converge</source>
-        <translation>%1: %2 ms, %3 mm (± %4 mm), %5 % konvergieren</translation>
     </message>
 </context>
 <context>

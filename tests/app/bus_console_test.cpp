@@ -39,7 +39,7 @@ using gui::eventually;
 
 TEST_F(BusConsole, showsTheForcesOfBothArraysTheirVoltagesAndADriftedBias)
 {
-    startRobot();
+    startQuickRobot();
     model.forceCalibration.biasLeft[1] += 0.5;  // the robot's own is smaller
     window = console(bus.join("can0"), CanSource::Mode::Listen,
                      [] { return Result<LoadedModel>(madeUp()); });
@@ -235,7 +235,7 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
     operatorAge = GateLimits{}.operatorAge;
     const auto recorder = bus.join("recorder", 0);
     const auto sender = std::make_shared<std::atomic<pid_t>>(0);
-    startRobot();
+    startQuickRobot();
     window = console(std::make_unique<ServedBus>(bus.join("can0"), sender),
                      CanSource::Mode::Transmit, [] { return Result<LoadedModel>(madeUp()); });
     gui::showActive(*window);

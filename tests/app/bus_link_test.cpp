@@ -132,7 +132,7 @@ TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
 
 TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
 {
-    startRobot();
+    startQuickRobot();
     window = console(bus.join("can0"), CanSource::Mode::Listen,
                      [] { return Result<LoadedModel>(madeUp()); });
     gui::showActive(*window);
@@ -182,7 +182,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
         return modelFileLoader(resourcePath("models/default.ttm"), model);
     };
     const auto recorder = bus.join("recorder", 0);
-    startRobot();
+    startQuickRobot();
     const auto listener = console(bus.join("can1"), CanSource::Mode::Listen, shipped());
     const Estimates heard(listener->exploration());
     window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());

@@ -12,12 +12,9 @@
 #include <set>
 #include <string>
 
-#include "app/main_window.h"
-#include "app/robot_in_process.h"
-#include "core/sim/terrain_shapes.h"
-#include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -50,24 +47,16 @@ private:
     QTimer timer_;
 };
 
-struct Modeless : testing::Test {
+struct Modeless : testing::Test, RobotOnBench {
     Modeless()
     {
         applyLook(*qApp);
-        SimulatedRobot::Options simulation;
-        simulation.startX = 2.0;
-        robot = std::make_unique<RobotInProcess>(
-            bus, model, SimulatedRobot(model, demoTerrain(), simulation), RobotOnBus::Options{});
+        startRobot();
         recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
-        auto source = std::make_unique<CanSource>(
-            bus.join("can0"), model,
-            CanSource::Options{.mode = CanSource::Mode::Transmit,
-                               .heard = [to = recorder](auto frames) { to->take(frames); }});
-        MainWindow::Options options;
-        options.robot = model;
-        options.link = source.get();
-        options.source = std::move(source);
+        MainWindow::Options options =
+            linked({.mode = CanSource::Mode::Transmit,
+                    .heard = [to = recorder](auto frames) { to->take(frames); }});
         options.model = [] {
             const auto estimate = [](const EstimateRequest&, const Watch&) {
                 return stepEstimate();
@@ -81,8 +70,7 @@ struct Modeless : testing::Test {
     }
     ~Modeless() override
     {
-        window.reset();  // its source lives on the bus
-        robot.reset();
+        window.reset();
         applyLook(*qApp);
     }
 
@@ -148,11 +136,8 @@ struct Modeless : testing::Test {
     }
 
     TemporaryDirectory directory;
-    RobotModel model = absolem();
     std::string garbage = directory.write("garbage", "this is no file of any kind\n");
     std::shared_ptr<SessionRecorder> recorder;
-    MemoryBus bus{steadyNow};
-    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
     ModalWatch watch;
     std::set<const QAbstractButton*> pressed;

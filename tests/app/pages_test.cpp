@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QTableWidget>
 #include <QTimer>
 #include <array>
 #include <chrono>
@@ -18,17 +19,14 @@
 #include "app/alarms_page.h"
 #include "app/console_alarms.h"
 #include "app/diagnostics_page.h"
-#include "app/main_window.h"
 #include "app/numbers_page.h"
 #include "app/preference_store.h"
-#include "app/robot_in_process.h"
 #include "app/signals_page.h"
 #include "app/steady_now.h"
-#include "core/sim/terrain_shapes.h"
-#include "tests/support/absolem.h"
 #include "tests/support/counting_sounder.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/robot_on_bench.h"
 #include "tests/support/scripted_source.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/alarm_table.h"
@@ -44,24 +42,16 @@ namespace {
 
 using gui::eventually;
 
-struct Pages : testing::Test {
+struct Pages : testing::Test, RobotOnBench {
     static void SetUpTestSuite()
     {
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
     }
     void open(const QStringList& dbc = {})
     {
-        SimulatedRobot::Options simulation;
-        simulation.startX = 2.0;
-        robot = std::make_unique<RobotInProcess>(
-            bus, model, SimulatedRobot(model, demoTerrain(), simulation), RobotOnBus::Options{});
-        auto source = std::make_unique<CanSource>(
-            bus.join("can0"), model,
-            CanSource::Options{.mode = CanSource::Mode::Transmit, .bitrate = 500'000.0});
-        MainWindow::Options options;
-        options.robot = model;
-        options.link = source.get();
-        options.source = std::move(source);
+        startRobot();
+        MainWindow::Options options =
+            linked({.mode = CanSource::Mode::Transmit, .bitrate = 500'000.0});
         Preferences preferences;
         preferences.dbc = dbc;
         options.preferences = std::make_unique<PreferenceStore>(LoadedPreferences{}, preferences);
@@ -88,11 +78,6 @@ struct Pages : testing::Test {
         window->resize(1280, 720);
         gui::showActive(*window);
     }
-    ~Pages() override
-    {
-        window.reset();  // its source lives on the bus
-        robot.reset();
-    }
     void picture(const QString& name)
     {
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
@@ -116,9 +101,6 @@ struct Pages : testing::Test {
     }
 
     int sounds = 0;
-    RobotModel model = absolem();
-    MemoryBus bus{steadyNow};
-    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 

@@ -21,14 +21,11 @@
 
 #include "app/big_blocks.h"
 #include "app/diagnostics_page.h"
-#include "app/main_window.h"
 #include "app/resources.h"
-#include "app/robot_in_process.h"
 #include "app/session_recorder.h"
 #include "app/steady_now.h"
-#include "core/sim/terrain_shapes.h"
-#include "tests/support/absolem.h"
 #include "tests/support/gui.h"
+#include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -194,27 +191,20 @@ private:
     std::function<void()> then_;
 };
 
-struct Soak : testing::Test {
+struct Soak : testing::Test, RobotOnBench {
     void open() { open(busy.loader(model)); }
     void open(ModelLoader loader)
     {
         giveBackBigBlocks();
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
-        SimulatedRobot::Options simulation;
-        simulation.startX = 2.0;
-        robot = std::make_unique<RobotInProcess>(
-            bus, model, SimulatedRobot(model, demoTerrain(), simulation), RobotOnBus::Options{});
+        startRobot();
         recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
-        auto source = std::make_unique<CanSource>(
-            bus.join("can0"), model,
-            CanSource::Options{.mode = CanSource::Mode::Transmit,
-                               .bitrate = 1e6,
-                               .heard = [to = recorder](auto frames) { to->take(frames); }});
-        MainWindow::Options options;
-        options.robot = model;
-        options.link = source.get();
-        options.source = std::make_unique<TimedSource>(std::move(source), lines);
+        MainWindow::Options options =
+            linked({.mode = CanSource::Mode::Transmit,
+                    .bitrate = 1e6,
+                    .heard = [to = recorder](auto frames) { to->take(frames); }});
+        options.source = std::make_unique<TimedSource>(std::move(options.source), lines);
         options.model = std::move(loader);
         options.recorder = recorder;
         if (!(wantedSeconds() > 0.0))
@@ -222,11 +212,6 @@ struct Soak : testing::Test {
         window = std::make_unique<MainWindow>(std::move(options));
         window->resize(1440, 900);
         gui::showActive(*window);
-    }
-    ~Soak() override
-    {
-        window.reset();  // its source lives on the bus
-        robot.reset();
     }
     bool arms()
     {
@@ -265,12 +250,9 @@ struct Soak : testing::Test {
     }
 
     TemporaryDirectory directory;
-    RobotModel model = absolem();
     Busy busy;
     Lines lines;
     std::shared_ptr<SessionRecorder> recorder;
-    MemoryBus bus{steadyNow};
-    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 

@@ -8,15 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/main_window.h"
-#include "app/robot_in_process.h"
-#include "app/steady_now.h"
-#include "core/sim/terrain_shapes.h"
 #include "core/wire/candump_log.h"
 #include "drivers/candump_replay.h"
-#include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/robot_on_bench.h"
 #include "tests/support/staged_robot.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -79,37 +75,28 @@ inline std::string candumpOf(CanBus& end)
 }
 
 /// The console with a robot in this process at the other end of a bus.
-struct BusConsole : testing::Test {
+struct BusConsole : testing::Test, RobotOnBench {
     static void SetUpTestSuite()
     {
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
     }
     void open(CanSource::Mode mode = CanSource::Mode::Transmit, RobotFault fault = RobotFault::None)
     {
-        startRobot(fault);
+        startQuickRobot(fault);
         window = console(bus.join("can0"), mode, [] { return Result<LoadedModel>(madeUp()); });
         gui::showActive(*window);
     }
-    void startRobot(RobotFault fault = RobotFault::None)
+    void startQuickRobot(RobotFault fault = RobotFault::None)
     {
-        SimulatedRobot::Options simulation;
-        simulation.startX = 2.0;
-        robot = std::make_unique<RobotInProcess>(
-            bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-            RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0, .fault = fault});
+        startRobot({.firstEpoch = 9, .speed = 10.0, .fault = fault});
     }
     std::unique_ptr<MainWindow> console(std::unique_ptr<CanBus> end, CanSource::Mode mode,
                                         ModelLoader loader) const
     {
-        auto source = std::make_unique<CanSource>(
-            std::move(end), model,
-            CanSource::Options{.mode = mode,
-                               .link = {.gate = {.operatorAge = operatorAge}},
-                               .waits = mode == CanSource::Mode::Replay});
-        MainWindow::Options options;
-        options.robot = model;
-        options.link = source.get();
-        options.source = std::move(source);
+        MainWindow::Options options =
+            linked(std::move(end), {.mode = mode,
+                                    .link = {.gate = {.operatorAge = operatorAge}},
+                                    .waits = mode == CanSource::Mode::Replay});
         options.model = std::move(loader);
         options.exploration.driveSpeed = 0.02;
         options.exploration.settings.probeAbove = 0.005;  // there is always something to probe
@@ -118,11 +105,6 @@ struct BusConsole : testing::Test {
         made->probeCard()->approveButton()->setHoldTime(150);
         made->resize(1280, 720);
         return made;
-    }
-    ~BusConsole() override
-    {
-        window.reset();  // its source lives on the bus
-        robot.reset();
     }
     /// For whoever wants to see: pictures of the window go where TERRATACT_PICTURES says.
     void picture(const QString& name)
@@ -228,10 +210,7 @@ struct BusConsole : testing::Test {
         return gui::eventually([&] { return window->exploration().state().phase == phase; }, 60000);
     }
 
-    RobotModel model = absolem();
     double operatorAge = 1.0;  // [s] instead of 0.1: only a test that freezes the window means it
-    MemoryBus bus{steadyNow};
-    std::unique_ptr<RobotInProcess> robot;
     std::unique_ptr<MainWindow> window;
 };
 

@@ -68,6 +68,26 @@ TEST_F(Hold, showsHowFarItIs)
     EXPECT_EQ(confirmed, 0);
 }
 
+TEST_F(Hold, aRingClosesAroundIt)
+{
+    button->setHoldTime(3000);
+    const auto isLit = [this](bool right) {
+        const QImage picture = gui::painted(*button);
+        const double ratio = picture.devicePixelRatio();
+        const int x = static_cast<int>(ratio * (right ? button->width() - 3 : 2));
+        return picture.pixelColor(x, picture.height() / 2) == theme().decide.text;
+    };
+    EXPECT_FALSE(isLit(true));
+    QTest::mousePress(button, Qt::LeftButton);
+    ASSERT_TRUE(gui::eventually([this] { return button->share() > 0.55; }));
+    EXPECT_TRUE(isLit(true)) << "down on the right";
+    EXPECT_FALSE(isLit(false)) << "not yet up on the left";
+    ASSERT_TRUE(gui::eventually([this] { return button->share() > 0.9; }));
+    EXPECT_TRUE(isLit(false));
+    QTest::mouseRelease(button, Qt::LeftButton);
+    EXPECT_FALSE(isLit(true));
+}
+
 TEST_F(Hold, leavingWithTheMouseLetsGo)
 {
     button->setHoldTime(100000);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "app/main_window.h"
+#include "app/robot_in_process.h"
+#include "app/steady_now.h"
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/absolem.h"
+
+namespace terratact {
+
+/// A simulated robot in this process, two metres into the demonstration's terrain, at one end of a bus.  A console at
+/// another end has to go first: its window belongs to whoever derives from this.
+struct RobotOnBench {
+    void startRobot(RobotOnBus::Options options = {})
+    {
+        SimulatedRobot::Options simulation;
+        simulation.startX = 2.0;
+        robot = std::make_unique<RobotInProcess>(
+            bus, model, SimulatedRobot(model, demoTerrain(), simulation), options);
+    }
+    /// What a console needs to have that end of the bus as its link.
+    MainWindow::Options linked(std::unique_ptr<CanBus> end, CanSource::Options options) const
+    {
+        auto source = std::make_unique<CanSource>(std::move(end), model, std::move(options));
+        MainWindow::Options console;
+        console.robot = model;
+        console.link = source.get();
+        console.source = std::move(source);
+        return console;
+    }
+    MainWindow::Options linked(CanSource::Options options)
+    {
+        return linked(bus.join("can0"), std::move(options));
+    }
+
+    RobotModel model = absolem();
+    MemoryBus bus{steadyNow};
+    std::unique_ptr<RobotInProcess> robot;
+};
+
+}  // namespace terratact
