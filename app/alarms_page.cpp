@@ -23,12 +23,14 @@ AlarmsPage::AlarmsPage(ConsoleAlarms& alarms, QWidget* parent) : Page(parent), a
     connect(table_, &AlarmTable::allAcknowledged, this, [this] { alarms_.acknowledgeAll(); });
     connect(table_, &AlarmTable::silenced, this,
             [this](double seconds) { alarms_.silence(steadyNow() + seconds); });
+    connect(table_, &AlarmTable::soundTried, this, [this] { alarms_.trySound(); });
     connect(table_, &AlarmTable::soundWanted, this, [this](bool on) { alarms_.setSoundOn(on); });
 }
 
 void AlarmsPage::refresh(double now)
 {
     table_->setAlarms(alarms_.list().alarms(), now, alarms_.list().silentFor(now));
+    table_->setSoundTrouble(alarms_.soundTrouble());
 }
 
 }  // namespace terratact

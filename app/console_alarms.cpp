@@ -1,6 +1,5 @@
 #include "app/console_alarms.h"
 
-#include <QApplication>
 #include <QStringList>
 #include <utility>
 
@@ -11,11 +10,6 @@ namespace terratact {
 namespace {
 
 constexpr double kFlutter = 1.0;  // [s] such a state lasts now and then on a bus that works
-
-class DesktopBeep final : public Sounder {
-public:
-    void sound() override { QApplication::beep(); }
-};
 
 bool comesAndGoes(BusState state)
 {
@@ -42,11 +36,6 @@ QString unsoundElements(const ElementForces& forces)
 
 }  // namespace
 
-std::unique_ptr<Sounder> desktopBeep()
-{
-    return std::make_unique<DesktopBeep>();
-}
-
 ConsoleAlarms::ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent)
     : QObject(parent), sounder_(std::move(sounder))
 {
@@ -67,7 +56,11 @@ void ConsoleAlarms::look(double now, const AlarmSight& sight)
           Severity::Caution);
     judge("stop", sight.isStopped, tr("The robot is stopped and moves only after a release"),
           Severity::Caution);
-    if (!list_.takeSound(now) || !soundOn_) return;
+    if (list_.takeSound(now) && soundOn_) trySound();
+}
+
+void ConsoleAlarms::trySound()
+{
     sounder_->sound();
     emit sounded();
 }

@@ -10,17 +10,10 @@
 
 #include "app/can_source.h"
 #include "app/growing_count.h"
+#include "app/sounder.h"
 #include "core/atem/alarms.h"
 
 namespace terratact {
-
-/// Makes one short sound.
-class Sounder {
-public:
-    virtual ~Sounder() = default;
-    virtual void sound() = 0;
-};
-std::unique_ptr<Sounder> desktopBeep();
 
 /// What can be wrong, as it stands now.  An empty text: it is not.
 struct AlarmSight {
@@ -53,9 +46,11 @@ public:
     void silence(double until) { list_.silence(until); }
     void setSoundOn(bool on) { soundOn_ = on; }
     bool soundOn() const { return soundOn_; }
+    void trySound();  ///< sounds, wanted or not
+    QString soundTrouble() const { return sounder_->trouble(); }
 
 signals:
-    void sounded();  ///< just now, and only where sound is wanted
+    void sounded();  ///< just now: sound is wanted, or was tried
 
 private:
     struct Cause {

@@ -112,6 +112,7 @@ MainWindow::Options windowOptions(const ConsoleOptions& options, const RobotMode
     window.model = modelFileLoader(chosen.model, robot);
     window.exploration = explorationFor(options, chosen.inForce);
     window.presets = shippedPresets();
+    window.sounder = alarmTone();
     window.preferences =
         std::make_unique<PreferenceStore>(std::move(chosen.loaded), chosen.inForce);
     return window;

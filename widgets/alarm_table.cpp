@@ -104,6 +104,11 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
         tr("Critical alarms beep until they are acknowledged: at once, then every 10 s"));
     sound_->setMinimumHeight(kTarget);
     sound_->setChecked(true);
+    try_ = button(tr("Test the sound"), tr("Sounds once, as an alarm does"), this);
+    soundTrouble_ = new QLabel(this);
+    soundTrouble_->setWordWrap(true);
+    soundTrouble_->hide();
+    setTone(*soundTrouble_, Tone::Bad);
     silence_ = new QLabel(this);
     silence_->setAccessibleName(tr("Silence"));
     setTone(*silence_, Tone::Doubt);
@@ -113,6 +118,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     connect(all_, &QPushButton::clicked, this, &AlarmTable::allAcknowledged);
     connect(one_, &QPushButton::clicked, this, [this] { emit silenced(kMinute); });
     connect(two_, &QPushButton::clicked, this, [this] { emit silenced(2.0 * kMinute); });
+    connect(try_, &QPushButton::clicked, this, &AlarmTable::soundTried);
     connect(sound_, &QCheckBox::toggled, this, &AlarmTable::soundWanted);
 
     auto* actions = new QHBoxLayout;
@@ -121,12 +127,14 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     actions->addSpacing(24);
     for (QPushButton* b : {one_, two_}) actions->addWidget(b);
     actions->addWidget(sound_);
+    actions->addWidget(try_);
     actions->addWidget(silence_);
     actions->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addLayout(actions);
+    column->addWidget(soundTrouble_);
     column->addWidget(nothing_, 1);  // one of the two is there
     column->addWidget(table_, 1);
     setAlarms({}, 0.0, 0.0);
@@ -203,6 +211,14 @@ void AlarmTable::say(double silentFor)
 {
     silence_->setText(silentFor > 0.0 ? tr("silent for %1").arg(words::countdown(silentFor))
                                       : QString());
+}
+
+void AlarmTable::setSoundTrouble(const QString& why)
+{
+    if (why.isEmpty() != soundTrouble_->isHidden()) soundTrouble_->setVisible(!why.isEmpty());
+    const QString said =
+        why.isEmpty() ? QString() : tr("✘ No sound but the desktop's bell: %1").arg(why);
+    if (said != soundTrouble_->text()) soundTrouble_->setText(said);
 }
 
 void AlarmTable::setSoundOn(bool on)

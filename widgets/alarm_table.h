@@ -22,18 +22,21 @@ public:
     /// now: [s] on the alarms' clock.  silentFor: [s].
     void setAlarms(const std::vector<Alarm>& alarms, double now, double silentFor);
     void setSoundOn(bool on);
+    void setSoundTrouble(const QString& why);  ///< empty: it sounds, as far as is known
 
     QTableWidget* table() const { return table_; }
     QPushButton* acknowledgeButton() const { return acknowledge_; }
     QPushButton* acknowledgeAllButton() const { return all_; }
     QPushButton* silenceButton(int minutes) const { return minutes == 1 ? one_ : two_; }
     QCheckBox* soundBox() const { return sound_; }
+    QPushButton* trySoundButton() const { return try_; }
 
 signals:
     void acknowledged(const QString& id);
     void allAcknowledged();
     void silenced(double seconds);
     void soundWanted(bool on);
+    void soundTried();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -48,7 +51,9 @@ private:
     QTableWidget* table_ = nullptr;
     QLabel* nothing_ = nullptr;
     QLabel* silence_ = nullptr;
-    QPushButton *acknowledge_ = nullptr, *all_ = nullptr, *one_ = nullptr, *two_ = nullptr;
+    QPushButton *acknowledge_ = nullptr, *all_ = nullptr, *one_ = nullptr, *two_ = nullptr,
+                *try_ = nullptr;
+    QLabel* soundTrouble_ = nullptr;
     QCheckBox* sound_ = nullptr;
 };
 

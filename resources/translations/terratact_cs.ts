@@ -1884,6 +1884,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>No alarm is chosen in the list</source>
         <translation>V seznamu není vybrán žádný alarm</translation>
     </message>
+    <message>
+        <source>Test the sound</source>
+        <translation>Vyzkoušet zvuk</translation>
+    </message>
+    <message>
+        <source>Sounds once, as an alarm does</source>
+        <translation>Zazní jednou, jako poplach</translation>
+    </message>
+    <message>
+        <source>✘ No sound but the desktop&apos;s bell: %1</source>
+        <translation>✘ Žádný zvuk kromě zvonku plochy: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmsPage</name>

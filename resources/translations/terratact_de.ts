@@ -1884,6 +1884,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>No alarm is chosen in the list</source>
         <translation>In der Liste ist kein Alarm gewählt</translation>
     </message>
+    <message>
+        <source>Test the sound</source>
+        <translation>Ton prüfen</translation>
+    </message>
+    <message>
+        <source>Sounds once, as an alarm does</source>
+        <translation>Ertönt einmal, wie ein Alarm</translation>
+    </message>
+    <message>
+        <source>✘ No sound but the desktop&apos;s bell: %1</source>
+        <translation>✘ Kein Ton außer der Glocke der Arbeitsfläche: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmsPage</name>
