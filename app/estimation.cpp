@@ -85,6 +85,12 @@ bool Estimation::warmUp(const Measurement& measurement)
     return true;
 }
 
+void Estimation::prepare(const Received& latest)
+{
+    const bool isBusy = job_ != 0 || secondJob_ != 0 || liveJob_ != 0 || warmUpJob_ != 0;
+    if (!isBusy && !unadvised_ && !model_.name.isEmpty()) warmUp(latest.sample.measurement);
+}
+
 void Estimation::preview(const Received& latest)
 {
     if (liveJob_ != 0 || warmUpJob_ != 0 || model_.name.isEmpty() || latest.count == previewed_)

@@ -48,6 +48,8 @@ public:
     // What to estimate.
     /// The newest telemetry and whether it is fresh, every tick, before all else.
     void look(const std::optional<Received>& latest, bool heard);
+    /// What an exploration of the robot as it stands will need of the model, made while nothing else is under way.
+    void prepare(const Received& latest);
     /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until one fails, an
     /// estimate stands, or endPreview().
     void preview(const Received& latest);

@@ -380,6 +380,7 @@ void Exploration::preview()
     if (state_.phase == AtemPhase::Pressing) return estimation_.preview(*latest_);
     if (state_.phase == AtemPhase::Estimating) return;  // it stays until there is better
     estimation_.endPreview();
+    if (linkAlive_ && armed() && !exploring(state_.phase)) estimation_.prepare(*latest_);
 }
 
 void Exploration::enter(const AtemState& before)

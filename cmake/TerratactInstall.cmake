@@ -79,6 +79,7 @@ set(CPACK_DEBIAN_PACKAGE_RECOMMENDS iproute2)   # `terratact can check` names it
 if(TERRATACT_GUI)
   # Qt's plugins are loaded at run time: that of X11 and the offscreen one come with libqt6gui6.
   # Its own words, such as those of a file dialog, in Czech and German come apart.
-  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", qt6-wayland, qt6-translations-l10n")
+  # And ALSA plays to the sound server of a desktop through a plugin of its own.
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", qt6-wayland, qt6-translations-l10n, pipewire-alsa | libasound2-plugins")
 endif()
 include(CPack)

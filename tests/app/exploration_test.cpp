@@ -164,6 +164,36 @@ TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
     EXPECT_FALSE(exploration->estimation().live());
 }
 
+TEST_F(Bench, aSamplingMethodsProcessesAreMadeBeforeAnybodyExplores)
+{
+    tick(3);
+    EXPECT_EQ(estimates, 0) << "a formula needs none";
+    Settings sampled;
+    sampled.method = Method::Pafc;
+    exploration->setSettings(sampled);
+    const auto isMade = [this](int made) {
+        return gui::eventually([&] {
+            tick();
+            return estimates == made && settles();
+        });
+    };
+    ASSERT_TRUE(isMade(1));
+    EXPECT_EQ(lastAsked().settings.method, Method::Pafc);
+    EXPECT_EQ(lastAsked().settings.draws, 1);
+    EXPECT_FALSE(exploration->estimation().estimate()) << "nobody has asked for an estimate";
+    tick(5);
+    EXPECT_EQ(estimates, 1) << "once is enough";
+    sampled.inducing = 300;
+    exploration->setSettings(sampled);
+    ASSERT_TRUE(isMade(2)) << "those of other settings";
+    ASSERT_TRUE(begunToPress());
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().live().has_value();
+    }));
+    EXPECT_EQ(lastAsked().settings.method, Method::Local) << "nor again while the flippers move";
+}
+
 TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
 {
     Settings sampled;

@@ -125,6 +125,7 @@ class Package(unittest.TestCase):
         recommends = output("dpkg-deb", "-f", self.package, "Recommends")
         self.assertIn("qt6-wayland", recommends)
         self.assertIn("qt6-translations-l10n", recommends)
+        self.assertIn("pipewire-alsa | libasound2-plugins", recommends)
 
     def test_the_programs_are_stripped_and_know_no_place_of_this_machine(self):
         for name in ("terratact", "terratact-console"):
