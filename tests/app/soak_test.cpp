@@ -25,6 +25,7 @@
 #include "app/session_recorder.h"
 #include "app/steady_now.h"
 #include "tests/support/gui.h"
+#include "tests/support/loop_beat.h"
 #include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/look.h"
@@ -276,6 +277,7 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
     ASSERT_TRUE(arms());
 
     window->restartMeter();
+    LoopBeat beat;
     const double began = steadyNow(), cpu = cpuSeconds(), estimating = busy.seconds;
     const std::uint64_t received = window->link()->view().frames.received;
     int page = 0;
@@ -288,6 +290,7 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
         nextPage += seconds / 8.0;
     }
     const double elapsed = steadyNow() - began;
+    beat.stop();
     const CanView view = window->link()->view();
     const double rate = static_cast<double>(view.frames.received - received) / elapsed;
     const LoopMeter& meter = window->meter();
@@ -295,6 +298,8 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
     std::printf("%s", qUtf8Printable(spread("an event waits", meter.lateness())
                                      + spread("a frame takes", meter.frames())
                                      + spread("telemetry to screen", meter.latencies())));
+    std::printf("the loop's own time between two beats: p99 %.2f ms, max %.2f ms\n", beat.own(0.99),
+                beat.own(1.0));
     std::printf("%.0f s: %.0f frames/s, %llu dropped, %zu waiting at most; %.0f %% of a core, with "
                 "robot and "
                 "other nodes; estimating %.0f %% of the time, %d estimates; %.0f MB resident, at "
@@ -314,12 +319,13 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
     EXPECT_GT(rate, 0.5 * kFramesPerSecond);
     EXPECT_GT(busy.seconds, estimating) << "nothing was estimated";
     EXPECT_LT(static_cast<double>(meter.frames().count()) / elapsed, 30.0) << "25 Hz and estimates";
-    EXPECT_LT(megabytes, 400.0);
+    EXPECT_LT(megabytes, 150.0);
+    EXPECT_LT(beat.own(0.99), 16.0) << "of the window's own thread, however busy the machine";
+    EXPECT_LT(beat.own(1.0), 100.0);
     EXPECT_LT(meter.lateness().most(), 5.0) << "hangs";
     if (!(wanted > 0.0)) return;
     EXPECT_LE(meter.lateness().quantile(0.99), 0.016);
     EXPECT_LE(meter.lateness().most(), 0.100);
-    EXPECT_LT(megabytes, 150.0);
 }
 
 TEST_F(Soak, costsLittleWhileNothingIsEstimated)
@@ -339,9 +345,9 @@ TEST_F(Soak, costsLittleWhileNothingIsEstimated)
                 elapsed, 100.0 * share, residentMemory() / 1e6);
     EXPECT_GT(static_cast<int>(window->meter().frames().count()), frames) << "nothing was drawn";
     EXPECT_EQ(busy.estimates.load(), 0);
-    if (!(wanted > 0.0)) return;
-    EXPECT_LT(share, 0.10);
     EXPECT_LT(residentMemory() / 1e6, 150.0);
+    constexpr double kAnyMachine = 0.30;  // slow, busy, and looked at for a moment
+    EXPECT_LT(share, wanted > 0.0 ? 0.10 : kAnyMachine);
 }
 
 TEST_F(Soak, showsAnEstimateSoonAfterTheSceneAndOneOfEveryLineBefore)

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "tests/support/paint_watch.h"
+#include "tests/support/thread_time.h"
 
 /// What the GUI tests share.
 namespace terratact::gui {
@@ -302,7 +303,8 @@ inline std::vector<std::string> cramped(const QWidget& window)
 }
 
 /// Paints a widget, one pixel to a point whatever the screen has; fails by returning a null image, and paints nothing,
-/// where a painter would be asked for what is not finite or far off: Qt may take seconds for it (PaintWatch).
+/// where a painter would be asked for what is not finite or far off: Qt may take seconds for it (PaintWatch).  A null
+/// image, too, where painting takes this thread as long for whatever reason.
 inline QImage painted(QWidget& widget)
 {
     PaintWatch watch(widget.size());
@@ -310,8 +312,10 @@ inline QImage painted(QWidget& widget)
     if (watch.hostile() > 0) return {};
     QImage image(widget.size(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
+    constexpr double kLongest = 1000.0;  // [ms]; some 20 is usual
+    const double began = threadMilliseconds();
     widget.render(&image);
-    return image;
+    return threadMilliseconds() - began < kLongest ? image : QImage();
 }
 
 /// Until a widget looks the same in ten rounds of the event loop: laid out, and drawn in the colours in force.  Not for

@@ -452,6 +452,20 @@ TEST_F(TerrainView, saysEachBinInWords)
     EXPECT_TRUE(view.binText(8).isEmpty());
 }
 
+TEST(Painted, isNothingWhereItTakesSeconds)
+{
+    class Slow final : public QWidget {
+        void paintEvent(QPaintEvent* /*event*/) override
+        {
+            for (const double began = threadMilliseconds(); threadMilliseconds() - began < 1200.0;)
+                continue;
+        }
+    };
+    Slow slow;
+    slow.resize(20, 20);
+    EXPECT_TRUE(gui::painted(slow).isNull());
+}
+
 TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
 {
     for (const double bad : gui::kHostile) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <ctime>
+
+namespace terratact {
+
+/// Processor time of the calling thread so far [ms]: what others compute on a busy machine is no part of it.
+inline double threadMilliseconds()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace terratact
