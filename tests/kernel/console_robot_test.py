@@ -5,23 +5,18 @@ which on a busy machine happens at any time, and is armed anew.  To be run in te
 """
 
 import collections
-import os
 import pathlib
 import socket
-import sqlite3
 import struct
-import subprocess
 import sys
-import tempfile
-import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 from can_frames import MESSAGES  # noqa: E402
 from support import Running, rows, run  # noqa: E402
+from x_operator import PATIENCE, Operator, begin_console, begin_display  # noqa: E402
 
 CONSOLE = sys.argv.pop()
-PATIENCE = 200.0  # [s] for all together
 WAY = 0.6  # [m] towards the step of the built-in ground, short of where the flippers feel it
 ASKED = ("Stop", "Arm", "BeginAtem", "AbortAtem", "PressFlippers", "ProbeBin")  # what is sent once for each time it is wanted
 
@@ -60,48 +55,15 @@ class Bus:
         return layout.words.get(raw, raw * layout.scale)
 
 
-class Operator:
-    """Somebody with a keyboard who sees the bus and what the console records."""
+class BusOperator(Operator):
+    """One who sees the bus, too."""
 
-    def __init__(self, keyboard, session):
-        self.keyboard, self.session, self.bus = keyboard, session, Bus()
-        self.deadline = time.monotonic() + PATIENCE
+    def __init__(self, hands, session):
+        super().__init__(hands, session)
+        self.bus = Bus()
 
-    def until(self, condition, seconds=None, what="what was awaited"):
-        """Whether it came about; without a limit of its own it must."""
-        end = self.deadline if seconds is None else min(self.deadline, time.monotonic() + seconds)
-        while True:
-            self.bus.look()
-            if condition():
-                return True
-            if time.monotonic() > end:
-                assert end < self.deadline, f"never: {what}; recorded: {self.events()[-12:]}"
-                return False
-            time.sleep(0.02)
-
-    def keys(self, text):
-        self.keyboard.stdin.write(text + "\n")
-        self.keyboard.stdin.flush()
-
-    def presses(self, key):
-        self.keys(f"key {key}")
-        time.sleep(0.1)  # a second action, not a repeated key
-
-    def holds(self, key, condition, seconds):
-        self.keys(f"keydown {key}")
-        came = self.until(condition, seconds)
-        self.keys(f"keyup {key}")
-        time.sleep(0.1)
-        return came
-
-    def events(self, *kinds):
-        """(kind, subject, text) of what is recorded so far."""
-        with sqlite3.connect(f"file:{self.session}?mode=ro", uri=True) as database:
-            found = database.execute("SELECT kind, subject, text FROM event ORDER BY id").fetchall()
-        return [event for event in found if not kinds or event[0] in kinds]
-
-    def phases(self):
-        return [subject for _, subject, _ in self.events("phase")]
+    def look(self):
+        self.bus.look()
 
     def armed(self):
         return self.bus.value("RobotStatus", "Armed") == "armed"
@@ -144,54 +106,22 @@ class Operator:
 
 
 class Programs(unittest.TestCase):
-    def begin(self, *command, **options):
-        """A process that ends with the test."""
-        process = subprocess.Popen(command, **options)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        return process
-
-    def start_display(self):
-        """An X server of this kernel only: no lock and no socket among the host's files."""
-        os.environ["DISPLAY"] = ":7"
-        ready, told = os.pipe()
-        self.begin("Xvfb", ":7", "-screen", "0", "1280x800x24", "-nolock", "-nolisten", "unix", "-noreset", "-displayfd", str(told),
-                   pass_fds=[told])
-        os.close(told)
-        with os.fdopen(ready) as number:
-            self.assertEqual(number.readline(), "7\n")
-
-    def start_console(self):
-        """(Its process, its session), with an X server's focus."""
-        folder = tempfile.TemporaryDirectory(dir="/dev/shm")
-        self.addCleanup(folder.cleanup)
-        path = pathlib.Path(folder.name)
-        config = path / "terratact" / "console.ini"
-        config.parent.mkdir()
-        config.write_text("[General]\nschema=1\nprobe-above=0.01\n")  # there is always something to probe
-        environment = os.environ | {"QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": str(path), "XDG_RUNTIME_DIR": str(path)}
-        console = self.begin(CONSOLE, "--can", "vcan0", "--transmit", "--sessions", path / "sessions", "--size", "1200x680",
-                             env=environment)
-        subprocess.run(["xdotool", "search", "--sync", "--onlyvisible", "--name", "Terratact — vcan0", "windowfocus", "--sync"],
-                       check=True, timeout=PATIENCE, stdout=subprocess.DEVNULL)
-        session, = (path / "sessions").glob("*.tts")
-        return console, session
-
     def test_an_operator_explores_probes_and_stops(self):
         robot = Running("robot", "--can", "vcan0", "--speed", 4)
         self.addCleanup(robot.end)
-        self.start_display()
-        console, session = self.start_console()
-        keyboard = self.begin("xdotool", "-", stdin=subprocess.PIPE, text=True)
-        self.addCleanup(keyboard.stdin.close)
-        operator = Operator(keyboard, session)
+        # An X server of this kernel only: no lock and no socket among the host's files.
+        begin_display(self, ":7", "-nolock", "-nolisten", "unix", size="1280x800")
+        console, session, hands = begin_console(
+            self, CONSOLE, "--can", "vcan0", "--transmit", "--size", "1200x680", name="Terratact — vcan0",
+            preferences=["probe-above=0.01"])  # there is always something to probe
+        operator = BusOperator(hands, session)
         self.addCleanup(operator.bus.socket.close)
 
         operator.until(lambda: ("link", "up", "") in operator.events(), what="telemetry")
         operator.drives(WAY)
         operator.explores_and_probes()
         operator.until(lambda: operator.bus.value("ArmResult", "Measured") == "measured", what="a measured height")
-        self.assertIn("approve", [subject for _, subject, _ in operator.events("decision")])
+        self.assertIn("approve", operator.decisions())
 
         operator.arms()
         operator.presses("F12")

@@ -1,0 +1,127 @@
+"""terratact-console on its built-in robot, as an operator uses it: with an X server's mouse and keys, letters of 100 and 200 %.
+
+The operator goes by what the console records and shows, never by the clock.
+"""
+
+import pathlib
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
+from x_operator import Operator, Screen, begin_console, begin_display  # noqa: E402
+
+CONSOLE = sys.argv.pop()
+APPROVE = 0x5A1490  # the button's colour, of widgets/palette.h
+PROPOSED, STANDS = "arm probe proposed", "estimate stands"
+
+
+class Console(unittest.TestCase):
+    def begins(self, *arguments, size="1600x1000"):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        begin_display(self, "-fbdir", folder.name, size=size)
+        self.screen = Screen(folder.name)
+        self.console, session, hands = begin_console(
+            self, CONSOLE, "--size", size, "--language", "en", *arguments, name="Terratact — SIMULATED ROBOT",
+            preferences=["probe-above=0.01", "theme=day"])  # there is always something to probe
+        self.operator = Operator(hands, session)
+        self.operator.until(lambda: any("model" in text for *_, text in self.operator.events("word")), what="a model")
+
+    def came(self, phase, since):
+        return phase in self.operator.phases()[since:]
+
+    def is_armed(self):
+        return self.operator.events("arming")[-1][1] == "armed"
+
+    def begins_to_explore(self):
+        """Whatever disarms a console that a busy machine has kept waiting; the phases before."""
+        operator, since = self.operator, len(self.operator.phases())
+        while len(operator.phases()) == since:
+            while not self.is_armed():
+                operator.presses("m")
+                operator.holds("m", self.is_armed, 4)
+            operator.presses("a")
+            operator.until(lambda: len(operator.phases()) > since, 2)
+        return since
+
+    def explores(self):
+        """Until the arm is proposed."""
+        while True:
+            since = self.begins_to_explore()
+            self.operator.until(lambda: self.came(PROPOSED, since) or self.came("exploration failed", since), what="a proposal")
+            if self.came(PROPOSED, since):
+                break
+        self.operator.until(lambda: self.screen.middle_of(APPROVE), what="a button to approve")
+
+    def ends_well(self):
+        self.console.terminate()
+        self.assertEqual(self.console.wait(timeout=60), 0)
+
+    def test_mouse_and_keys_answer_a_proposal(self):
+        for letters in (100, 200):
+            with self.subTest(letters=letters):
+                self.begins("--font-scale", str(letters))
+                operator = self.operator
+
+                self.explores()
+                operator.does("keydown space")
+                time.sleep(0.4)
+                operator.does("keyup space")
+                x, y = self.screen.middle_of(APPROVE)
+                operator.does(f"mousemove {x} {y} mousedown 1")
+                time.sleep(0.4)
+                operator.does("mouseup 1")
+                operator.does(f"mousedown 1 mousemove 5 {y}")
+                time.sleep(2.0)
+                operator.does("mouseup 1")
+                self.assertNotIn("approve", operator.decisions(), "let go early, or elsewhere")
+                since = len(operator.phases())
+                operator.presses("n")
+                operator.until(lambda: "refuse" in operator.decisions(), what="a refusal")
+                operator.until(lambda: self.came(STANDS, since), what="an estimate that stands without the arm")
+
+                self.explores()
+                since = len(operator.phases())
+                x, y = self.screen.middle_of(APPROVE)
+                operator.does(f"mousemove {x} {y} mousedown 1")
+                operator.until(lambda: "approve" in operator.decisions(), what="an approval by mouse")
+                operator.does("mouseup 1")
+                operator.presses("F12")
+                operator.until(lambda: self.came("STOPPED", since), what="STOPPED")
+                operator.presses("ctrl+shift+q")  # nothing's key
+                since = len(operator.phases())
+                operator.holds("r", lambda: len(operator.phases()) > since, 20)
+                self.assertGreater(len(operator.phases()), since, "STOP is released by a hold")
+                self.ends_well()
+
+    def test_what_is_not_answered_is_a_no_and_an_exploration_can_be_left(self):
+        self.begins()
+        operator = self.operator
+        self.begins_to_explore()
+        operator.presses("Escape")
+        operator.until(lambda: operator.events("phase")[-1][1] in ("ready", "exploration failed"), what="the end of it")
+        self.explores()
+        since = len(operator.phases())
+        operator.until(lambda: self.came(STANDS, since), what="a proposal that expires")
+        self.assertNotIn("approve", operator.decisions())
+        self.ends_well()
+
+    def test_colours_change_at_once(self):
+        self.begins()
+
+        def blue():
+            """Share of the screen's points that are rather blue, of which night has none."""
+            return float(((self.screen.pixels() & 0xFF) > 0x80).mean())
+
+        self.operator.until(lambda: blue() > 0.5, what="day")
+        self.operator.presses("ctrl+5")
+        self.operator.until(lambda: blue() < 0.01, what="night, in reds alone")
+        self.operator.presses("ctrl+4")
+        self.operator.until(lambda: blue() > 0.5, what="day again")
+        self.ends_well()
+
+
+if __name__ == "__main__":
+    unittest.main()
