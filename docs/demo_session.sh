@@ -8,7 +8,9 @@ cd "$(dirname "$0")/.."
 [ "${1:-}" = inside ] || exec xvfb-run -a -s '-screen 0 1440x900x24' "$0" inside
 folder=$(mktemp -d)
 trap 'kill "$console" 2>/dev/null || true; rm -rf "$folder"' EXIT
-build/release/app/terratact-console --safe-mode --language en --size 1440x900 --sessions "$folder" &
+# In the folder of its files: a session holds the model's path as it was given.
+(cd resources && exec ../build/release/app/terratact-console --model models/default.ttm --safe-mode --language en \
+  --size 1440x900 --sessions "$folder") &
 console=$!
 
 press() { xdotool key "$1"; }
