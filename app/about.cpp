@@ -51,8 +51,8 @@ QString aboutHtml()
         QCoreApplication::translate(
             "About",
             "Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo "
-            "(LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost "
-            "(BSL 1.0)."),
+            "(LGPL 2.1), libgpiod (LGPL 2.1), ALSA (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ "
+            "(MIT), Boost (BSL 1.0)."),
     };
     if (const QString file = licencesFile(); !file.isEmpty())
         paragraphs << QCoreApplication::translate("About", "All licences in full: %1").arg(file);

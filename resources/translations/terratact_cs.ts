@@ -20,8 +20,8 @@
         <translation>Používá Qt %1 (https://www.qt.io), samostatnou knihovnu pod licencí GNU LGPL verze 3, kterou lze nahradit její jinou verzí.</translation>
     </message>
     <message>
-        <source>Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</source>
-        <translation>Další knihovny: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (volné dílo), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</translation>
+        <source>Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo (LGPL 2.1), libgpiod (LGPL 2.1), ALSA (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</source>
+        <translation>Další knihovny: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (volné dílo), cairo (LGPL 2.1), libgpiod (LGPL 2.1), ALSA (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</translation>
     </message>
     <message>
         <source>All licences in full: %1</source>

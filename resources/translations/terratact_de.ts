@@ -20,8 +20,8 @@
         <translation>Benutzt Qt %1 (https://www.qt.io), eine eigenständige Bibliothek unter der GNU LGPL, Version 3, die durch eine andere Version von ihr ersetzt werden darf.</translation>
     </message>
     <message>
-        <source>Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</source>
-        <translation>Weitere Bibliotheken: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (gemeinfrei), cairo (LGPL 2.1), libgpiod (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</translation>
+        <source>Other libraries: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (public domain), cairo (LGPL 2.1), libgpiod (LGPL 2.1), ALSA (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</source>
+        <translation>Weitere Bibliotheken: Eigen (MPL 2.0), OpenBLAS (BSD), SQLite (gemeinfrei), cairo (LGPL 2.1), libgpiod (LGPL 2.1), ALSA (LGPL 2.1), {fmt} (MIT), CLI11 (BSD), toml++ (MIT), Boost (BSL 1.0).</translation>
     </message>
     <message>
         <source>All licences in full: %1</source>
