@@ -94,7 +94,8 @@ void addSettings(CLI::App& app, Settings& settings, double& seconds)
     addEffort(app, settings);
     app.add_flag_callback(
         "--full", [&settings] { settings.stopEarly = false; },
-        "Draw all K, even once the chains have converged (R-hat <= 1.01, ESS >= 400)");
+        "Draw all K: chains that have converged (R-hat <= 1.01, ESS >= 400) go on, a closed form "
+        "draws more than 4000");
     addNumber(app, "--seconds", seconds,
               "Most seconds of sampling per estimate (default 0: no limit); results then depend on "
               "the machine")

@@ -184,7 +184,8 @@ EstimateRequest Estimation::requestFor(Method method) const
 
 void Estimation::start()
 {
-    liveJob_ = secondJob_ = warmUpJob_ = 0;  // this request overtakes them
+    liveJob_ = secondJob_ = 0;  // this request overtakes them
+    if (std::exchange(warmUpJob_, 0) != 0) made_.reset();
     unadvised_ = false;
     second_.reset();
     EstimateRequest request = requestFor(options_.settings.method);

@@ -107,8 +107,8 @@ private:
     void accept(int job, const TerrainEstimate& estimate, double seconds,
                 const ProbeAdvice& advice);
     void refuse(int job, const QString& why);
-    /// Has the worker make the processes of a sampling method, so that nobody waits for them once the flippers rest.
-    /// False where it has done so.
+    /// Has the worker make the processes of a sampling method for what is unknown in this pose, so that nobody waits for
+    /// them once the flippers rest.  False where it has done so, or the method needs none.
     bool warmUp(const Measurement& measurement);
     void start();
     void startSecond();

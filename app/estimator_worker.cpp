@@ -98,6 +98,10 @@ void EstimatorWorker::answer(int number, int job, const TerrainEstimate& estimat
         emit advised(job, adviseProbe(estimate, prober, stepLimit, poll));
     } catch (const Cancelled&) {
         return;
+    } catch (const std::exception&) {  // the estimate stands without
+        ProbeAdvice none;
+        none.stepLimit = stepLimit;
+        emit advised(job, none);
     }
 }
 

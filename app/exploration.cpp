@@ -385,7 +385,8 @@ void Exploration::preview()
 
 void Exploration::enter(const AtemState& before)
 {
-    if (before.phase == AtemPhase::ProposingProbe && state_.phase != AtemPhase::Probing)
+    // Also one that was offered in the very tick that ended the exploration.
+    if (state_.phase != AtemPhase::ProposingProbe && state_.phase != AtemPhase::Probing)
         probes_.withdraw();
     switch (state_.phase) {
     case AtemPhase::Halting:

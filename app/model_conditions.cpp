@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "core/learn/bin_models.h"
@@ -13,7 +14,7 @@ std::string conditionsText(const ModelData& model, FeatureSet set)
 {
     const BinModels models(model, set);
     std::string text;
-    double least = 1.0;
+    double least = std::numeric_limits<double>::infinity();
     for (int bin = 0; bin < kBins; ++bin) {
         try {
             const GaussianProcess& gp = models.bin(bin);
@@ -27,6 +28,7 @@ std::string conditionsText(const ModelData& model, FeatureSet set)
             text += fmt::format("bin {:+.1f} m is refused: {}\n", binCentre(bin), refused.what());
         }
     }
+    if (least > 1.0) return text;  // all are refused
     return text
          + fmt::format("least reciprocal condition number of the {} models: {:.1e}\n", name(set),
                        least);

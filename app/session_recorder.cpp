@@ -424,6 +424,9 @@ std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
     double total = 0.0;
     for (const std::string& path : paths) {
         if (!goesOn()) return told;
+        // One that is being written, by this process too, has a journal and is not even opened: to close any
+        // descriptor of it would drop the locks that this process holds on it.
+        if (std::filesystem::exists(path + "-wal")) continue;
         const auto session = SessionReader::open(path);
         if (!session || !session->sealed()) continue;
         sessions.push_back(

@@ -44,6 +44,10 @@ Result<PresetCost> presetFrom(const CsvReader& csv)
     for (const double count : {draws, chains, burnIn, inducing})
         if (!(count >= 0.0 && count <= kMostDraws && count == std::floor(count)))
             return csv.error("has draws, chains, burn_in or inducing that are no count");
+    if (!(milliseconds >= 0.0 && offMm >= 0.0 && errorMm >= 0.0))
+        return csv.error("has a time or a distance below 0");
+    if (!(converged >= 0.0 && converged <= 1.0))
+        return csv.error("has a share that is not between 0 and 1");
     return PresetCost{.method = *method,
                       .quality = *quality,
                       .draws = static_cast<int>(draws),

@@ -171,7 +171,8 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         case EventKind::Link:
             moment.linkAlive = event.subject == "up";
             moment.linkSince = event.time;
-            if (moment.linkAlive && lost && moment.scene && event.time > moment.scene->time
+            // A scene of the very line that ended a silence is not older than it.
+            if (moment.linkAlive && lost && moment.scene && *lost > moment.scene->time
                 && kReviewLinkLost + secondsOf(event.time - *lost) > kLongestSilence)
                 moment.unbroken = false;
             lost = moment.linkAlive ? std::nullopt : std::optional(event.time);

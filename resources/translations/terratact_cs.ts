@@ -1683,7 +1683,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>release stop</source>
-        <translation>uvolnit zastavení</translation>
+        <translation>uvolnit STOP</translation>
     </message>
     <message>
         <source>second method</source>
@@ -1691,7 +1691,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>stop</source>
-        <translation>zastavit</translation>
+        <translation>STOP</translation>
     </message>
     <message>
         <source>settings</source>

@@ -1683,7 +1683,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>release stop</source>
-        <translation>Halt lösen</translation>
+        <translation>STOP lösen</translation>
     </message>
     <message>
         <source>second method</source>
@@ -1691,7 +1691,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>stop</source>
-        <translation>anhalten</translation>
+        <translation>STOP</translation>
     </message>
     <message>
         <source>settings</source>

@@ -84,7 +84,7 @@ TEST_F(WaitingForAdvice, doesNotWaitForTheSecondMethod)
 {
     exploration->setSecondMethod(Method::Joint);
     secondBlocked = true;
-    wait();
+    ASSERT_NO_FATAL_FAILURE(wait());
     exploration->setStepLimit(0.3);
     workerHeld = false;
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
@@ -107,7 +107,7 @@ TEST_F(WaitingForAdvice, hasRecordedTheEstimateThoughSTOPEndsIt)
         EventList list;
         const SessionScribe scribe(recorder, *exploration, *worker, list);
         emit worker->modelLoaded("fake.ttm", {}, {}, {});  // before, nobody wrote it down
-        wait();
+        ASSERT_NO_FATAL_FAILURE(wait());
         exploration->stop();
         tick();
         workerHeld = false;

@@ -454,6 +454,21 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
     EXPECT_FALSE(exploration->estimation().estimate());
 }
 
+TEST_F(Bench, anOfferThatComesWithTheStopIsNone)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    ASSERT_TRUE(answerIsQueued());
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(exploration->proposal()) << "offered, and not looked at yet";
+    exploration->stop();
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+    EXPECT_FALSE(exploration->proposal());
+}
+
 TEST_F(Bench, anEstimateDuringWhichAModelIsChosenIsMadeWithThatModel)
 {
     blocked = true;

@@ -9,6 +9,7 @@
 #include <QSpinBox>
 #include <QWheelEvent>
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <vector>
@@ -420,6 +421,11 @@ TEST(SessionHousekeeping, countsAndDeletesTheSessionsOfThisRunToo)
     house.setLimits({.gigabytes = 1e-9});
     EXPECT_TRUE(eventually([&] { return !std::filesystem::exists(folder + "/of-this-run.tts"); }));
     EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts"));
+    // Whoever only looked at it must not have dropped the lock that this process holds on it.
+    (void)std::system(
+        (TERRATACT_CLI " session recover " + folder + "/under-way.tts >/dev/null 2>&1").c_str());
+    EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts-wal"))
+        << "another process took it over";
 }
 
 TEST(SessionHousekeeping, aLimitThatIsTakenBackDeletesNothingFromThenOn)

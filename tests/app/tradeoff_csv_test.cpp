@@ -94,6 +94,8 @@ TEST(PresetsCsv, refusesWhatItIsNot)
     EXPECT_TRUE(refuses(header + "abc,local,fast,8,x,2,0,1,2,3,1\n", {"line 2", "field 5"}));
     EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,-2,0,1,2,3,1\n", {"line 2", "no count"}));
     EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,2.5,0,1,2,3,1\n", {"line 2", "no count"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,2,0,-1,2,3,1\n", {"line 2", "below 0"}));
+    EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,2,0,1,2,3,7\n", {"line 2", "share"}));
     EXPECT_TRUE(refuses(header + "abc,local,fast,8,4,2,0,1,2,3\n", {"line 2", "eleven"}));
     EXPECT_TRUE(refuses(header + "abc,local,fast" + rest + "abd,joint,fast" + rest,
                         {"line 3", "another model"}));

@@ -157,6 +157,20 @@ TEST_F(Review, tellsWhetherTheRobotWasHeardAllAlongSinceTheScene)
     EXPECT_FALSE(at(3.2).unbroken) << "1.1 s";
 }
 
+TEST_F(Review, aSceneOfTheLineThatEndedASilenceIsAsGoodAsAnyOther)
+{
+    auto writer = robotSession(path, 3.3);
+    ASSERT_TRUE(writer) << writer.error().text;
+    // The link is told to be up once the scene is captured.
+    for (const auto& [id, what, when] :
+         {std::tuple(100, "lost", At::kScene - 1.1), std::tuple(101, "up", At::kScene + 0.01)})
+        ASSERT_TRUE(writer->add(EventRow{
+            .id = id, .time = sessionTimeOf(when), .kind = EventKind::Link, .subject = what}));
+    ASSERT_TRUE(writer->seal());
+    ASSERT_TRUE(at(3.2).scene);
+    EXPECT_TRUE(at(3.2).unbroken);
+}
+
 TEST_F(Review, showsNoFrameOfADamagedSpanAndSaysSo)
 {
     record(4.0);
