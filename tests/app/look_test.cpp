@@ -116,7 +116,7 @@ TEST_F(Look, nothingIsCutInAnyLanguage)
 
 /// Every value of an enumeration from 0 on for which describe() has words.
 template <class Enum>
-QStringList allOf(int count)
+QStringList allTo(Enum last)
 {
     QStringList sentences;
     for (int i = 0; i < count; ++i)
@@ -133,10 +133,13 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
         estimate.draws.push_back(estimate.height);
         if (i % 2 == 0) estimate.draws.back()[9] -= 0.3;
     }
-    QStringList said = allOf<AtemPhase>(10) + allOf<AtemFailure>(12) + allOf<DisarmCause>(11)
-                     + allOf<GateRefusal>(20) + allOf<Doubt>(5) + allOf<RobotActivity>(6)
-                     + allOf<Refusal>(9) + QStringList{"yes", "no", "none", "not measured"};
-    for (int i = 0; i < 10; ++i)
+    QStringList said = allTo(AtemPhase::Failed) + allTo(AtemFailure::Disarmed)
+                     + allTo(DisarmCause::EpochChanged) + allTo(GateRefusal::OtherBin)
+                     + allTo(Doubt::Asymmetry) + allTo(RobotActivity::Stopped)
+                     + allTo(Refusal::OutOfLimits)
+                     + allTo(ElementState::Short).mid(1)  // a sound one is not told of
+                     + QStringList{"yes", "no", "none", "not measured"};
+    for (int i = 0; i <= static_cast<int>(AtemPhase::Failed); ++i)
         said << QString::fromStdString(describeFollowed(static_cast<AtemPhase>(i)));
     for (const ElementState state :
          {ElementState::Saturated, ElementState::Open, ElementState::Short})
