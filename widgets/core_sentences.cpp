@@ -202,6 +202,13 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Device or resource busy"),
     QT_TRANSLATE_NOOP("core", "No buffer space available"),
     QT_TRANSLATE_NOOP("core", "Address already in use"),
+    QT_TRANSLATE_NOOP("core", "Address family not supported by protocol"),
+    QT_TRANSLATE_NOOP("core", "Protocol not supported"),
+    // What mends a kernel without CAN.
+    QT_TRANSLATE_NOOP("core",
+                      "sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)"),
+    QT_TRANSLATE_NOOP("core", "run it outside of the sandbox or container that forbids it, or as "
+                              "another user"),
     // What a session tells, and what is told of sessions.
     QT_TRANSLATE_NOOP("core", "SIMULATED ROBOT"),
     QT_TRANSLATE_NOOP("core", "session recovered, whose program had ended without closing it"),
@@ -275,6 +282,10 @@ const char* const kOpenSentences[]{
     QT_TRANSLATE_NOOP("core", "no GPIO chip named %1: there is %2"),
     QT_TRANSLATE_NOOP("core", "no GPIO chip labelled %1: there is %2"),
     QT_TRANSLATE_NOOP("core",
+    // Of a kernel without CAN, or one that forbids it.
+    QT_TRANSLATE_NOOP("core", "the kernel has no CAN sockets (%1)"),
+    QT_TRANSLATE_NOOP("core", "this user may not open CAN sockets (%1)"),
+    QT_TRANSLATE_NOOP("core", "a CAN socket cannot be opened (%1)"),
                       "several GPIO chips named %1: there is %2; say the chip's name instead"),
     QT_TRANSLATE_NOOP("core",
                       "several GPIO chips labelled %1: there is %2; say the chip's name instead"),
