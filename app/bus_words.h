@@ -6,6 +6,7 @@
 #include "app/bus_tap.h"
 #include "app/can_source.h"
 #include "drivers/can_bus.h"
+#include "widgets/look.h"
 
 namespace terratact {
 
@@ -14,6 +15,9 @@ QString busWords(BusState state, const std::string& bus);
 
 /// One word for it: "ACTIVE", "BUS-OFF".
 QString glance(BusState state);
+
+/// Bad where it does not work as it has to.
+Tone toneOf(BusState state);
 
 /// "≤ 14 %": the load with all the stuff bits that there can be; "--- %" where the bit rate is not known.
 QString loadGlance(const BusLoad& load, const BitRate& bitrate);

@@ -88,8 +88,7 @@ void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
 
 void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
 {
-    const bool isSound = bus.bus == BusState::Up || bus.bus == BusState::Ended;
-    judge("bus", !isSound, busWords(bus.bus, sight.busName),
+    judge("bus", toneOf(bus.bus) == Tone::Bad, busWords(bus.bus, sight.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender && bus.transmits,
