@@ -77,16 +77,15 @@ void LinkStatus::showBus(double now)
                       : isOurs ? tr("bus")
                                : QString::fromStdString(link_->busName())};
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
+    const QString brief = parts.join(QLatin1Char(' '));
     parts << loadGlance(load, link_->bitrate());
     const std::uint64_t dropped = view.frames.dropped, errors = view.frames.errorFrames;
     if (dropped > 0) parts << (droppedLately_ ? tr("! %1 dropped") : tr("%1 dropped")).arg(dropped);
     if (errors > 0) parts << (erredLately_ ? tr("! %1 errors") : tr("%1 errors")).arg(errors);
-    const bool works = view.bus == BusState::Up || view.bus == BusState::Ended;
+    const Tone tone = toneOf(view.bus);
+    const bool isDoubtful = droppedLately_ || erredLately_;
     header_.setBus(parts.join(QLatin1Char(' ')),
-                   !works                           ? Tone::Bad
-                   : droppedLately_ || erredLately_ ? Tone::Doubt
-                                                    : Tone::Plain,
-                   details(view));
+                   tone == Tone::Plain && isDoubtful ? Tone::Doubt : tone, details(view), brief);
 }
 
 void LinkStatus::showRate(double now)
