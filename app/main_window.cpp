@@ -378,7 +378,7 @@ void MainWindow::connectStop()
     if (line)
         stopLine_.emplace(std::move(*line));
     else
-        events()->add(tr("F12 in windows that are opened from here stops nothing: %1")
+        events()->add(tr("STOP in windows that are opened from here stops nothing: %1")
                           .arg(words::sentence(line.error().text)),
                       Weight::Doubt, QTime::currentTime());
 }
