@@ -91,7 +91,7 @@ QString troubleWords(const CanSource* link, const std::string& said)
     return works ? words::sentence(said) : busWords(view.bus, link->busName());
 }
 
-QString stillComes(const std::vector<TappedFrame>& frames)
+QString stillComes(const std::vector<TappedFrame>& frames, double silence)
 {
     std::optional<double> youngest, heartbeat, status;
     for (const TappedFrame& frame : frames) {
@@ -100,7 +100,7 @@ QString stillComes(const std::vector<TappedFrame>& frames)
         if (frame.kind == FrameKind::RobotHeartbeat) heartbeat = frame.age;
         if (frame.kind == FrameKind::RobotStatus) status = frame.age;
     }
-    if (!youngest || *youngest > kStillComes) return {};
+    if (!youngest || *youngest > std::min(kStillComes, 0.5 * silence)) return {};
     if (heartbeat)
         return BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat));
     // A robot's heart answers that of a console that commands; who listens has only this.

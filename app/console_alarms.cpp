@@ -76,13 +76,20 @@ void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
 {
     const QString why =
         sight.sourceTrouble.isEmpty() ? QString() : QStringLiteral(": ") + sight.sourceTrouble;
-    const bool came = sight.telemetryAge.has_value();
+    const LinkAccount& link = sight.link;
+    const bool came = link.standing != LinkStanding::Silent;
     const bool waits = sight.bus && sight.bus->waits;
     const bool ended = sight.bus && sight.bus->ended;
     if (waits) began_ = now_;  // nothing is due yet
     judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
           tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
-    judge("link", came && !sight.linkAlive && !ended, tr("Link lost%1").arg(why),
+    QString what = words::sentence(describe(link));
+    what.replace(0, 1, what.left(1).toUpper());
+    judge("link", came && !link.alive && !ended,
+          link.standing == LinkStanding::Unsteady
+              ? tr("%1; gaps: %2, the longest %3")
+                    .arg(what, QString::number(link.gaps), words::age(link.longest))
+              : what + why,
           Severity::Critical);
 }
 

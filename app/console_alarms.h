@@ -11,6 +11,7 @@
 #include "app/can_source.h"
 #include "app/growing_count.h"
 #include "core/atem/alarms.h"
+#include "core/atem/link_watch.h"
 
 namespace terratact {
 
@@ -24,8 +25,7 @@ std::unique_ptr<Sounder> desktopBeep();
 
 /// What can be wrong, as it stands now.  An empty text: it is not.
 struct AlarmSight {
-    std::optional<double> telemetryAge{};  ///< [s]; empty: none came yet
-    bool linkAlive = false;
+    LinkAccount link{};
     QString sourceTrouble{};       ///< why there is no telemetry
     std::optional<CanView> bus{};  ///< empty: the source is none
     std::string busName{};

@@ -403,9 +403,10 @@ void MainWindow::look()
 void MainWindow::redraw(double now)
 {
     redrawn_ = now;
-    linkStatus_->show(sights_->link(now, latest_));
-    showAlarms(now);
-    showRecording();
+    const LinkSight link = sights_->link(now, latest_);
+    linkStatus_->show(link);
+    showAlarms(now, link.link);
+    showRecording(link.link);
     linkStatus_->showArming(sights_->panel(now));
     showTerrain(now);
     using Terrain = ProbeNotice::Terrain;
@@ -467,20 +468,20 @@ void MainWindow::restartMeter()
     meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
 }
 
-void MainWindow::showAlarms(double now)
+void MainWindow::showAlarms(double now, const LinkAccount& link)
 {
-    alarms_->look(now, sights_->alarms(now, latest_));
+    alarms_->look(now, sights_->alarms(now, latest_, link));
     const AlarmList& list = alarms_->list();
     const auto all = list.alarms().size();
     header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
                         static_cast<int>(all));
 }
 
-void MainWindow::showRecording()
+void MainWindow::showRecording(const LinkAccount& link)
 {
     if (!scribe_) return;
-    scribe_->look(exploration_->linkAlive(), link_ ? std::optional(link_->view()) : std::nullopt,
-                  alarms_->list(), panel_ ? std::optional(panel_->state()) : std::nullopt);
+    scribe_->look(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
+                  panel_ ? std::optional(panel_->state()) : std::nullopt);
     recordingDisplay_->show(recorder_->state());
 }
 

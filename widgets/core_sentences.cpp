@@ -215,6 +215,14 @@ namespace {
     QT_TRANSLATE_NOOP("core", "session not recovered"),
     QT_TRANSLATE_NOOP("core", "session deleted, since it is older than you have set"),
     QT_TRANSLATE_NOOP("core", "session deleted, since all together are larger than you have set"),
+    QT_TRANSLATE_NOOP("core", "no telemetry yet"),
+    QT_TRANSLATE_NOOP("core", "link is up"),
+    QT_TRANSLATE_NOOP("core", "link lost"),
+    QT_TRANSLATE_NOOP("core", "telemetry lost"),
+    QT_TRANSLATE_NOOP("core", "link unsteady"),
+    QT_TRANSLATE_NOOP("core", "telemetry unsteady"),
+    QT_TRANSLATE_NOOP("core", "end of the log"),
+    QT_TRANSLATE_NOOP("core", "gaps before: %1, the longest %2 s"),
     QT_TRANSLATE_NOOP("core", "up"),
     QT_TRANSLATE_NOOP("core", "lost"),
     QT_TRANSLATE_NOOP("core", "approve"),
@@ -274,6 +282,10 @@ const char* const kOpenSentences[]{
     QT_TRANSLATE_NOOP("core", "its table %1 has too many rows"),
     QT_TRANSLATE_NOOP("core", "%1 is out of range"),
     QT_TRANSLATE_NOOP("core", "the column %1 is not known and was left out"),
+    // Of a kernel without CAN, or one that forbids it.
+    QT_TRANSLATE_NOOP("core", "the kernel has no CAN sockets (%1)"),
+    QT_TRANSLATE_NOOP("core", "this user may not open CAN sockets (%1)"),
+    QT_TRANSLATE_NOOP("core", "a CAN socket cannot be opened (%1)"),
     // Of the panel's chip and its lines.
     QT_TRANSLATE_NOOP("core", "no GPIO chip named %1: this computer has none (no /dev/gpiochip*); "
                               "plug it in, or load its driver"),
@@ -282,10 +294,6 @@ const char* const kOpenSentences[]{
     QT_TRANSLATE_NOOP("core", "no GPIO chip named %1: there is %2"),
     QT_TRANSLATE_NOOP("core", "no GPIO chip labelled %1: there is %2"),
     QT_TRANSLATE_NOOP("core",
-    // Of a kernel without CAN, or one that forbids it.
-    QT_TRANSLATE_NOOP("core", "the kernel has no CAN sockets (%1)"),
-    QT_TRANSLATE_NOOP("core", "this user may not open CAN sockets (%1)"),
-    QT_TRANSLATE_NOOP("core", "a CAN socket cannot be opened (%1)"),
                       "several GPIO chips named %1: there is %2; say the chip's name instead"),
     QT_TRANSLATE_NOOP("core",
                       "several GPIO chips labelled %1: there is %2; say the chip's name instead"),
