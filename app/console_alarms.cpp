@@ -109,6 +109,21 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
           tr("Damaged frames: %1 with a wrong checksum since the start").arg(sight.wrongChecksums),
           Severity::Caution);
     lookAtSensors(bus.forces);
+    lookAtArming(bus.link.arming);
+}
+
+/// It stands until the operator arms anew: a robot that has stopped driving looks like one that was told to.
+void ConsoleAlarms::lookAtArming(const ArmingState& arming)
+{
+    const bool isArmed = arming.phase == ArmingPhase::Armed;
+    const bool hasEnded = std::exchange(wasArmed_, isArmed) && !isArmed;
+    if (hasEnded && arming.cause != DisarmCause::Operator && arming.cause != DisarmCause::Stop)
+        disarmedBy_ = arming.cause;
+    else if (arming.phase != ArmingPhase::Disarmed)
+        disarmedBy_.reset();
+    const DisarmCause cause = disarmedBy_.value_or(DisarmCause::None);
+    judge("disarmed", disarmedBy_.has_value(),
+          tr("Disarmed: %1").arg(words::sentence(describe(cause))), Severity::Critical);
 }
 
 void ConsoleAlarms::lookAtSensors(const ElementForces& forces)

@@ -66,6 +66,7 @@ private:
                double after = 0.0);
     void lookAtLink(const AlarmSight& sight);
     void lookAtBus(const CanView& bus, const AlarmSight& sight);
+    void lookAtArming(const ArmingState& arming);
     void lookAtSensors(const ElementForces& forces);
 
     std::unique_ptr<Sounder> sounder_;
@@ -73,6 +74,8 @@ private:
     std::map<std::string, Cause> causes_;
     std::map<std::string, GrowingCount> counted_;
     std::optional<double> began_;
+    bool wasArmed_ = false;
+    std::optional<DisarmCause> disarmedBy_{};  ///< not the operator, who has not armed anew since
     double now_ = 0.0;
     bool soundOn_ = true;
 };

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QTime>
 #include <algorithm>
+#include <utility>
 
 #include "app/bus_words.h"
 #include "app/preconditions.h"
@@ -199,11 +200,12 @@ void LinkStatus::showArming(const std::optional<Precondition>& panel)
     if (panel) needs << *panel;
     header_.arming()->setState(state, needs);
     if (state.phase == armingWas_) return;
-    armingWas_ = state.phase;
+    const bool wasArmed = std::exchange(armingWas_, state.phase) == ArmingPhase::Armed;
     if (state.phase == ArmingPhase::Armed)
         events_.add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
     if (state.phase == ArmingPhase::Disarmed)
-        events_.add(tr("not armed: %1").arg(words::sentence(describe(state.cause))),
+        events_.add((wasArmed ? tr("disarmed: %1") : tr("not armed: %1"))
+                        .arg(words::sentence(describe(state.cause))),
                     state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
                     QTime::currentTime());
 }

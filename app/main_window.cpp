@@ -286,6 +286,7 @@ void MainWindow::offerQualities()
 void MainWindow::connectAll()
 {
     connectHeader();
+    connect(events(), &EventList::added, this, &MainWindow::notice);
     connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
     connect(preferences_.get(), &PreferenceStore::notSaved, this, [this](const QString& why) {
         events()->add(why, Weight::Doubt, QTime::currentTime());
@@ -335,13 +336,19 @@ void MainWindow::connectExploration()
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
     const auto note = [this](const QString& text, Weight weight) {
         events()->add(text, weight, QTime::currentTime());
-        const bool seen =
-            events()->isVisible()
-            || (atemPanel()->isVisible() && exploration_->state().phase == AtemPhase::Failed);
-        if (weight == Weight::Bad && !seen) notice_->say(text, steadyNow());
     };
     connect(exploration, &Exploration::happened, events(), note);
     if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
+}
+
+/// What goes wrong is told on every page, and where the list of events is not seen.
+void MainWindow::notice(const QString& text, Weight weight)
+{
+    const QString state = exploration_->stateWords();
+    const bool panelSays = atemPanel()->isVisible() && !state.isEmpty() && text.contains(state);
+    if (weight != Weight::Bad || events()->isVisible() || panelSays || linkStatus_->says(text))
+        return;
+    notice_->say(text, steadyNow());
 }
 
 void MainWindow::connectWorker()
