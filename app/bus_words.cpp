@@ -21,6 +21,8 @@ QString matter(BusState state)
     case BusState::Stalled:
         return BusWords::tr("%1 does not take frames: nobody acknowledges them or the bus is full; "
                             "is the robot on, are the wires and the bit rate right?");
+    case BusState::ErrorWarning:
+        return BusWords::tr("%1 has errors: check wires, terminators and bit rate");
     case BusState::ErrorPassive:
         return BusWords::tr("%1 has many errors: check wires, terminators and bit rate");
     case BusState::BusOff:
@@ -49,6 +51,7 @@ QString glance(BusState state)
     switch (state) {
     case BusState::Up: return BusWords::tr("ACTIVE");
     case BusState::Stalled: return BusWords::tr("STALLED");
+    case BusState::ErrorWarning: return BusWords::tr("WARNING");
     case BusState::ErrorPassive: return BusWords::tr("PASSIVE");
     case BusState::BusOff: return BusWords::tr("BUS-OFF");
     case BusState::Down: return BusWords::tr("DOWN");
@@ -56,6 +59,21 @@ QString glance(BusState state)
     case BusState::Ended: return BusWords::tr("ENDED");
     }
     return {};
+}
+
+Tone toneOf(BusState state)
+{
+    switch (state) {
+    case BusState::Up:
+    case BusState::Ended: return Tone::Plain;
+    case BusState::ErrorWarning: return Tone::Doubt;
+    case BusState::Stalled:
+    case BusState::ErrorPassive:
+    case BusState::BusOff:
+    case BusState::Down:
+    case BusState::Absent: return Tone::Bad;
+    }
+    return Tone::Bad;
 }
 
 QString loadGlance(const BusLoad& load, const BitRate& bitrate)
@@ -69,10 +87,11 @@ QString troubleWords(const CanSource* link, const std::string& said)
 {
     if (said.empty() || !link) return words::sentence(said);
     const CanView view = link->view();
-    return view.bus == BusState::Up ? words::sentence(said) : busWords(view.bus, link->busName());
+    const bool works = view.bus == BusState::Up || view.bus == BusState::ErrorWarning;
+    return works ? words::sentence(said) : busWords(view.bus, link->busName());
 }
 
-QString stillComes(const std::vector<TappedFrame>& frames)
+QString stillComes(const std::vector<TappedFrame>& frames, double silence)
 {
     std::optional<double> youngest, heartbeat, status;
     for (const TappedFrame& frame : frames) {
@@ -81,7 +100,7 @@ QString stillComes(const std::vector<TappedFrame>& frames)
         if (frame.kind == FrameKind::RobotHeartbeat) heartbeat = frame.age;
         if (frame.kind == FrameKind::RobotStatus) status = frame.age;
     }
-    if (!youngest || *youngest > kStillComes) return {};
+    if (!youngest || *youngest > std::min(kStillComes, 0.5 * silence)) return {};
     if (heartbeat)
         return BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat));
     // A robot's heart answers that of a console that commands; who listens has only this.

@@ -24,23 +24,6 @@ std::string_view wordAfter(std::string_view text, std::string_view key)
     return text.substr(0, text.find_first_of(" \t\n"));
 }
 
-CanFinding kernelFinding(int code)
-{
-    const std::string reason = std::generic_category().message(code);
-    switch (code) {
-    case 0: return {Level::Fine, "the kernel has CAN and this user may use it"};
-    case EAFNOSUPPORT:
-    case EPROTONOSUPPORT:
-        return {Level::Problem, fmt::format("the kernel has no CAN sockets ({})", reason),
-                "sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)"};
-    case EPERM:
-    case EACCES:
-        return {Level::Problem, fmt::format("this user may not open CAN sockets ({})", reason),
-                "run it outside of the sandbox or container that forbids it, or as another user"};
-    default: return {Level::Problem, fmt::format("a CAN socket cannot be opened ({})", reason), ""};
-    }
-}
-
 CanFinding absentFinding(const CanInterfaceFacts& facts)
 {
     if (!facts.others.empty())
@@ -132,10 +115,27 @@ CanController controllerFrom(std::string_view linkDetails)
     return controller;
 }
 
+CanFinding socketFinding(int socketError)
+{
+    const std::string reason = std::generic_category().message(socketError);
+    switch (socketError) {
+    case 0: return {Level::Fine, "the kernel has CAN and this user may use it"};
+    case EAFNOSUPPORT:
+    case EPROTONOSUPPORT:
+        return {Level::Problem, fmt::format("the kernel has no CAN sockets ({})", reason),
+                "sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)"};
+    case EPERM:
+    case EACCES:
+        return {Level::Problem, fmt::format("this user may not open CAN sockets ({})", reason),
+                "run it outside of the sandbox or container that forbids it, or as another user"};
+    default: return {Level::Problem, fmt::format("a CAN socket cannot be opened ({})", reason), ""};
+    }
+}
+
 std::vector<CanFinding> findingsOf(const CanInterfaceFacts& facts, int socketError,
                                    const CanController& controller)
 {
-    std::vector<CanFinding> findings{kernelFinding(socketError)};
+    std::vector<CanFinding> findings{socketFinding(socketError)};
     if (!facts.present) {
         findings.push_back(absentFinding(facts));
         return findings;

@@ -30,6 +30,9 @@ struct CanController {
 };
 CanController controllerFrom(std::string_view linkDetails);
 
+/// What canSocketError() says about the kernel and this user.
+CanFinding socketFinding(int socketError);
+
 /// Everything about an interface in the order in which it has to be mended.  socketError: of
 /// canSocketError().
 std::vector<CanFinding> findingsOf(const CanInterfaceFacts& facts, int socketError,

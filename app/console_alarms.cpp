@@ -69,20 +69,26 @@ void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
 {
     const QString why =
         sight.sourceTrouble.isEmpty() ? QString() : QStringLiteral(": ") + sight.sourceTrouble;
-    const bool came = sight.telemetryAge.has_value();
+    const LinkAccount& link = sight.link;
+    const bool came = link.standing != LinkStanding::Silent;
     const bool waits = sight.bus && sight.bus->waits;
     const bool ended = sight.bus && sight.bus->ended;
     if (waits) began_ = now_;  // nothing is due yet
     judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
           tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
-    judge("link", came && !sight.linkAlive && !ended, tr("Link lost%1").arg(why),
+    QString what = words::sentence(describe(link));
+    what.replace(0, 1, what.left(1).toUpper());
+    judge("link", came && !link.alive && !ended,
+          link.standing == LinkStanding::Unsteady
+              ? tr("%1; gaps: %2, the longest %3")
+                    .arg(what, QString::number(link.gaps), words::age(link.longest))
+              : what + why,
           Severity::Critical);
 }
 
 void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
 {
-    const bool isSound = bus.bus == BusState::Up || bus.bus == BusState::Ended;
-    judge("bus", !isSound, busWords(bus.bus, sight.busName),
+    judge("bus", toneOf(bus.bus) == Tone::Bad, busWords(bus.bus, sight.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender && bus.transmits,
@@ -96,6 +102,21 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
           tr("Damaged frames: %1 with a wrong checksum since the start").arg(sight.wrongChecksums),
           Severity::Caution);
     lookAtSensors(bus.forces);
+    lookAtArming(bus.link.arming);
+}
+
+/// It stands until the operator arms anew: a robot that has stopped driving looks like one that was told to.
+void ConsoleAlarms::lookAtArming(const ArmingState& arming)
+{
+    const bool isArmed = arming.phase == ArmingPhase::Armed;
+    const bool hasEnded = std::exchange(wasArmed_, isArmed) && !isArmed;
+    if (hasEnded && arming.cause != DisarmCause::Operator && arming.cause != DisarmCause::Stop)
+        disarmedBy_ = arming.cause;
+    else if (arming.phase != ArmingPhase::Disarmed)
+        disarmedBy_.reset();
+    const DisarmCause cause = disarmedBy_.value_or(DisarmCause::None);
+    judge("disarmed", disarmedBy_.has_value(),
+          tr("Disarmed: %1").arg(words::sentence(describe(cause))), Severity::Critical);
 }
 
 void ConsoleAlarms::lookAtSensors(const ElementForces& forces)

@@ -12,13 +12,13 @@
 #include "app/growing_count.h"
 #include "app/sounder.h"
 #include "core/atem/alarms.h"
+#include "core/atem/link_watch.h"
 
 namespace terratact {
 
 /// What can be wrong, as it stands now.  An empty text: it is not.
 struct AlarmSight {
-    std::optional<double> telemetryAge{};  ///< [s]; empty: none came yet
-    bool linkAlive = false;
+    LinkAccount link{};
     QString sourceTrouble{};       ///< why there is no telemetry
     std::optional<CanView> bus{};  ///< empty: the source is none
     std::string busName{};
@@ -61,6 +61,7 @@ private:
                double after = 0.0);
     void lookAtLink(const AlarmSight& sight);
     void lookAtBus(const CanView& bus, const AlarmSight& sight);
+    void lookAtArming(const ArmingState& arming);
     void lookAtSensors(const ElementForces& forces);
 
     std::unique_ptr<Sounder> sounder_;
@@ -68,6 +69,8 @@ private:
     std::map<std::string, Cause> causes_;
     std::map<std::string, GrowingCount> counted_;
     std::optional<double> began_;
+    bool wasArmed_ = false;
+    std::optional<DisarmCause> disarmedBy_{};  ///< not the operator, who has not armed anew since
     double now_ = 0.0;
     bool soundOn_ = true;
 };

@@ -70,7 +70,7 @@ void addRobotKeys(KeyTable& keys, MainWindow& window)
     Exploration* exploration = &window.exploration();
     ArmingControl* arming = window.header()->arming();
     keys.addGroup(MainWindow::tr("Robot"));
-    keys.add({.keys = {Qt::Key_F12},
+    keys.add({.keys = kStopKeys,
               .meaning = MainWindow::tr("STOP, in every window"),
               .pressed = [exploration] { exploration->stop(); },
               .everywhere = true});

@@ -57,29 +57,34 @@ std::optional<double> forcesAgeOf(const BusTap& tap, double now)
 
 }  // namespace
 
-LinkSight ConsoleSights::link(double now, const std::optional<Received>& newest) const
+LinkSight ConsoleSights::link(double now, const std::optional<Received>& newest)
 {
-    return {.now = now,
-            .newest = pointer(newest),
-            .alive = parts_.exploration.linkAlive(),
-            .ended = parts_.exploration.ended()};
+    const bool alive = parts_.exploration.linkAlive();
+    LinkSight sight{.now = now, .newest = pointer(newest)};
+    std::optional<double> age;
+    if (newest) age = now - secondsOf(newest->arrived);
+    if (parts_.link && age && !alive)
+        sight.heard = stillComes(parts_.link->tap().frames(now), *age);
+    sight.link = link_.look({.now = now,
+                             .age = age,
+                             .alive = alive,
+                             .othersCome = !sight.heard.isEmpty(),
+                             .ended = parts_.exploration.ended()});
+    return sight;
 }
 
-AlarmSight ConsoleSights::alarms(double now, const std::optional<Received>& newest) const
+AlarmSight ConsoleSights::alarms(double now, const std::optional<Received>& newest,
+                                 const LinkAccount& link) const
 {
     const Exploration& exploration = parts_.exploration;
-    AlarmSight sight;
-    if (newest) {
-        sight.telemetryAge = now - secondsOf(newest->arrived);
-        sight.isStopped = newest->sample.measurement.activity == RobotActivity::Stopped;
-    }
-    sight.linkAlive = exploration.linkAlive();
+    AlarmSight sight{.link = link};
+    if (newest) sight.isStopped = newest->sample.measurement.activity == RobotActivity::Stopped;
     sight.sourceTrouble = troubleWords(parts_.link, parts_.acquisition.trouble());
-    if (CanSource* link = parts_.link) {
-        sight.bus = link->view();
-        sight.busName = link->busName();
+    if (CanSource* bus = parts_.link) {
+        sight.bus = bus->view();
+        sight.busName = bus->busName();
         sight.wrongChecksums =
-            link->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
+            bus->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
     }
     sight.noModel = exploration.estimation().model().trouble;
     if (parts_.recorder) sight.notRecorded = words::sentence(parts_.recorder->state().trouble);

@@ -34,8 +34,10 @@ public:
     }
 
     // newest: the telemetry of the exploration's last tick.  now: [s] on the steady clock.
-    LinkSight link(double now, const std::optional<Received>& newest) const;
-    AlarmSight alarms(double now, const std::optional<Received>& newest) const;
+    LinkSight link(double now, const std::optional<Received>& newest);
+    /// link: of the same time.
+    AlarmSight alarms(double now, const std::optional<Received>& newest,
+                      const LinkAccount& link) const;
     TerrainSight terrain(double now, const std::optional<Received>& newest);
     /// What the panel says to setting something in motion; empty: there is none.
     std::optional<Precondition> panel(double now) const;
@@ -44,6 +46,7 @@ private:
     const std::vector<ForceArray>& forcesOf(const Received& newest);
 
     Parts parts_;
+    LinkWatch link_;
     ForceArrays forceArrays_;
     std::vector<ForceArray> forces_;
     std::uint64_t forcesCount_ = 0;  ///< of the telemetry they are of

@@ -64,7 +64,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     all->addWidget(header_);
     all->addLayout(strips_);
     all->addLayout(below, 1);
-    // F12 has to stop the robot from every dialog, also from those that the desktop would draw by itself.
+    // STOP's keys have to stop the robot from every dialog, also from those that the desktop would draw by itself.
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
     qApp->installEventFilter(new CalmWheel(this));
@@ -202,7 +202,7 @@ void ConsoleWindow::addRemoteStop()
     header_->setStop({.state = StopSight::State::Elsewhere});
     header_->stopButton()->setVisible(remote->exists());
     connect(header_, &StatusHeader::stopPressed, remote, &RemoteStop::press);
-    keys_.add({.keys = {Qt::Key_F12},
+    keys_.add({.keys = kStopKeys,
                .meaning = remote->exists() ? tr("STOP, of the console that opened this window")
                                            : tr("no STOP: this window has no robot"),
                .pressed =

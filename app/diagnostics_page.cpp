@@ -17,12 +17,12 @@
 #include <QStringList>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cstring>
 #include <thread>
 
 #include <grp.h>
 #include <qwt_global.h>
 
+#include "app/can_check.h"
 #include "app/loop_meter.h"
 #include "core/learn/covariance_kernels.h"
 #include "core/learn/likelihood_kernels.h"
@@ -70,14 +70,6 @@ DiagnosticsSection processor()
          {DiagnosticsPage::tr("training uses"), QString::fromLatin1(likelihoodKernels().name)}}};
 }
 
-QString canSocketWords()
-{
-    const int error = canSocketError();
-    if (error == 0) return DiagnosticsPage::tr("✔ possible");
-    return DiagnosticsPage::tr("✘ not possible: %1")
-        .arg(QString::fromLocal8Bit(std::strerror(error)));
-}
-
 QString gpioWords()
 {
     const QStringList chips =
@@ -111,7 +103,7 @@ DiagnosticsSection permissions()
     QStringList interfaces;
     for (const std::string& name : facts.others) interfaces << words::text(name);
     return {DiagnosticsPage::tr("Permissions"),
-            {{DiagnosticsPage::tr("CAN socket"), canSocketWords()},
+            {{DiagnosticsPage::tr("CAN socket"), canSocketWords(canSocketError())},
              {DiagnosticsPage::tr("CAN interfaces"), interfaces.isEmpty()
                                                          ? DiagnosticsPage::tr("none here")
                                                          : interfaces.join(QStringLiteral(", "))},
@@ -235,6 +227,15 @@ double residentMemory()
     const QByteArrayList pages = file.readAll().split(' ');
     return pages.size() < 2 ? 0.0
                             : pages[1].toDouble() * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+QString canSocketWords(int socketError)
+{
+    if (socketError == 0) return DiagnosticsPage::tr("✔ possible");
+    const CanFinding finding = socketFinding(socketError);
+    const QString what =
+        DiagnosticsPage::tr("✘ not possible: %1").arg(words::sentence(finding.what));
+    return finding.cure.empty() ? what : what + QLatin1Char('\n') + words::sentence(finding.cure);
 }
 
 QList<DiagnosticsSection> standingDiagnostics()

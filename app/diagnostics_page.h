@@ -31,6 +31,9 @@ struct DiagnosticsSection {
 /// network stack once.
 QList<DiagnosticsSection> standingDiagnostics();
 
+/// Whether CAN sockets can be opened; why not and what mends it, where not.  socketError: of canSocketError().
+QString canSocketWords(int socketError);
+
 /// An operator's panel, and how it fares.
 struct PanelFacts {
     PanelReport report{};

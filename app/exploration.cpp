@@ -57,7 +57,7 @@ QString Exploration::whyNoEstimate() const
 {
     if (QString why = estimation_.whyNone(); !why.isEmpty()) return why;
     const ModelInUse& model = estimation_.model();
-    if (!linkAlive_ && !ended_) return tr("No estimate yet: nothing is heard of the robot");
+    if (!linkAlive_ && !ended_) return tr("No estimate yet: no telemetry from the robot");
     if (!model.trouble.isEmpty()) return tr("No estimate: there is no model");
     if (model.name.isEmpty()) return tr("No estimate yet: the model is being loaded");
     if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");

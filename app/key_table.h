@@ -11,6 +11,9 @@ class QWidget;
 
 namespace terratact {
 
+/// The keys that mean STOP wherever one is: many keyboards have F12 only together with another key.
+inline const QList<QKeyCombination> kStopKeys{Qt::Key_F12, Qt::Key_Pause};
+
 /// What the keys of the window mean: both what is done when one is pressed and the sheet that tells of it come
 /// from here.
 class KeyTable {

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QTime>
 #include <algorithm>
+#include <utility>
 
 #include "app/bus_words.h"
 #include "app/preconditions.h"
@@ -18,6 +19,16 @@ namespace terratact {
 namespace {
 
 constexpr double kRateEvery = 0.5;  // [s] the rate of telemetry is shown anew
+
+QString sentence(const LinkAccount& link)
+{
+    return words::sentence(describe(link));
+}
+
+QString capitals(const LinkAccount& link)
+{
+    return sentence(link).toUpper();
+}
 
 }  // namespace
 
@@ -37,7 +48,7 @@ void LinkStatus::show(const LinkSight& sight)
     showLink(sight, age);
     showBus(sight.now);
     showBanner(sight, age);
-    tellChange(sight);
+    tellChange(sight.link);
     showRobot(sight.newest, age);
 }
 
@@ -52,16 +63,25 @@ void LinkStatus::count(double now)
 
 void LinkStatus::showLink(const LinkSight& sight, double age)
 {
-    if (sight.alive && !sight.ended) {
+    const LinkAccount& link = sight.link;
+    if (link.standing == LinkStanding::Up) {
         if (sight.now - rateShownAt_ >= kRateEvery) showRate(sight.now);
         return;
     }
+    rateShownAt_ = worstAge_ = 0.0;
+    const QString title = capitals(link);
     const QString bus = link_ ? details(link_->view()) : QString();
-    if (sight.ended) return header_.setLink(tr("END OF THE LOG"), Tone::Doubt, bus);
-    header_.setLink(sight.newest ? tr("LINK LOST · %1").arg(words::age(age))
-                                 : tr("no telemetry yet"),
-                    Tone::Bad, bus);
-    rateShownAt_ = 0.0;
+    switch (link.standing) {
+    case LinkStanding::Up: break;
+    case LinkStanding::Silent: return header_.setLink(sentence(link), Tone::Bad, bus);
+    case LinkStanding::Ended: return header_.setLink(title, Tone::Doubt, bus);
+    case LinkStanding::Unsteady:
+        return header_.setLink(tr("%1 · gaps: %2").arg(title).arg(link.gaps), Tone::Bad, bus);
+    case LinkStanding::Lost:
+        header_.setLink(link.alive ? tr("back, not steady yet")
+                                   : QStringLiteral("%1 · %2").arg(title, words::age(age)),
+                        Tone::Bad, bus);
+    }
 }
 
 void LinkStatus::showBus(double now)
@@ -77,16 +97,15 @@ void LinkStatus::showBus(double now)
                       : isOurs ? tr("bus")
                                : QString::fromStdString(link_->busName())};
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
+    const QString brief = parts.join(QLatin1Char(' '));
     parts << loadGlance(load, link_->bitrate());
     const std::uint64_t dropped = view.frames.dropped, errors = view.frames.errorFrames;
     if (dropped > 0) parts << (droppedLately_ ? tr("! %1 dropped") : tr("%1 dropped")).arg(dropped);
     if (errors > 0) parts << (erredLately_ ? tr("! %1 errors") : tr("%1 errors")).arg(errors);
-    const bool works = view.bus == BusState::Up || view.bus == BusState::Ended;
+    const Tone tone = toneOf(view.bus);
+    const bool isDoubtful = droppedLately_ || erredLately_;
     header_.setBus(parts.join(QLatin1Char(' ')),
-                   !works                           ? Tone::Bad
-                   : droppedLately_ || erredLately_ ? Tone::Doubt
-                                                    : Tone::Plain,
-                   details(view));
+                   tone == Tone::Plain && isDoubtful ? Tone::Doubt : tone, details(view), brief);
 }
 
 void LinkStatus::showRate(double now)
@@ -112,29 +131,53 @@ QString LinkStatus::details(const CanView& view) const
              QString::number(view.frames.errorFrames));
 }
 
-void LinkStatus::showBanner(const LinkSight& sight, double age)
+QString LinkStatus::bannerText(const LinkSight& sight, double age) const
 {
-    banner_.setVisible(sight.newest && !sight.alive && !sight.ended);
-    if (!banner_.isVisible()) return;
-    const QString heard = link_ ? stillComes(link_->tap().frames(sight.now)) : QString();
+    const LinkAccount& link = sight.link;
+    if (link.standing != LinkStanding::Lost && link.standing != LinkStanding::Unsteady) return {};
+    const QString title = capitals(link);
+    if (link.standing == LinkStanding::Unsteady)
+        return tr("%1 — gaps: %2, the longest %3; values read -- in each of them")
+            .arg(title, QString::number(link.gaps), words::age(link.longest));
+    if (link.alive)
+        return tr("BACK after %1 — what is shown is live").arg(words::age(link.longest));
     const QString trouble = troubleWords(link_, acquisition_.trouble());
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
-    banner_.setText(
-        heard.isEmpty()
-            ? tr("LINK LOST for %1 — nothing on this screen is live%2").arg(words::age(age), why)
-            : tr("TELEMETRY LOST for %1 — %2; no measured value is live%3")
-                  .arg(words::age(age), heard, why));
+    return link.alone
+             ? tr("%1 for %2 — %3; no measured value is live%4")
+                   .arg(title, words::age(age), sight.heard, why)
+             : tr("%1 for %2 — nothing on this screen is live%3").arg(title, words::age(age), why);
 }
 
-void LinkStatus::tellChange(const LinkSight& sight)
+void LinkStatus::showBanner(const LinkSight& sight, double age)
 {
-    const bool alive = sight.alive && !sight.ended;
-    if (sight.newest && alive != wasAlive_)
-        events_.add(alive         ? tr("link is up")
-                    : sight.ended ? tr("end of the log")
-                                  : tr("link lost"),
-                    alive || sight.ended ? Weight::Note : Weight::Bad, QTime::currentTime());
-    wasAlive_ = alive;
+    const QString text = bannerText(sight, age);
+    banner_.setVisible(!text.isEmpty());
+    if (!text.isEmpty() && banner_.text() != text) banner_.setText(text);
+}
+
+/// Of a link that comes and goes its loss and its end; and when nothing comes any more where other frames did.
+void LinkStatus::tellChange(const LinkAccount& link)
+{
+    const auto isDown = [](const LinkAccount& one) {
+        return one.standing == LinkStanding::Lost || one.standing == LinkStanding::Unsteady;
+    };
+    const bool worsens = told_.alone && !link.alone;
+    if (link.standing == told_.standing && !(isDown(link) && worsens)) return;
+    if (isDown(link) && isDown(told_) && !worsens) return;
+    told_ = link;
+    const QString text = sentence(link);
+    if (link.standing == LinkStanding::Up && link.gaps > 1)
+        events_.add(tr("%1; gaps before: %2, the longest %3")
+                        .arg(text, QString::number(link.gaps), words::age(link.longest)),
+                    Weight::Note, QTime::currentTime());
+    else if (link.standing != LinkStanding::Silent)
+        events_.add(text, isDown(link) ? Weight::Bad : Weight::Note, QTime::currentTime());
+}
+
+bool LinkStatus::says(const QString& text) const
+{
+    return !banner_.isHidden() && banner_.text().startsWith(text.toUpper());
 }
 
 void LinkStatus::showRobot(const Received* newest, double age)
@@ -157,11 +200,12 @@ void LinkStatus::showArming(const std::optional<Precondition>& panel)
     if (panel) needs << *panel;
     header_.arming()->setState(state, needs);
     if (state.phase == armingWas_) return;
-    armingWas_ = state.phase;
+    const bool wasArmed = std::exchange(armingWas_, state.phase) == ArmingPhase::Armed;
     if (state.phase == ArmingPhase::Armed)
         events_.add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
     if (state.phase == ArmingPhase::Disarmed)
-        events_.add(tr("not armed: %1").arg(words::sentence(describe(state.cause))),
+        events_.add((wasArmed ? tr("disarmed: %1") : tr("not armed: %1"))
+                        .arg(words::sentence(describe(state.cause))),
                     state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
                     QTime::currentTime());
 }

@@ -7,6 +7,7 @@
 #include "app/acquisition.h"
 #include "app/can_source.h"
 #include "app/growing_count.h"
+#include "core/atem/link_watch.h"
 #include "widgets/precondition.h"
 
 class QLabel;
@@ -20,8 +21,8 @@ class StatusHeader;
 struct LinkSight {
     double now = 0.0;                  ///< [s] on the steady clock
     const Received* newest = nullptr;  ///< null: none came yet
-    bool alive = false;                ///< it is fresh enough
-    bool ended = false;                ///< a log that is replayed
+    LinkAccount link{};
+    QString heard{};  ///< what comes where telemetry does not; empty: nothing
 };
 
 /// Says how the link is and what the robot at its other end does: in the header, in a banner over the whole width
@@ -37,6 +38,7 @@ public:
     void show(const LinkSight& sight);
     /// Likewise.  panel: what it says to setting something in motion; empty: there is none.
     void showArming(const std::optional<Precondition>& panel);
+    bool says(const QString& text) const;  ///< the banner does, in capitals
 
 private:
     void count(double now);
@@ -44,7 +46,8 @@ private:
     void showRate(double now);
     void showBus(double now);
     void showBanner(const LinkSight& sight, double age);
-    void tellChange(const LinkSight& sight);
+    QString bannerText(const LinkSight& sight, double age) const;
+    void tellChange(const LinkAccount& link);
     void showRobot(const Received* newest, double age);
     QString details(const CanView& view) const;
 
@@ -53,11 +56,11 @@ private:
     EventList& events_;
     const Acquisition& acquisition_;
     CanSource* link_;
-    bool wasAlive_ = false;
+    LinkAccount told_;  ///< in the list of events
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     GrowingCount dropped_, errors_;
     bool droppedLately_ = false, erredLately_ = false;
-    double rateShownAt_ = 0.0;  ///< [s]; 0: the link was lost since
+    double rateShownAt_ = 0.0;  ///< [s]; 0: the link was not up since
     double busShownAt_ = 0.0;   ///< [s]
     double worstAge_ = 0.0;     ///< [s] of telemetry, since then
 };

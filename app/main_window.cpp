@@ -286,6 +286,7 @@ void MainWindow::offerQualities()
 void MainWindow::connectAll()
 {
     connectHeader();
+    connect(events(), &EventList::added, this, &MainWindow::notice);
     connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
     connect(preferences_.get(), &PreferenceStore::notSaved, this, [this](const QString& why) {
         events()->add(why, Weight::Doubt, QTime::currentTime());
@@ -335,13 +336,19 @@ void MainWindow::connectExploration()
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
     const auto note = [this](const QString& text, Weight weight) {
         events()->add(text, weight, QTime::currentTime());
-        const bool seen =
-            events()->isVisible()
-            || (atemPanel()->isVisible() && exploration_->state().phase == AtemPhase::Failed);
-        if (weight == Weight::Bad && !seen) notice_->say(text, steadyNow());
     };
     connect(exploration, &Exploration::happened, events(), note);
     if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
+}
+
+/// What goes wrong is told on every page, and where the list of events is not seen.
+void MainWindow::notice(const QString& text, Weight weight)
+{
+    const QString state = exploration_->stateWords();
+    const bool panelSays = atemPanel()->isVisible() && !state.isEmpty() && text.contains(state);
+    if (weight != Weight::Bad || events()->isVisible() || panelSays || linkStatus_->says(text))
+        return;
+    notice_->say(text, steadyNow());
 }
 
 void MainWindow::connectWorker()
@@ -378,7 +385,7 @@ void MainWindow::connectStop()
     if (line)
         stopLine_.emplace(std::move(*line));
     else
-        events()->add(tr("F12 in windows that are opened from here stops nothing: %1")
+        events()->add(tr("STOP in windows that are opened from here stops nothing: %1")
                           .arg(words::sentence(line.error().text)),
                       Weight::Doubt, QTime::currentTime());
 }
@@ -403,9 +410,10 @@ void MainWindow::look()
 void MainWindow::redraw(double now)
 {
     redrawn_ = now;
-    linkStatus_->show(sights_->link(now, latest_));
-    showAlarms(now);
-    showRecording();
+    const LinkSight link = sights_->link(now, latest_);
+    linkStatus_->show(link);
+    showAlarms(now, link.link);
+    showRecording(link.link);
     linkStatus_->showArming(sights_->panel(now));
     showTerrain(now);
     using Terrain = ProbeNotice::Terrain;
@@ -467,20 +475,20 @@ void MainWindow::restartMeter()
     meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
 }
 
-void MainWindow::showAlarms(double now)
+void MainWindow::showAlarms(double now, const LinkAccount& link)
 {
-    alarms_->look(now, sights_->alarms(now, latest_));
+    alarms_->look(now, sights_->alarms(now, latest_, link));
     const AlarmList& list = alarms_->list();
     const auto all = list.alarms().size();
     header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
                         static_cast<int>(all));
 }
 
-void MainWindow::showRecording()
+void MainWindow::showRecording(const LinkAccount& link)
 {
     if (!scribe_) return;
-    scribe_->look(exploration_->linkAlive(), link_ ? std::optional(link_->view()) : std::nullopt,
-                  alarms_->list(), panel_ ? std::optional(panel_->state()) : std::nullopt);
+    scribe_->look(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
+                  panel_ ? std::optional(panel_->state()) : std::nullopt);
     recordingDisplay_->show(recorder_->state());
 }
 

@@ -103,8 +103,9 @@ protected:
 private:
     void build(const Options& options);
     void addPages(const Options& options);
-    void showAlarms(double now);
-    void showRecording();
+    void showAlarms(double now, const LinkAccount& link);
+    void showRecording(const LinkAccount& link);
+    void notice(const QString& text, Weight weight);
     void showPanelLost();
     void mark();
     QList<DiagnosticsSection> diagnostics() const;

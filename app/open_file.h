@@ -18,7 +18,7 @@ enum class FileKind : std::uint8_t {
 FileKind kindOfFile(const QString& path);
 
 /// Asks for a file, and opens the one that is chosen in another process of this program, so that nothing that runs here
-/// is touched.  Does not wait.  folder: where to look for the first time.  failed: it could not, and why.  stopLine: where its F12 goes, see app/remote_stop.h; empty:
+/// is touched.  Does not wait.  folder: where to look for the first time.  failed: it could not, and why.  stopLine: where its STOP goes, see app/remote_stop.h; empty:
 /// where that of this program goes.
 void openInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
                          std::function<void(const QString& why)> failed);

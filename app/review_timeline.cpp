@@ -114,7 +114,8 @@ private:
         switch (event.kind) {
         case EventKind::Link:
             link_.begin("link",
-                        {at, at, event.subject == "up" ? TimelineWeight::Good : TimelineWeight::Bad,
+                        {at, at,
+                         event.subject == kLinkUp ? TimelineWeight::Good : TimelineWeight::Bad,
                          sentenceOf(event)});
             break;
         case EventKind::Forgotten: estimates_.end("estimate", at); break;

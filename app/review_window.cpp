@@ -28,6 +28,7 @@
 #include "app/terrain_page.h"
 #include "app/view_menu.h"
 #include "app/what_if_page.h"
+#include "core/atem/link_watch.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
@@ -274,7 +275,13 @@ void ReviewWindow::showHeader()
         header()->setLink(tr("link %1 Hz").arg(words::number(moment_.linesPerSecond, 0)),
                           Tone::Good);
     else if (!moment_.linkAlive && moment_.linkSince > 0)
-        header()->setLink(tr("LINK LOST · %1").arg(words::age(age)), Tone::Bad);
+        header()->setLink(
+            QStringLiteral("%1 · %2").arg(
+                words::sentence(describe(LinkAccount{.standing = LinkStanding::Lost,
+                                                     .alone = moment_.telemetryAlone}))
+                    .toUpper(),
+                words::age(age)),
+            Tone::Bad);
     else
         header()->setLink(tr("no telemetry"), Tone::Doubt);
     if (heard && secondsOf(moment_.time - moment_.measured) <= kStaleAfter)
@@ -533,7 +540,7 @@ void ReviewWindow::showEvents()
         const EventRow& event = *last[i];
         const bool isBad = event.subject == "bad" || event.kind == EventKind::Gap
                         || (event.kind == EventKind::Alarm && event.number == 3.0)
-                        || (event.kind == EventKind::Link && event.subject != "up");
+                        || (event.kind == EventKind::Link && event.subject != kLinkUp);
         const Weight weight = isBad                    ? Weight::Bad
                             : event.subject == "doubt" ? Weight::Doubt
                                                        : Weight::Note;

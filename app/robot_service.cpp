@@ -21,9 +21,12 @@ struct Shown {
 
 std::string words(const Shown& shown, const RobotOnBus& robot, const CanBus& bus)
 {
-    if (shown.bus != BusState::Up) return describe(shown.bus, bus.name());
-    return fmt::format("{}, {} (epoch {})", describe(shown.activity),
-                       shown.armed ? "armed" : "disarmed", robot.epoch());
+    const std::string state = describe(shown.bus, bus.name());
+    const bool works = shown.bus == BusState::Up || shown.bus == BusState::ErrorWarning;
+    if (!works) return state;
+    return fmt::format("{}, {} (epoch {}){}", describe(shown.activity),
+                       shown.armed ? "armed" : "disarmed", robot.epoch(),
+                       shown.bus == BusState::Up ? "" : "; " + state);
 }
 
 void sendAll(CanBus& bus, const std::vector<CanFrame>& frames)

@@ -148,7 +148,7 @@ void SessionScribe::mark(const QString& note)
 std::string SessionScribe::shown() const
 {
     std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase));
-    text += exploration_.linkAlive() ? "; link alive" : "; link lost";
+    text += "; " + describe(link_);
     if (const auto verdict = exploration_.estimation().verdict())
         text += "; " + inWords(*verdict, exploration_.options().stepLimit);
     else
@@ -160,21 +160,36 @@ std::string SessionScribe::shown() const
     return text;
 }
 
-void SessionScribe::look(bool linkAlive, const std::optional<CanView>& link,
+void SessionScribe::look(const LinkAccount& link, const std::optional<CanView>& bus,
                          const AlarmList& alarms, const std::optional<PanelState>& panel)
 {
-    if (std::exchange(linkAlive_, linkAlive) != linkAlive)
-        tell(EventKind::Link, linkAlive ? "up" : "lost",
-             link && !linkAlive ? describe(link->bus, "bus") : std::string());
-    if (link && std::exchange(arming_, link->link.arming.phase) != link->link.arming.phase)
+    lookAtLink(link, bus);
+    if (bus && std::exchange(arming_, bus->link.arming.phase) != bus->link.arming.phase)
         tell(EventKind::Arming, describe(*arming_),
-             *arming_ == ArmingPhase::Disarmed ? describe(link->link.arming.cause) : std::string());
+             *arming_ == ArmingPhase::Disarmed ? describe(bus->link.arming.cause) : std::string());
     const AtemState& state = exploration_.state();
     if (std::exchange(phase_, state.phase) != state.phase)
         tell(EventKind::Phase, describe(state.phase),
              state.phase == AtemPhase::Failed ? describe(state.failure) : std::string());
     lookAtAlarms(alarms);
     if (panel) lookAtPanel(*panel);
+}
+
+void SessionScribe::lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus)
+{
+    link_ = link;
+    if (link.standing == LinkStanding::Silent) return;
+    const bool isUp = link.standing == LinkStanding::Up;
+    const std::string subject{isUp ? kLinkUp : link.alone ? kTelemetryLost : kLinkLost};
+    // What comes and goes is one loss, unless it becomes worse.
+    if (subject == linkTold_ || (linkTold_ == kLinkLost && !isUp)) return;
+    linkTold_ = subject;
+    if (!isUp) return tell(EventKind::Link, subject, bus ? describe(bus->bus, "bus") : "");
+    tell(EventKind::Link, subject,
+         link.gaps > 1
+             ? fmt::format("gaps before: {}, the longest {:.2f} s", link.gaps, link.longest)
+             : std::string(),
+         link.gaps > 0 ? std::optional(link.longest) : std::nullopt);
 }
 
 void SessionScribe::lookAtAlarms(const AlarmList& alarms)

@@ -26,7 +26,7 @@ public:
                   EstimatorWorker& worker, EventList& events, QObject* parent = nullptr);
 
     /// What else there is to see; to be called several times a second.
-    void look(bool linkAlive, const std::optional<CanView>& link, const AlarmList& alarms,
+    void look(const LinkAccount& link, const std::optional<CanView>& bus, const AlarmList& alarms,
               const std::optional<PanelState>& panel);
 
     /// A marker of the operator's.
@@ -43,6 +43,7 @@ private:
     void tell(EventKind kind, const std::string& subject, const std::string& text = {},
               std::optional<double> number = std::nullopt);
     std::string shown() const;
+    void lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus);
     void lookAtAlarms(const AlarmList& alarms);
     void lookAtPanel(const PanelState& panel);
 
@@ -50,7 +51,8 @@ private:
     Exploration& exploration_;
     std::int64_t model_ = 0, scene_ = 0, estimate_ = 0, proposal_ = 0;  ///< ids; 0: none stands
     std::optional<AtemPhase> phase_;
-    std::optional<bool> linkAlive_;
+    LinkAccount link_;
+    std::string linkTold_;  ///< subject of the last event; empty: there was none
     std::optional<ArmingPhase> arming_;
     std::map<std::string, AlarmState> alarms_;
     std::optional<PerContact<bool>> contacts_;

@@ -305,8 +305,7 @@ void SignalsPage::refreshBus(double now)
                  QString::number(view.frames.dropped), QString::number(view.frames.errorFrames),
                  of(FrameTrouble::WrongChecksum), of(FrameTrouble::WrongSequence),
                  of(FrameTrouble::Unknown)));
-    const bool isSound = view.bus == BusState::Up || view.bus == BusState::Ended;
-    setTone(*headline_, isSound ? Tone::Plain : Tone::Bad);
+    setTone(*headline_, toneOf(view.bus));
     table_->setRows(signalRows(link_->tap().frames(now), protocol_));
 }
 

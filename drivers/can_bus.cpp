@@ -13,6 +13,7 @@ std::string matter(BusState state)
         return "does not take frames: nobody acknowledges them or the bus is full; is the robot "
                "on, are the "
                "wires and the bit rate right?";
+    case BusState::ErrorWarning: return "has errors: check wires, terminators and bit rate";
     case BusState::ErrorPassive: return "has many errors: check wires, terminators and bit rate";
     case BusState::BusOff:
         return "is bus-off after too many errors: check the wires, then restart it";
@@ -42,6 +43,7 @@ std::string cureOf(BusState state, const std::string& bus)
     case BusState::Up:
     case BusState::Stalled:
     case BusState::Ended: return {};
+    case BusState::ErrorWarning:
     case BusState::ErrorPassive: return "ip -details -statistics link show " + bus;
     case BusState::BusOff: return "sudo ip link set " + bus + " type can restart";
     case BusState::Down:

@@ -24,6 +24,7 @@ struct BusFrame {
 enum class BusState : std::uint8_t {
     Up,
     Stalled,       ///< what was sent does not leave: nobody acknowledges, or the bus is full
+    ErrorWarning,  ///< works, with errors
     ErrorPassive,  ///< works, with many errors
     BusOff,        ///< the controller has given up
     Down,          ///< the interface is there, but down

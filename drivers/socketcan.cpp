@@ -303,9 +303,14 @@ BusState SocketCan::stateAt(double now) const
     const bool full = full_ && full_->last - full_->since >= options_.stalledAfter
                    && now - full_->last < kFullCounts;
     if (link_ != BusState::Up) return link_;
-    if (controller_ == ControllerState::BusOff) return BusState::BusOff;
-    if (full || overdue(now)) return BusState::Stalled;
-    return controller_ == ControllerState::Passive ? BusState::ErrorPassive : BusState::Up;
+    if (controller_ != ControllerState::BusOff && (full || overdue(now))) return BusState::Stalled;
+    switch (controller_) {
+    case ControllerState::Active: return BusState::Up;
+    case ControllerState::Warning: return BusState::ErrorWarning;
+    case ControllerState::Passive: return BusState::ErrorPassive;
+    case ControllerState::BusOff: break;
+    }
+    return BusState::BusOff;
 }
 
 /// Why nothing may be sent now; empty if something may.

@@ -202,12 +202,27 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Device or resource busy"),
     QT_TRANSLATE_NOOP("core", "No buffer space available"),
     QT_TRANSLATE_NOOP("core", "Address already in use"),
+    QT_TRANSLATE_NOOP("core", "Address family not supported by protocol"),
+    QT_TRANSLATE_NOOP("core", "Protocol not supported"),
+    // What mends a kernel without CAN.
+    QT_TRANSLATE_NOOP("core",
+                      "sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)"),
+    QT_TRANSLATE_NOOP("core", "run it outside of the sandbox or container that forbids it, or as "
+                              "another user"),
     // What a session tells, and what is told of sessions.
     QT_TRANSLATE_NOOP("core", "SIMULATED ROBOT"),
     QT_TRANSLATE_NOOP("core", "session recovered, whose program had ended without closing it"),
     QT_TRANSLATE_NOOP("core", "session not recovered"),
     QT_TRANSLATE_NOOP("core", "session deleted, since it is older than you have set"),
     QT_TRANSLATE_NOOP("core", "session deleted, since all together are larger than you have set"),
+    QT_TRANSLATE_NOOP("core", "no telemetry yet"),
+    QT_TRANSLATE_NOOP("core", "link is up"),
+    QT_TRANSLATE_NOOP("core", "link lost"),
+    QT_TRANSLATE_NOOP("core", "telemetry lost"),
+    QT_TRANSLATE_NOOP("core", "link unsteady"),
+    QT_TRANSLATE_NOOP("core", "telemetry unsteady"),
+    QT_TRANSLATE_NOOP("core", "end of the log"),
+    QT_TRANSLATE_NOOP("core", "gaps before: %1, the longest %2 s"),
     QT_TRANSLATE_NOOP("core", "up"),
     QT_TRANSLATE_NOOP("core", "lost"),
     QT_TRANSLATE_NOOP("core", "approve"),
@@ -267,6 +282,10 @@ const char* const kOpenSentences[]{
     QT_TRANSLATE_NOOP("core", "its table %1 has too many rows"),
     QT_TRANSLATE_NOOP("core", "%1 is out of range"),
     QT_TRANSLATE_NOOP("core", "the column %1 is not known and was left out"),
+    // Of a kernel without CAN, or one that forbids it.
+    QT_TRANSLATE_NOOP("core", "the kernel has no CAN sockets (%1)"),
+    QT_TRANSLATE_NOOP("core", "this user may not open CAN sockets (%1)"),
+    QT_TRANSLATE_NOOP("core", "a CAN socket cannot be opened (%1)"),
     // Of the panel's chip and its lines.
     QT_TRANSLATE_NOOP("core", "no GPIO chip named %1: this computer has none (no /dev/gpiochip*); "
                               "plug it in, or load its driver"),

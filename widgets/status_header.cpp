@@ -67,7 +67,7 @@ QString stopMeaning(const StopSight& sight)
     switch (sight.state) {
     case StopSight::State::Ready:
         return StatusHeader::tr(
-            "Halts the robot at once and latches; F12 does the same everywhere");
+            "Halts the robot at once and latches; F12 and Pause do the same everywhere");
     case StopSight::State::Elsewhere:
         return StatusHeader::tr("Halts the robot of the console that opened this window");
     case StopSight::State::Sent:
@@ -186,12 +186,19 @@ void StatusHeader::setLink(const QString& text, Tone tone, const QString& detail
     if (wasLost != (tone == Tone::Bad)) announce(*link_);
 }
 
-void StatusHeader::setBus(const QString& text, Tone tone, const QString& details)
+void StatusHeader::setBus(const QString& text, Tone tone, const QString& details,
+                          const QString& brief)
 {
-    if (bus_->text() != text) {
+    const bool isBad = tone == Tone::Bad;
+    const QString least = !isBad ? QString() : brief.isEmpty() ? text : brief;
+    setRole(*bus_, tone == Tone::Bad     ? QStringLiteral("alarm")
+                   : tone == Tone::Doubt ? QStringLiteral("caution")
+                                         : QStringLiteral("quiet"));
+    if (busText_ != text || busBrief_ != least) {
+        busText_ = text;
+        busBrief_ = least;
         bus_->setText(text);
         bus_->setAccessibleName(tr("Bus: %1").arg(text));
-        keepBusRoom();
         fit();
     }
     const QString tip = details + QLatin1Char('\n') + tr("All of it: F5");
@@ -199,9 +206,6 @@ void StatusHeader::setBus(const QString& text, Tone tone, const QString& details
         bus_->setToolTip(tip);
         bus_->setAccessibleDescription(details);
     }
-    setRole(*bus_, tone == Tone::Bad     ? QStringLiteral("alarm")
-                   : tone == Tone::Doubt ? QStringLiteral("caution")
-                                         : QStringLiteral("quiet"));
 }
 
 void StatusHeader::setAlarms(int unseen, int all)
@@ -269,16 +273,21 @@ void StatusHeader::setLines(int lines)
     layout()->activate();
 }
 
-void StatusHeader::keepBusRoom()
+int StatusHeader::busWidth(const QString& text) const
 {
     static const QRegularExpression kLoad(QStringLiteral("[0-9]+ %"));
-    const QString most = bus_->text().replace(kLoad, QStringLiteral("100 %"));
-    bus_->setMinimumWidth(widthWith(*bus_, most));
+    QString most = text;
+    return widthWith(*bus_, most.replace(kLoad, QStringLiteral("100 %")));
+}
+
+void StatusHeader::showBus(const QString& text)
+{
+    bus_->setMinimumWidth(busWidth(text));
+    if (bus_->text() != text) bus_->setText(text);
 }
 
 void StatusHeader::keepRoom()
 {
-    keepBusRoom();
     link_->setUsual({tr("link %1 Hz · ≤ %2").arg(QStringLiteral("20"), QStringLiteral("100 ms"))});
     robot_->setUsual({QString(14, QLatin1Char('n'))});
     int width = 0;
@@ -317,9 +326,10 @@ int StatusHeader::usualUpper() const
 int StatusHeader::heightFor(int width) const
 {
     const QMargins margins = layout()->contentsMargins();
-    const int lines = oneLine() <= width
-                        ? heightOf(upper() + lower() + last())
-                        : heightOf(upper()) + kBetweenLines + heightOf(lower() + last());
+    // A bus that is Bad will be seen, whether there is room for it now or not.
+    const int bus = busText_.isEmpty() ? 0 : bus_->sizeHint().height();
+    const int above = std::max(bus, heightOf(upper())), below = heightOf(lower() + last());
+    const int lines = oneLine() <= width ? std::max(above, below) : above + kBetweenLines + below;
     return margins.top() + margins.bottom() + std::max(lines, heightOf({stop_}));
 }
 
@@ -339,15 +349,17 @@ void StatusHeader::fit()
     const QMargins margins = layout()->contentsMargins();
     int room = width() - (lines_ > 1 ? minimumSizeHint().width() : wide);
     const int above = width() - margins.left() - margins.right() - stopWidth() - usualUpper();
-    const int bus = bus_->minimumWidth() + kBetween;
+    const int bus = busWidth(busText_) + kBetween;
     const QString tone = model_->property("tone").toString();
     const bool trouble = tone == QLatin1String("bad");
     const int model = model_->sizeHint().width() + kBetween;
     // A model that is not ready yet matters more than how busy the bus is.
     const int kept = lines_ == 1 && tone == QLatin1String("doubt") ? model : 0;
-    const bool isBus = !bus_->text().isEmpty() && (lines_ > 1 ? above : room - kept) >= bus;
+    const bool hasRoom = (lines_ > 1 ? above : room - kept) >= bus;
+    const bool isBus = !busText_.isEmpty() && (hasRoom || !busBrief_.isEmpty());
+    showBus(hasRoom || busBrief_.isEmpty() ? busText_ : busBrief_);
     bus_->setVisible(isBus);
-    if (isBus && lines_ == 1) room -= bus;
+    if (isBus && lines_ == 1) room -= bus_->minimumWidth() + kBetween;
     model_->setVisible(trouble || room >= model);
 }
 

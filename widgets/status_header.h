@@ -36,8 +36,8 @@ public:
 
     void setSource(const QString& name);
     void setLink(const QString& text, Tone tone, const QString& details = {});
-    /// The bus: its state and load; empty: the source is none.
-    void setBus(const QString& text, Tone tone, const QString& details);
+    /// The bus: its state and load; empty: the source is none.  brief: what of that must be seen where it is Bad.
+    void setBus(const QString& text, Tone tone, const QString& details, const QString& brief = {});
     /// unseen: how many of all nobody has acknowledged.
     void setAlarms(int unseen, int all);
     void
@@ -73,8 +73,9 @@ signals:
     void qualityChosen(int index);
 
 private:
-    /// Leaves the model out where STOP needs its room, then the bus; a missing model stays.
+    /// Leaves the model out where STOP needs its room, then the bus; what is Bad stays.
     void fit();
+    void showBus(const QString& text);
     int stopWidth() const;   ///< [px] with the room before it
     int usualUpper() const;  ///< [px] of source, link and robot, without the bus
     void setLines(int lines);
@@ -82,10 +83,11 @@ private:
     QList<QWidget*> upper() const;
     QList<QWidget*> lower() const;
     QList<QWidget*> last() const;
-    void keepRoom();     ///< for every text there may be
-    void keepBusRoom();  ///< for every load
+    void keepRoom();                          ///< for every text there may be
+    int busWidth(const QString& text) const;  ///< [px] for every load
 
     int lines_ = 0;
+    QString busText_, busBrief_;
     StopSight::State stopState_ = StopSight::State::Ready;
     QBoxLayout* first_ = nullptr;
     QBoxLayout* second_ = nullptr;

@@ -170,7 +170,7 @@ std::string describe(AtemPhase phase)
     case AtemPhase::Stopped: return "STOPPED";
     case AtemPhase::Failed: return "exploration failed";
     }
-    return "unknown phase";
+    throw std::invalid_argument("describe: no such AtemPhase");
 }
 
 std::string describe(AtemFailure failure)
@@ -189,7 +189,7 @@ std::string describe(AtemFailure failure)
     case AtemFailure::ApprovalVoid: return "the approval was of another scene, settings or model";
     case AtemFailure::Disarmed: return "the robot is not armed";
     }
-    return "unknown failure";
+    throw std::invalid_argument("describe: no such AtemFailure");
 }
 
 }  // namespace terratact

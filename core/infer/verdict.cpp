@@ -43,7 +43,7 @@ std::string describe(Doubt doubt)
     case Doubt::Roll: return "the robot rolls, left and right ground differ";
     case Doubt::Asymmetry: return "the flippers differ, left and right ground differ";
     }
-    return {};
+    throw std::invalid_argument("describe: no such Doubt");
 }
 
 Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, const Aftermath& since,

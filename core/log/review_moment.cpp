@@ -12,6 +12,17 @@ namespace {
 constexpr std::size_t kRecentBatches = 24;
 constexpr std::size_t kRecentEstimates = 4;
 
+bool isHeard(const ReviewMoment& moment)
+{
+    return moment.measurement && secondsOf(moment.time - moment.measured) <= kReviewLinkLost;
+}
+
+/// [s] of the link that is up again; of older sessions, in which that was told at once, from when the two were told.
+double silenceBefore(const EventRow& up, SessionTime lost)
+{
+    return up.number.value_or(kReviewLinkLost + secondsOf(up.time - lost));
+}
+
 /// The value whose words these are, of first … last.
 template <class Enum>
 std::optional<Enum> fromWords(std::string_view words, Enum last)
@@ -127,8 +138,7 @@ void ReviewMoments::hear(ReviewMoment& moment)
         }
     moment.line = listener.line();
     moment.linesPerSecond = lines;
-    moment.linkAlive =
-        moment.measurement && secondsOf(moment.time - moment.measured) <= kReviewLinkLost;
+    moment.linkAlive = isHeard(moment);
     moment.linkSince = moment.measured;
 }
 
@@ -154,8 +164,17 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
 {
     std::map<std::string, Alarm> alarms;
     std::optional<SessionTime> lost;
+    const EventRow* nextUp = nullptr;
+    const auto endsSilence = [&](const EventRow& up) {
+        return lost && moment.scene && *lost > moment.scene->time
+            && silenceBefore(up, *lost) > kLongestSilence;
+    };
     for (const EventRow& event : reader_.events()) {
-        if (event.time > moment.time) continue;
+        if (event.time > moment.time) {
+            const bool isUp = event.kind == EventKind::Link && event.subject == kLinkUp;
+            if (isUp && !nextUp) nextUp = &event;
+            continue;
+        }
         switch (event.kind) {
         case EventKind::Phase:
             if (const auto phase = phaseFrom(event.subject)) {
@@ -169,13 +188,11 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
             break;
         case EventKind::Arming: moment.arming = fromWords(event.subject, ArmingPhase::Armed); break;
         case EventKind::Link:
-            moment.linkAlive = event.subject == "up";
+            moment.linkAlive = event.subject == kLinkUp;
+            moment.telemetryAlone = event.subject == kTelemetryLost;
             moment.linkSince = event.time;
-            // A scene of the very line that ended a silence is not older than it.
-            if (moment.linkAlive && lost && moment.scene && *lost > moment.scene->time
-                && kReviewLinkLost + secondsOf(event.time - *lost) > kLongestSilence)
-                moment.unbroken = false;
-            lost = moment.linkAlive ? std::nullopt : std::optional(event.time);
+            if (moment.linkAlive && endsSilence(event)) moment.unbroken = false;
+            lost = moment.linkAlive ? std::nullopt : std::optional(lost.value_or(event.time));
             break;
         case EventKind::Alarm: takeAlarm(alarms, event); break;
         case EventKind::Forgotten: moment.forgotten = event.text; break;
@@ -190,6 +207,10 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         case EventKind::Gap:
         case EventKind::Session: break;
         }
+    }
+    if (!moment.linkAlive && nextUp && nextUp->number && isHeard(moment)) {  // not yet told
+        moment.linkAlive = true;
+        if (endsSilence(*nextUp)) moment.unbroken = false;
     }
     for (auto& [id, alarm] : alarms) moment.alarms.push_back(std::move(alarm));
     moment.state.approvalExpired =

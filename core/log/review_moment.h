@@ -25,6 +25,7 @@ struct ReviewMoment {
     std::optional<SensorLine> line{};          ///< of the bus, that it was made of
     double linesPerSecond = 0.0;               ///< of telemetry, of the last second
     bool linkAlive = false;                    ///< as it was told; before it was, as heard now
+    bool telemetryAlone = false;               ///< where it is not: other frames of the robot came
     SessionTime linkSince = 0;                 ///< it has been so
     bool unbroken = true;  ///< no silence of more than kLongestSilence has ended since the scene
     std::optional<SessionDamage> damage{};  ///< in which this time lies

@@ -117,11 +117,11 @@ struct ProposalRow {
 
 /// What an event is about.  In the file by name.
 enum class EventKind : std::uint8_t {
-    Word,       ///< a line of the console's list of events; subject: note, doubt, bad
-    Decision,   ///< the operator did something; subject: what; shown: the numbers on the screen
-    Phase,      ///< of the exploration; subject: its name
-    Arming,     ///< subject: phase
-    Link,       ///< subject: up, lost
+    Word,      ///< a line of the console's list of events; subject: note, doubt, bad
+    Decision,  ///< the operator did something; subject: what; shown: the numbers on the screen
+    Phase,     ///< of the exploration; subject: its name
+    Arming,    ///< subject: phase
+    Link,  ///< subject: kLinkUp, kLinkLost, kTelemetryLost; number: of kLinkUp, the longest silence [s]
     Forgotten,  ///< the estimate no longer stands; text: why
     Alarm,  ///< subject: its identifier; text; number: 0 gone, 1 returned, 2 acknowledged, 3 raised
     Panel,  ///< a contact of the operator's panel; subject: which; number: 1 closed, 0 open
@@ -130,6 +130,8 @@ enum class EventKind : std::uint8_t {
     Session  ///< subject: begun, ended, recovered, continued
 };
 inline constexpr int kEventKinds = 11;
+inline constexpr std::string_view kLinkUp = "up", kLinkLost = "lost",
+                                  kTelemetryLost = "telemetry lost";  ///< other frames came
 std::string_view name(EventKind kind);
 std::optional<EventKind> eventKindFromName(std::string_view text);
 

@@ -132,8 +132,8 @@ std::optional<ControllerState> controllerState(const CanFrame& frame)
     const std::uint8_t controller = frame.id & kController ? byteOf(frame, 1) : std::uint8_t{0};
     if (frame.id & kBusOff) return ControllerState::BusOff;
     if (controller & (kReceivePassive | kTransmitPassive)) return ControllerState::Passive;
-    if ((frame.id & kRestarted) || (controller & (kActive | kWarnings)))
-        return ControllerState::Active;
+    if (controller & kWarnings) return ControllerState::Warning;
+    if ((frame.id & kRestarted) || (controller & kActive)) return ControllerState::Active;
     return std::nullopt;
 }
 

@@ -10,7 +10,8 @@ namespace terratact {
 
 /// What a CAN controller may do, by its own count of errors.
 enum class ControllerState : std::uint8_t {
-    Active,   ///< all; a warning is still this
+    Active,   ///< all
+    Warning,  ///< more than 95 errors: still all
     Passive,  ///< more than 127 errors: sends and receives, but no longer objects
     BusOff,   ///< more than 255 errors in sending: nothing, until it is restarted
 };

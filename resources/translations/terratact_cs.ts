@@ -106,6 +106,14 @@
         <source>ENDED</source>
         <translation>KONEC</translation>
     </message>
+    <message>
+        <source>%1 has errors: check wires, terminators and bit rate</source>
+        <translation>%1 má chyby: zkontrolujte vodiče, zakončení a přenosovou rychlost</translation>
+    </message>
+    <message>
+        <source>WARNING</source>
+        <translation>VAROVÁNÍ</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -221,18 +229,6 @@
 <context>
     <name>LinkStatus</name>
     <message>
-        <source>END OF THE LOG</source>
-        <translation>KONEC ZÁZNAMU</translation>
-    </message>
-    <message>
-        <source>LINK LOST · %1</source>
-        <translation>SPOJENÍ ZTRACENO · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry yet</source>
-        <translation>zatím bez telemetrie</translation>
-    </message>
-    <message>
         <source>link %1 Hz · ≤ %2</source>
         <translation>spoj %1 Hz · ≤ %2</translation>
     </message>
@@ -249,22 +245,6 @@
 %4 rámců ztratil tento počítač, %5 chybových rámců</translation>
     </message>
     <message>
-        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
-        <translation>SPOJENÍ ZTRACENO %1 — nic na obrazovce není živé%2</translation>
-    </message>
-    <message>
-        <source>link is up</source>
-        <translation>spojení navázáno</translation>
-    </message>
-    <message>
-        <source>end of the log</source>
-        <translation>konec záznamu</translation>
-    </message>
-    <message>
-        <source>link lost</source>
-        <translation>spojení ztraceno</translation>
-    </message>
-    <message>
         <source>robot: --</source>
         <translation>robot: --</translation>
     </message>
@@ -275,10 +255,6 @@
     <message>
         <source>not armed: %1</source>
         <translation>není aktivní: %1</translation>
-    </message>
-    <message>
-        <source>TELEMETRY LOST for %1 — %2; no measured value is live%3</source>
-        <translation>TELEMETRIE ZTRACENA už %1 — %2; žádná naměřená hodnota není živá%3</translation>
     </message>
     <message>
         <source>log</source>
@@ -303,6 +279,38 @@
     <message>
         <source>%1 errors</source>
         <translation>chyb %1</translation>
+    </message>
+    <message>
+        <source>%1 · gaps: %2</source>
+        <translation>%1 · výpadky: %2</translation>
+    </message>
+    <message>
+        <source>back, not steady yet</source>
+        <translation>zpět, ještě ne stálé</translation>
+    </message>
+    <message>
+        <source>%1 — gaps: %2, the longest %3; values read -- in each of them</source>
+        <translation>%1 — výpadky: %2, nejdelší %3; v každém z nich je místo hodnot --</translation>
+    </message>
+    <message>
+        <source>BACK after %1 — what is shown is live</source>
+        <translation>ZPĚT po %1 — co je vidět, je živé</translation>
+    </message>
+    <message>
+        <source>%1 for %2 — %3; no measured value is live%4</source>
+        <translation>%1 už %2 — %3; žádná naměřená hodnota není živá%4</translation>
+    </message>
+    <message>
+        <source>%1 for %2 — nothing on this screen is live%3</source>
+        <translation>%1 už %2 — nic na obrazovce není živé%3</translation>
+    </message>
+    <message>
+        <source>%1; gaps before: %2, the longest %3</source>
+        <translation>%1; předtím výpadky: %2, nejdelší %3</translation>
+    </message>
+    <message>
+        <source>disarmed: %1</source>
+        <translation>už není aktivní: %1</translation>
     </message>
 </context>
 <context>
@@ -1769,6 +1777,66 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the column %1 is not known and was left out</source>
         <translation>sloupec %1 není známý a byl vynechán</translation>
     </message>
+    <message>
+        <source>Address family not supported by protocol</source>
+        <translation>rodina adres není podporována</translation>
+    </message>
+    <message>
+        <source>Protocol not supported</source>
+        <translation>protokol není podporován</translation>
+    </message>
+    <message>
+        <source>sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)</source>
+        <translation>sudo modprobe can_raw   (kde to selže: jádro s CONFIG_CAN_RAW)</translation>
+    </message>
+    <message>
+        <source>run it outside of the sandbox or container that forbids it, or as another user</source>
+        <translation>spusťte mimo sandbox nebo kontejner, který to zakazuje, nebo jako jiný uživatel</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>zatím bez telemetrie</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>spojení navázáno</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>spojení ztraceno</translation>
+    </message>
+    <message>
+        <source>telemetry lost</source>
+        <translation>telemetrie ztracena</translation>
+    </message>
+    <message>
+        <source>link unsteady</source>
+        <translation>spojení nestálé</translation>
+    </message>
+    <message>
+        <source>telemetry unsteady</source>
+        <translation>telemetrie nestálá</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>konec záznamu</translation>
+    </message>
+    <message>
+        <source>gaps before: %1, the longest %2 s</source>
+        <translation>předtím výpadky: %1, nejdelší %2 s</translation>
+    </message>
+    <message>
+        <source>the kernel has no CAN sockets (%1)</source>
+        <translation>jádro nemá CAN sockety (%1)</translation>
+    </message>
+    <message>
+        <source>this user may not open CAN sockets (%1)</source>
+        <translation>tento uživatel nesmí otevírat CAN sockety (%1)</translation>
+    </message>
+    <message>
+        <source>a CAN socket cannot be opened (%1)</source>
+        <translation>CAN socket nelze otevřít (%1)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -2154,10 +2222,6 @@ Poslední deaktivace: %1</translation>
         <translation>Od spuštění nepřišla telemetrie%1</translation>
     </message>
     <message>
-        <source>Link lost%1</source>
-        <translation>Spojení ztraceno%1</translation>
-    </message>
-    <message>
         <source>Another console sends commands on this bus: find it and switch it off</source>
         <translation>Na sběrnici vysílá povely jiná konzole: najděte ji a vypněte</translation>
     </message>
@@ -2176,6 +2240,14 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Not recorded: %1</source>
         <translation>Nezaznamenává se: %1</translation>
+    </message>
+    <message>
+        <source>%1; gaps: %2, the longest %3</source>
+        <translation>%1; výpadky: %2, nejdelší %3</translation>
+    </message>
+    <message>
+        <source>Disarmed: %1</source>
+        <translation>Už není aktivní: %1</translation>
     </message>
 </context>
 <context>
@@ -2701,10 +2773,6 @@ F1</translation>
         <translation>operátor přebil: %1</translation>
     </message>
     <message>
-        <source>No estimate yet: nothing is heard of the robot</source>
-        <translation>Zatím bez odhadu: robot není slyšet</translation>
-    </message>
-    <message>
         <source>No estimate: there is no model</source>
         <translation>Bez odhadu: chybí model</translation>
     </message>
@@ -2743,6 +2811,10 @@ F1</translation>
     <message>
         <source>Not offered when the estimate came: explore again to be asked</source>
         <translation>Nenabídnuto, když odhad přišel: k dotazu prozkoumejte znovu</translation>
+    </message>
+    <message>
+        <source>No estimate yet: no telemetry from the robot</source>
+        <translation>Zatím bez odhadu: od robota nejde telemetrie</translation>
     </message>
 </context>
 <context>
@@ -3037,10 +3109,6 @@ F1</translation>
         <translation>co potřebují jednotlivé povely, jeden po druhém</translation>
     </message>
     <message>
-        <source>F12 in windows that are opened from here stops nothing: %1</source>
-        <translation>F12 v oknech otevřených odtud nic nezastaví: %1</translation>
-    </message>
-    <message>
         <source>STOP was pressed in a window that was opened from here</source>
         <translation>STOP byl stisknut v okně otevřeném odtud</translation>
     </message>
@@ -3063,6 +3131,10 @@ F1</translation>
     <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PANEL ZTRACEN: připojte panel operátora, nebo spusťte bez --panel</translation>
+    </message>
+    <message>
+        <source>STOP in windows that are opened from here stops nothing: %1</source>
+        <translation>STOP v oknech otevřených odtud nic nezastaví: %1</translation>
     </message>
 </context>
 <context>
@@ -4113,10 +4185,6 @@ F1</translation>
         <translation>spojení %1 Hz</translation>
     </message>
     <message>
-        <source>LINK LOST · %1</source>
-        <translation>SPOJENÍ ZTRACENO · %1</translation>
-    </message>
-    <message>
         <source>no telemetry</source>
         <translation>žádná telemetrie</translation>
     </message>
@@ -4909,10 +4977,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>STOP</translation>
     </message>
     <message>
-        <source>Halts the robot at once and latches; F12 does the same everywhere</source>
-        <translation>Robota hned zastaví a drží; F12 dělá totéž všude</translation>
-    </message>
-    <message>
         <source>STOPPED (F12)</source>
         <translation>STOP DRŽÍ (F12)</translation>
     </message>
@@ -4983,6 +5047,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>Halts the robot of the console that opened this window</source>
         <translation>Zastaví robota konzole, která otevřela toto okno</translation>
+    </message>
+    <message>
+        <source>Halts the robot at once and latches; F12 and Pause do the same everywhere</source>
+        <translation>Robota hned zastaví a drží; F12 a Pause dělají totéž všude</translation>
     </message>
 </context>
 <context>

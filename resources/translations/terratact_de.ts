@@ -106,6 +106,14 @@
         <source>ENDED</source>
         <translation>ENDE</translation>
     </message>
+    <message>
+        <source>%1 has errors: check wires, terminators and bit rate</source>
+        <translation>%1 hat Fehler: Kabel, Abschlüsse und Bitrate prüfen</translation>
+    </message>
+    <message>
+        <source>WARNING</source>
+        <translation>WARNUNG</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonWords</name>
@@ -221,18 +229,6 @@
 <context>
     <name>LinkStatus</name>
     <message>
-        <source>END OF THE LOG</source>
-        <translation>ENDE DES LOGS</translation>
-    </message>
-    <message>
-        <source>LINK LOST · %1</source>
-        <translation>VERBINDUNG WEG · %1</translation>
-    </message>
-    <message>
-        <source>no telemetry yet</source>
-        <translation>noch keine Telemetrie</translation>
-    </message>
-    <message>
         <source>link %1 Hz · ≤ %2</source>
         <translation>Link %1 Hz · ≤ %2</translation>
     </message>
@@ -249,22 +245,6 @@
 %4 Rahmen von diesem Rechner verloren, %5 Fehlerrahmen</translation>
     </message>
     <message>
-        <source>LINK LOST for %1 — nothing on this screen is live%2</source>
-        <translation>VERBINDUNG WEG seit %1 — nichts auf diesem Schirm ist aktuell%2</translation>
-    </message>
-    <message>
-        <source>link is up</source>
-        <translation>Verbindung steht</translation>
-    </message>
-    <message>
-        <source>end of the log</source>
-        <translation>Ende des Logs</translation>
-    </message>
-    <message>
-        <source>link lost</source>
-        <translation>Verbindung verloren</translation>
-    </message>
-    <message>
         <source>robot: --</source>
         <translation>Roboter: --</translation>
     </message>
@@ -275,10 +255,6 @@
     <message>
         <source>not armed: %1</source>
         <translation>nicht freigegeben: %1</translation>
-    </message>
-    <message>
-        <source>TELEMETRY LOST for %1 — %2; no measured value is live%3</source>
-        <translation>TELEMETRIE WEG seit %1 — %2; kein Messwert ist aktuell%3</translation>
     </message>
     <message>
         <source>log</source>
@@ -303,6 +279,38 @@
     <message>
         <source>%1 errors</source>
         <translation>%1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 · gaps: %2</source>
+        <translation>%1 · Lücken: %2</translation>
+    </message>
+    <message>
+        <source>back, not steady yet</source>
+        <translation>wieder da, noch nicht stetig</translation>
+    </message>
+    <message>
+        <source>%1 — gaps: %2, the longest %3; values read -- in each of them</source>
+        <translation>%1 — Lücken: %2, die längste %3; in jeder stehen Werte auf --</translation>
+    </message>
+    <message>
+        <source>BACK after %1 — what is shown is live</source>
+        <translation>WIEDER DA nach %1 — was zu sehen ist, ist aktuell</translation>
+    </message>
+    <message>
+        <source>%1 for %2 — %3; no measured value is live%4</source>
+        <translation>%1 seit %2 — %3; kein Messwert ist aktuell%4</translation>
+    </message>
+    <message>
+        <source>%1 for %2 — nothing on this screen is live%3</source>
+        <translation>%1 seit %2 — nichts auf diesem Schirm ist aktuell%3</translation>
+    </message>
+    <message>
+        <source>%1; gaps before: %2, the longest %3</source>
+        <translation>%1; Lücken davor: %2, die längste %3</translation>
+    </message>
+    <message>
+        <source>disarmed: %1</source>
+        <translation>nicht mehr freigegeben: %1</translation>
     </message>
 </context>
 <context>
@@ -1769,6 +1777,66 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the column %1 is not known and was left out</source>
         <translation>die Spalte %1 ist nicht bekannt und wurde ausgelassen</translation>
     </message>
+    <message>
+        <source>Address family not supported by protocol</source>
+        <translation>Adressfamilie wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Protocol not supported</source>
+        <translation>Protokoll wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)</source>
+        <translation>sudo modprobe can_raw   (wo das scheitert: ein Kernel mit CONFIG_CAN_RAW)</translation>
+    </message>
+    <message>
+        <source>run it outside of the sandbox or container that forbids it, or as another user</source>
+        <translation>außerhalb der Sandbox oder des Containers starten, der es verbietet, oder als anderer Benutzer</translation>
+    </message>
+    <message>
+        <source>no telemetry yet</source>
+        <translation>noch keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>link is up</source>
+        <translation>Verbindung steht</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung weg</translation>
+    </message>
+    <message>
+        <source>telemetry lost</source>
+        <translation>Telemetrie weg</translation>
+    </message>
+    <message>
+        <source>link unsteady</source>
+        <translation>Verbindung unstetig</translation>
+    </message>
+    <message>
+        <source>telemetry unsteady</source>
+        <translation>Telemetrie unstetig</translation>
+    </message>
+    <message>
+        <source>end of the log</source>
+        <translation>Ende des Logs</translation>
+    </message>
+    <message>
+        <source>gaps before: %1, the longest %2 s</source>
+        <translation>Lücken davor: %1, die längste %2 s</translation>
+    </message>
+    <message>
+        <source>the kernel has no CAN sockets (%1)</source>
+        <translation>der Kernel hat keine CAN-Sockets (%1)</translation>
+    </message>
+    <message>
+        <source>this user may not open CAN sockets (%1)</source>
+        <translation>dieser Benutzer darf keine CAN-Sockets öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>a CAN socket cannot be opened (%1)</source>
+        <translation>ein CAN-Socket lässt sich nicht öffnen (%1)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::AlarmTable</name>
@@ -2154,10 +2222,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Seit dem Start keine Telemetrie%1</translation>
     </message>
     <message>
-        <source>Link lost%1</source>
-        <translation>Verbindung verloren%1</translation>
-    </message>
-    <message>
         <source>Another console sends commands on this bus: find it and switch it off</source>
         <translation>Eine andere Konsole sendet Befehle auf diesem Bus: suchen und abschalten</translation>
     </message>
@@ -2176,6 +2240,14 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Not recorded: %1</source>
         <translation>Nicht aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>%1; gaps: %2, the longest %3</source>
+        <translation>%1; Lücken: %2, die längste %3</translation>
+    </message>
+    <message>
+        <source>Disarmed: %1</source>
+        <translation>Nicht mehr freigegeben: %1</translation>
     </message>
 </context>
 <context>
@@ -2701,10 +2773,6 @@ F1</translation>
         <translation>vom Bediener übergangen: %1</translation>
     </message>
     <message>
-        <source>No estimate yet: nothing is heard of the robot</source>
-        <translation>Noch keine Schätzung: vom Roboter ist nichts zu hören</translation>
-    </message>
-    <message>
         <source>No estimate: there is no model</source>
         <translation>Keine Schätzung: es gibt kein Modell</translation>
     </message>
@@ -2743,6 +2811,10 @@ F1</translation>
     <message>
         <source>Not offered when the estimate came: explore again to be asked</source>
         <translation>Nicht angeboten, als die Schätzung kam: erneut erkunden, um gefragt zu werden</translation>
+    </message>
+    <message>
+        <source>No estimate yet: no telemetry from the robot</source>
+        <translation>Noch keine Schätzung: keine Telemetrie vom Roboter</translation>
     </message>
 </context>
 <context>
@@ -3037,10 +3109,6 @@ F1</translation>
         <translation>was jeder Befehl braucht, einer nach dem anderen</translation>
     </message>
     <message>
-        <source>F12 in windows that are opened from here stops nothing: %1</source>
-        <translation>F12 in Fenstern, die von hier geöffnet werden, hält nichts an: %1</translation>
-    </message>
-    <message>
         <source>STOP was pressed in a window that was opened from here</source>
         <translation>STOP wurde in einem Fenster gedrückt, das von hier geöffnet wurde</translation>
     </message>
@@ -3063,6 +3131,10 @@ F1</translation>
     <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PULT VERLOREN: das Bedienpult anschließen oder ohne --panel starten</translation>
+    </message>
+    <message>
+        <source>STOP in windows that are opened from here stops nothing: %1</source>
+        <translation>STOP in Fenstern, die von hier geöffnet werden, hält nichts an: %1</translation>
     </message>
 </context>
 <context>
@@ -4113,10 +4185,6 @@ F1</translation>
         <translation>Verbindung %1 Hz</translation>
     </message>
     <message>
-        <source>LINK LOST · %1</source>
-        <translation>VERBINDUNG WEG · %1</translation>
-    </message>
-    <message>
         <source>no telemetry</source>
         <translation>keine Telemetrie</translation>
     </message>
@@ -4909,10 +4977,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>STOP</translation>
     </message>
     <message>
-        <source>Halts the robot at once and latches; F12 does the same everywhere</source>
-        <translation>Hält den Roboter sofort an und rastet ein; F12 tut überall dasselbe</translation>
-    </message>
-    <message>
         <source>STOPPED (F12)</source>
         <translation>STOP AKTIV (F12)</translation>
     </message>
@@ -4983,6 +5047,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>Halts the robot of the console that opened this window</source>
         <translation>Hält den Roboter der Konsole an, die dieses Fenster geöffnet hat</translation>
+    </message>
+    <message>
+        <source>Halts the robot at once and latches; F12 and Pause do the same everywhere</source>
+        <translation>Hält den Roboter sofort an und rastet ein; F12 und Pause tun überall dasselbe</translation>
     </message>
 </context>
 <context>

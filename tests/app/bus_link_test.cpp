@@ -13,11 +13,13 @@
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/signals_page.h"
+#include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/frame_layout.h"
 #include "drivers/candump_replay.h"
 #include "tests/support/bus_console_bench.h"
 #include "tests/support/gui.h"
+#include "tests/support/sessions.h"
 #include "tests/support/staged_robot.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/arming_control.h"
@@ -53,6 +55,9 @@ TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
     simulation.startX = 2.0;
     StagedRobot numb(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
                      RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    const TemporaryDirectory folder;
+    recording = std::make_shared<SessionRecorder>(
+        SessionRecorder::Options{.folder = folder.file("sessions"), .start = someStart()});
     window = console(bus.join("can0"), CanSource::Mode::Transmit,
                      [] { return Result<LoadedModel>(madeUp()); });
     gui::showActive(*window);
@@ -64,9 +69,67 @@ TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
     }));
     EXPECT_FALSE(says("nothing on this screen is live"));
     picture("telemetry-stopped");
+    EXPECT_TRUE(window->header()->linkText().startsWith("TELEMETRY LOST"));
+    const auto alarm = [&] {
+        for (const Alarm& one : window->alarms().list().alarms())
+            if (one.id == "link") return QString::fromStdString(one.text);
+        return QString();
+    };
+    EXPECT_TRUE(alarm().startsWith("Telemetry lost")) << alarm().toStdString();
+    const auto event = [&](const char* text) {
+        return window->events()->findItems(text, Qt::MatchContains).size();
+    };
+    EXPECT_EQ(event("telemetry lost"), 1);
+    EXPECT_EQ(event("link lost"), 0);
+    for (const QString& text : gui::readableTexts(*window))
+        EXPECT_FALSE(text.contains("link lost", Qt::CaseInsensitive)) << text.toStdString();
+
     numb.stage({.isMute = true});
     EXPECT_TRUE(eventually([&] { return says("nothing on this screen is live"); }));
     EXPECT_FALSE(says("frames still come"));
+    EXPECT_TRUE(window->header()->linkText().startsWith("LINK LOST"));
+    EXPECT_TRUE(alarm().startsWith("Link lost")) << alarm().toStdString();
+    EXPECT_EQ(event("link lost"), 1) << "now it is";
+    window.reset();
+    recording.reset();
+    auto session = SessionReader::open(sessionsIn(folder.file("sessions")).front());
+    ASSERT_TRUE(session) << session.error().text;
+    std::vector<std::string> recorded;
+    for (const EventRow& row : session->events())
+        if (row.kind == EventKind::Link) recorded.push_back(row.subject);
+    EXPECT_EQ(recorded, (std::vector<std::string>{"up", "telemetry lost", "lost"}));
+}
+
+TEST_F(BusConsole, aRobotThatDisarmsWhileItDrivesIsToldInEveryLayoutAndOnEveryPage)
+{
+    SimulatedRobot::Options simulation;
+    simulation.startX = 2.0;
+    StagedRobot moody(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                      RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    window = console(bus.join("can0"), CanSource::Mode::Transmit,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    const auto alarm = [&] {
+        for (const Alarm& one : window->alarms().list().alarms())
+            if (one.id == "disarmed") return std::optional(one);
+        return std::optional<Alarm>();
+    };
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);  // layout: drive
+    bool isDriving = false;
+    for (int attempt = 0; attempt < 5 && !isDriving; ++attempt) isDriving = drives();
+    ASSERT_TRUE(isDriving);
+    ASSERT_FALSE(window->events()->isVisible()) << "nobody sees the last minutes";
+    window->alarms().acknowledgeAll();
+    moody.stage({.isDisarmed = true});
+    EXPECT_TRUE(eventually([&] { return says("disarmed: the robot has disarmed"); }));
+    ASSERT_TRUE(eventually([&] { return alarm().has_value(); }));
+    EXPECT_EQ(alarm()->text, "Disarmed: the robot has disarmed");
+    EXPECT_EQ(alarm()->severity, Severity::Critical) << "it sounds";
+    picture("disarmed-while-driving");
+    QTest::keyRelease(window.get(), Qt::Key_W);
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    EXPECT_TRUE(says("disarmed: the robot has disarmed"));
     window.reset();
 }
 
@@ -116,18 +179,25 @@ TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
         made.age = age;
         return made;
     };
-    EXPECT_EQ(stillComes({}), "");
-    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.1), frame(FrameKind::Attitude, 0.8)}),
-              "frames still come, heartbeat 100 ms old");
-    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 3.0), frame(FrameKind::Odometry, 0.02)}),
-              "frames still come, heartbeat 3.0 s old");
-    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, {}), frame(FrameKind::Odometry, 0.02)}),
-              "frames still come");
-    EXPECT_EQ(stillComes({frame(FrameKind::RobotStatus, 0.5), frame(FrameKind::Odometry, 0.02)}),
-              "frames still come, status 500 ms old");
-    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.26)}), "");
-    EXPECT_EQ(stillComes({frame(FrameKind::ConsoleHeartbeat, 0.0), frame({}, 0.0)}), "")
+    EXPECT_EQ(stillComes({}, 1.0), "");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotHeartbeat, 0.1), frame(FrameKind::Attitude, 0.8)}, 1.0),
+        "frames still come, heartbeat 100 ms old");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotHeartbeat, 3.0), frame(FrameKind::Odometry, 0.02)}, 1.0),
+        "frames still come, heartbeat 3.0 s old");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotHeartbeat, {}), frame(FrameKind::Odometry, 0.02)}, 1.0),
+        "frames still come");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotStatus, 0.5), frame(FrameKind::Odometry, 0.02)}, 1.0),
+        "frames still come, status 500 ms old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.26)}, 1.0), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::ConsoleHeartbeat, 0.0), frame({}, 0.0)}, 1.0), "")
         << "neither is the robot's";
+    EXPECT_EQ(stillComes({frame(FrameKind::Odometry, 0.14)}, 0.26), "")
+        << "it came with the last telemetry";
+    EXPECT_EQ(stillComes({frame(FrameKind::Odometry, 0.12)}, 0.26), "frames still come");
 }
 
 TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)

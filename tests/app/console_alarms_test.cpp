@@ -13,7 +13,9 @@ struct Alarming : testing::Test {
     int sounds = 0;
     ConsoleAlarms alarms{std::make_unique<CountingSounder>(sounds)};
     double now = 1000.0;
-    AlarmSight sight{.telemetryAge = 0.01, .linkAlive = true, .bus = CanView{}, .busName = "can0"};
+    static constexpr LinkAccount kUp{.standing = LinkStanding::Up, .alive = true},
+        kLost{.standing = LinkStanding::Lost, .gaps = 1};
+    AlarmSight sight{.link = kUp, .bus = CanView{}, .busName = "can0"};
 
     void pass(double seconds)
     {
@@ -49,7 +51,7 @@ TEST_F(Alarming, aSoundRobotMakesNone)
 
 TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
 {
-    sight.linkAlive = false;
+    sight.link = kLost;
     sight.sourceTrouble = "can0 is down";
     pass(1.0);
     EXPECT_TRUE(says("link", "can0 is down"));
@@ -58,27 +60,38 @@ TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
     EXPECT_EQ(sounds, 1);
     pass(2.0);
     EXPECT_EQ(sounds, 2);
-    sight.linkAlive = true;
+    sight.link = kUp;
     pass(30.0);
     EXPECT_EQ(sounds, 2);
     ASSERT_TRUE(find("link")) << "nobody has seen it";
     EXPECT_EQ(find("link")->state, AlarmState::Returned);
 }
 
+TEST_F(Alarming, telemetryThatStopsAloneIsNoLostLink)
+{
+    sight.link = kLost;
+    sight.link.alone = true;
+    pass(1.0);
+    EXPECT_TRUE(says("link", "Telemetry lost"));
+}
+
 TEST_F(Alarming, linkThatFluttersIsOneAlarm)
 {
     for (int i = 0; i < 20; ++i) {
-        sight.linkAlive = i % 2 == 1;
+        sight.link.standing = i == 0 ? LinkStanding::Lost : LinkStanding::Unsteady;
+        sight.link.gaps = i / 2 + 1;
+        sight.link.longest = 0.4;
+        sight.link.alive = i % 2 == 1;
         pass(0.4);
     }
     EXPECT_EQ(find("link")->raised, 1U);
+    EXPECT_TRUE(says("link", "Link unsteady; gaps: 10, the longest 400 ms"));
     EXPECT_EQ(sounds, 1);
 }
 
 TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
 {
-    sight.telemetryAge.reset();
-    sight.linkAlive = false;
+    sight.link = {};
     pass(ConsoleAlarms::kFirstTelemetry - 0.5);
     EXPECT_TRUE(alarms.list().alarms().empty());
     pass(1.0);
@@ -87,13 +100,12 @@ TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
 
 TEST_F(Alarming, replayThatWaitsOrHasEndedMakesNone)
 {
-    sight.telemetryAge.reset();
-    sight.linkAlive = false;
+    sight.link = {};
     sight.bus->waits = true;
     pass(2.0 * ConsoleAlarms::kFirstTelemetry);  // while its model is being loaded
     sight.bus->waits = false;
     pass(ConsoleAlarms::kFirstTelemetry - 0.5);
-    sight.telemetryAge = 5.0;
+    sight.link = {.standing = LinkStanding::Ended};
     sight.bus->ended = true;
     sight.bus->bus = BusState::Ended;
     pass(20.0);
@@ -145,6 +157,46 @@ TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
     EXPECT_FALSE(find("foreign"));
 }
 
+TEST_F(Alarming, aRobotThatWasDisarmedByWhatNobodyWantedIsOneUntilItIsArmedAgain)
+{
+    const auto goes = [&](ArmingPhase phase, DisarmCause cause = DisarmCause::None) {
+        sight.bus->link.arming = {.phase = phase, .cause = cause};
+        pass(0.1);
+    };
+    goes(ArmingPhase::Disarmed, DisarmCause::ConfirmTimeout);
+    EXPECT_FALSE(find("disarmed")) << "it was not armed";
+    for (const DisarmCause wanted : {DisarmCause::Operator, DisarmCause::Stop}) {
+        goes(ArmingPhase::Armed);
+        goes(ArmingPhase::Disarmed, wanted);
+        EXPECT_FALSE(find("disarmed")) << describe(wanted);
+    }
+    EXPECT_EQ(sounds, 0);
+    for (int i = 0; i <= static_cast<int>(DisarmCause::EpochChanged); ++i) {
+        const auto cause = static_cast<DisarmCause>(i);
+        if (cause == DisarmCause::Operator || cause == DisarmCause::Stop) continue;
+        goes(ArmingPhase::Armed);
+        goes(ArmingPhase::Disarmed, cause);
+        EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
+        goes(ArmingPhase::Disarmed, DisarmCause::LinkNotGood);  // of an attempt to arm
+        EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
+        goes(ArmingPhase::Confirming);
+        pass(2.0);
+        EXPECT_EQ(find("disarmed")->state, AlarmState::Returned);
+        alarms.acknowledgeAll();
+    }
+    EXPECT_GT(sounds, 0);
+}
+
+TEST_F(Alarming, aControllerThatWarnsIsNone)
+{
+    sight.bus->bus = BusState::ErrorWarning;
+    pass(3.0);
+    EXPECT_FALSE(find("bus")) << "the header says it";
+    sight.bus->bus = BusState::ErrorPassive;
+    pass(3.0);
+    EXPECT_TRUE(stands("bus"));
+}
+
 TEST_F(Alarming, otherCauses)
 {
     sight.bus->link.foreignSender = true;
@@ -166,7 +218,7 @@ TEST_F(Alarming, otherCauses)
 TEST_F(Alarming, soundCanBeSwitchedOff)
 {
     alarms.setSoundOn(false);
-    sight.linkAlive = false;
+    sight.link = kLost;
     pass(30.0);
     EXPECT_EQ(sounds, 0);
     EXPECT_TRUE(stands("link"));

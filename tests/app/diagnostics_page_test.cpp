@@ -1,10 +1,13 @@
 // What the page of diagnostics is made of: how late the window's loop is, and which events made it so.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QTimer>
+#include <cerrno>
 
 #include "app/diagnostics_page.h"
 #include "app/event_watch.h"
+#include "app/language.h"
 #include "app/loop_meter.h"
 
 namespace terratact {
@@ -73,6 +76,28 @@ TEST(ConsoleDiagnostics, sayWhichEventsTookLongest)
     ConsoleFacts facts;
     facts.longest = {{0.2, "Timer for QTimer", QTime(1, 2, 3)}, {0.1, "Paint for QWidget", {}}};
     EXPECT_TRUE(text(facts).contains("200.0 ms at 01:02:03: Timer for QTimer\n100.0 ms at"));
+}
+
+TEST(ConsoleDiagnostics, sayWhatMendsAKernelWithoutCan)
+{
+    const auto lastLine = [](int error) { return canSocketWords(error).section('\n', -1); };
+    EXPECT_EQ(canSocketWords(0), "✔ possible");
+    EXPECT_EQ(canSocketWords(EAFNOSUPPORT),
+              "✘ not possible: the kernel has no CAN sockets (Address family not supported by "
+              "protocol)\n"
+              "sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)");
+    EXPECT_TRUE(lastLine(EPERM).contains("container"));
+    EXPECT_EQ(lastLine(ENOMEM),
+              "✘ not possible: a CAN socket cannot be opened (Cannot allocate memory)");
+    for (const char* language : {"cs", "de"}) {
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        const QString words = canSocketWords(EAFNOSUPPORT);
+        for (const char* english : {"possible", "kernel has", "Address family", "where that fails"})
+            EXPECT_FALSE(words.contains(english)) << words.toStdString();
+        EXPECT_TRUE(words.contains("sudo modprobe can_raw")) << "a command is one everywhere";
+    }
+    installLanguage(*qApp, "en");
 }
 
 }  // namespace

@@ -238,8 +238,13 @@ struct LinkBench : Bench {
     void showAt(double time)
     {
         exploration->tick(time, latest);
-        display.show({.now = time, .newest = &*latest, .alive = exploration->linkAlive()});
+        display.show({.now = time,
+                      .newest = &*latest,
+                      .link = watch.look({.now = time,
+                                          .age = time - secondsOf(latest->arrived),
+                                          .alive = exploration->linkAlive()})});
     }
+    LinkWatch watch;
     StatusHeader header;
     QLabel banner;
     EventList list;
@@ -268,8 +273,51 @@ TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
     now = heard + 0.26;
     line();
     showAt(now);
-    EXPECT_TRUE(exploration->linkAlive());
-    EXPECT_TRUE(banner.isHidden()) << "one line of telemetry is enough";
+    EXPECT_TRUE(exploration->linkAlive()) << "one line of telemetry is enough";
+    EXPECT_EQ(banner.text(), "BACK after 260 ms — what is shown is live");
+    for (const double back = now; now - back < 0.99;) {
+        EXPECT_TRUE(banner.isVisible()) << "for a second: it may go again";
+        line();
+        showAt(now);
+    }
+    line();
+    showAt(now);
+    EXPECT_TRUE(banner.isHidden());
+    EXPECT_TRUE(header.linkText().startsWith("link ")) << header.linkText().toStdString();
+}
+
+TEST_F(LinkBench, aLinkThatFluttersIsOneEventAndTheBannerStands)
+{
+    int banners = 0;  // times that one came
+    const auto pass = [&](double seconds, bool comes) {
+        for (const double until = now + seconds; now < until;) {
+            const bool was = !banner.isHidden();
+            if (comes)
+                line();
+            else
+                now += 0.04;
+            showAt(now);
+            banners += !was && !banner.isHidden();
+        }
+    };
+    pass(1.5, true);
+    for (int i = 0; i < 7; ++i) {
+        pass(0.3, false);
+        EXPECT_FALSE(exploration->linkAlive()) << "no value is shown";
+        pass(0.3, true);
+        EXPECT_TRUE(exploration->linkAlive()) << "nor is one withheld that is fresh";
+    }
+    EXPECT_EQ(banners, 1);
+    EXPECT_TRUE(banner.text().startsWith("LINK UNSTEADY — gaps: 7, the longest "))
+        << banner.text().toStdString();
+    EXPECT_EQ(header.linkText(), "LINK UNSTEADY · gaps: 7");
+    pass(1.2, true);
+    EXPECT_TRUE(banner.isHidden());
+    const auto event = [this](int row) { return list.item(row)->text().mid(10); };
+    ASSERT_EQ(list.count(), 3);
+    EXPECT_EQ(event(2), "link is up");
+    EXPECT_EQ(event(1), "✘ link lost");
+    EXPECT_TRUE(event(0).startsWith("link is up; gaps before: 7, the longest "));
 }
 
 TEST_F(Bench, whatWentWrongOnTheBusIsADoubtOnlyWhileItIsFresh)
@@ -284,7 +332,9 @@ TEST_F(Bench, whatWentWrongOnTheBusIsADoubtOnlyWhileItIsFresh)
     const auto showAt = [&](double time) {
         now = time - 0.04;
         line();
-        display.show({.now = time, .newest = &*latest, .alive = true});
+        display.show({.now = time,
+                      .newest = &*latest,
+                      .link = {.standing = LinkStanding::Up, .alive = true}});
     };
     const auto toneOfLink = [&] {
         for (const QLabel* label : header.findChildren<QLabel*>())

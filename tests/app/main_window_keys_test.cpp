@@ -93,13 +93,14 @@ TEST_F(Console, stopActsWhateverElseIsHeldDown)
     ScriptedSource* source = openScripted();
     for (const auto modifiers :
          {Qt::ControlModifier | Qt::NoModifier, Qt::AltModifier | Qt::NoModifier,
-          Qt::MetaModifier | Qt::NoModifier, Qt::ControlModifier | Qt::ShiftModifier}) {
-        source->takeCommands();
-        QTest::keyClick(window.get(), Qt::Key_F12, modifiers);
-        const auto commands = source->takeCommands();
-        ASSERT_FALSE(commands.empty()) << modifiers.toInt();
-        EXPECT_TRUE(std::holds_alternative<StopCommand>(commands.front()));
-    }
+          Qt::MetaModifier | Qt::NoModifier, Qt::ControlModifier | Qt::ShiftModifier})
+        for (const Qt::Key key : gui::kStopKeys) {
+            source->takeCommands();
+            QTest::keyClick(window.get(), key, modifiers);
+            const auto commands = source->takeCommands();
+            ASSERT_FALSE(commands.empty()) << key << " with " << modifiers.toInt();
+            EXPECT_TRUE(std::holds_alternative<StopCommand>(commands.front()));
+        }
 }
 
 TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
@@ -127,8 +128,10 @@ TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
             QFileDialog& dialog = *dialogs.front();
             ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
             EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << what;
-            QTest::keyClick(dialog.findChild<QLineEdit*>("fileNameEdit"), Qt::Key_F12);
-            EXPECT_EQ(stopsPressed(), 1) << what;
+            for (const Qt::Key key : gui::kStopKeys) {
+                QTest::keyClick(dialog.findChild<QLineEdit*>("fileNameEdit"), key);
+                EXPECT_EQ(stopsPressed(), 1) << what << ", " << key;
+            }
             clickStop();
             EXPECT_EQ(stopsPressed(), 1) << what;
             EXPECT_FALSE(dialog.frameGeometry().intersects(onScreen(*window->header())))
@@ -180,17 +183,18 @@ TEST_F(Console, stopWorksByKeyAndByMouseWhileAMenuIsOpen)
 {
     openScripted();
     for (QPushButton* button : {window->header()->qualityButton(), window->viewButton()})
-        for (const bool mouse : {false, true}) {
+        for (const auto key :
+             {std::optional(Qt::Key_F12), std::optional(Qt::Key_Pause), std::optional<Qt::Key>()}) {
             ASSERT_TRUE(eventually([&] { return button->isVisible(); }));
             QMenu& menu = *button->menu();
             menu.popup(button->mapToGlobal(QPoint(0, button->height())));
             ASSERT_TRUE(eventually([&] { return menu.isVisible(); }));
-            if (mouse)
-                clickStop();
+            if (key)
+                QTest::keyClick(&menu, *key);
             else
-                QTest::keyClick(&menu, Qt::Key_F12);
+                clickStop();
             EXPECT_TRUE(eventually([&] { return stops > 0; }, 2000))
-                << button->accessibleName().toStdString() << (mouse ? ", mouse" : ", key");
+                << button->accessibleName().toStdString() << (key ? ", key" : ", mouse");
             EXPECT_EQ(stopsPressed(), 1);
             menu.hide();
         }
@@ -325,7 +329,8 @@ TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
         return static_cast<QWidget*>(nullptr);
     };
     ASSERT_TRUE(eventually([&] { return lists() != nullptr; }));
-    QTest::keyClick(lists(), Qt::Key_F12);
+    EXPECT_TRUE(window->keys().html().contains("F12 or Pause"));
+    QTest::keyClick(lists(), Qt::Key_Pause);
     EXPECT_TRUE(robotIs(RobotActivity::Stopped));
     lists()->close();
 }

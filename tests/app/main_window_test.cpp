@@ -344,6 +344,12 @@ TEST_F(Console, whatGoesWrongIsSaidWhereTheLastMinutesAreNotSeen)
     QTest::keyClick(window.get(), Qt::Key_F12);
     EXPECT_TRUE(eventually([&] { return says("STOP NOT SENT for"); }));
     EXPECT_FALSE(says("command not sent")) << "it gives way";
+    source->setDeaf(false);
+    ASSERT_TRUE(eventually([&] { return !says("STOP NOT SENT"); }));
+    window->events()->add("a doubt of anybody's", Weight::Doubt, {});
+    window->events()->add("what anybody says is bad", Weight::Bad, {});
+    EXPECT_TRUE(eventually([&] { return says("what anybody says is bad"); }));
+    EXPECT_FALSE(says("a doubt of anybody's"));
 }
 
 TEST_F(Console, escapeClearsWhatStandsAfterAStop)

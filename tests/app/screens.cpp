@@ -77,7 +77,7 @@ bool isSameEverywhere(const std::string& text)
         "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
         "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
         // what the system says, and drivers in its place
-        "/proc/terratact|no such chip|Address family not supported by protocol");
+        "/proc/terratact|no such chip");
     static const QRegularExpression kWord("[A-Za-z]{3}");
     QString rest = QString::fromStdString(text);
     return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);

@@ -52,14 +52,14 @@ TEST_F(Screens, trouble)
     const Staging mute{.isMute = true};
     inEveryLanguage([&] {
         open({.linkLostAfter = 0.8, .staging = mute});
-        picture("no_telemetry_yet", {LinkStatus::tr("no telemetry yet")});
+        picture("no_telemetry_yet", {words::sentence("no telemetry yet")});
         robot->stage({});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         robot->stage(mute);
-        const QString lost = LinkStatus::tr("LINK LOST for %1 — nothing on this screen is live%2");
-        picture("link_lost", {LinkStatus::tr("LINK LOST · %1"), lost});
+        const QString lost = LinkStatus::tr("%1 for %2 — nothing on this screen is live%3");
+        picture("link_lost", {words::sentence("link lost"), lost});
         press(Qt::Key_F4);
-        picture("alarms_of_a_lost_link", {lost, ConsoleAlarms::tr("Link lost%1")});
+        picture("alarms_of_a_lost_link", {lost, words::sentence("link lost")});
         press(Qt::Key_F2);
         bus.setState(BusState::BusOff, "can0");
         picture("bus_off", {lost, busWords(BusState::BusOff, "can0")});
@@ -112,7 +112,7 @@ TEST_F(Screens, following)
         bus.setState(BusState::Ended, "REPLAY mission.log");
         robot->stage({.isMute = true});
         picture("end_of_the_log",
-                {LinkStatus::tr("END OF THE LOG"), TerrainPage::tr("the log has ended")});
+                {words::sentence("end of the log"), TerrainPage::tr("the log has ended")});
     });
 }
 

@@ -124,7 +124,7 @@ struct Windows : testing::Test {
                             stop.mapTo(&window, stop.rect().center()));
     }
 
-    /// Presses every button on every page, and every line of the menu for help; in each window that this opens, F12.
+    /// Presses every button on every page, and every line of the menu for help; in each window that this opens, the keys for STOP.
     /// The names of those windows.
     static std::set<std::string> stopsInEveryWindow(ConsoleWindow& window,
                                                     const std::function<bool()>& wasStopped)
@@ -144,8 +144,10 @@ struct Windows : testing::Test {
                 (void)wasStopped();
                 const QPointer<QWidget> focus =
                     other->focusWidget() ? other->focusWidget() : other.data();
-                QTest::keyClick(focus, Qt::Key_F12);
-                EXPECT_TRUE(wasStopped()) << name << ", by " << by;
+                for (const Qt::Key key : gui::kStopKeys) {
+                    QTest::keyClick(focus, key);
+                    EXPECT_TRUE(wasStopped()) << name << ", by " << by << ", " << key;
+                }
                 if (focus) QTest::keyClick(focus, Qt::Key_Escape);
                 EXPECT_TRUE(eventually([&] { return !other || !other->isVisible(); }, 5000))
                     << name << ", by " << by << ": Esc closes it";
@@ -171,8 +173,10 @@ struct Windows : testing::Test {
         EXPECT_TRUE(help && help->menu());
         for (QAction* action : help->menu()->actions()) {
             help->menu()->popup({});
-            QTest::keyClick(help->menu(), Qt::Key_F12);
-            EXPECT_TRUE(wasStopped()) << "over a menu";
+            for (const Qt::Key key : gui::kStopKeys) {
+                QTest::keyClick(help->menu(), key);
+                EXPECT_TRUE(wasStopped()) << "over a menu, " << key;
+            }
             help->menu()->close();
             action->trigger();
             look(action->text().toStdString());

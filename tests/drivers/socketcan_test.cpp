@@ -479,6 +479,9 @@ TEST_F(OnABus, theControllersErrorsAreStates)
         (void)receive();
         return bus->state();
     };
+    EXPECT_EQ(say(0x004, 0x08), BusState::ErrorWarning);
+    EXPECT_EQ(say(0x004, 0x40), BusState::Up) << "active again";
+    EXPECT_EQ(say(0x004, 0x04), BusState::ErrorWarning);
     EXPECT_EQ(say(0x004, 0x20), BusState::ErrorPassive);
     EXPECT_EQ(refusal(1), "") << "still works";
     EXPECT_EQ(say(0x040, 0), BusState::BusOff);
@@ -487,7 +490,7 @@ TEST_F(OnABus, theControllersErrorsAreStates)
     kernel.pass(1.0);
     EXPECT_EQ(say(0x100, 0), BusState::Up) << "and what the controller forgot is not waited for";
     EXPECT_EQ(refusal(2), "");
-    EXPECT_EQ(bus->counters().errorFrames, 4u);
+    EXPECT_EQ(bus->counters().errorFrames, 7u);
 }
 
 TEST_F(OnABus, aForgedErrorChangesNothingAndIsCounted)
@@ -578,8 +581,8 @@ TEST(SocketCan, sendsWhileAnotherThreadReceives)
 TEST(BusState, everyOneHasASentenceWithTheBusInIt)
 {
     for (const BusState state :
-         {BusState::Up, BusState::Stalled, BusState::ErrorPassive, BusState::BusOff, BusState::Down,
-          BusState::Absent, BusState::Ended})
+         {BusState::Up, BusState::Stalled, BusState::ErrorWarning, BusState::ErrorPassive,
+          BusState::BusOff, BusState::Down, BusState::Absent, BusState::Ended})
         EXPECT_TRUE(describe(state, "can7").starts_with("can7 ")) << describe(state, "can7");
     EXPECT_NE(describe(BusState::Absent, "vcan0").find("sudo ip link add dev vcan0 type vcan"),
               std::string::npos);

@@ -98,6 +98,7 @@ struct BusConsole : testing::Test, RobotOnBench {
                                     .link = {.gate = {.operatorAge = operatorAge}},
                                     .waits = mode == CanSource::Mode::Replay});
         options.model = std::move(loader);
+        options.recorder = recording;
         options.exploration.driveSpeed = 0.02;
         options.exploration.settings.probeAbove = 0.005;  // there is always something to probe
         auto made = std::make_unique<MainWindow>(std::move(options));
@@ -211,6 +212,7 @@ struct BusConsole : testing::Test, RobotOnBench {
     }
 
     double operatorAge = 1.0;  // [s] instead of 0.1: only a test that freezes the window means it
+    std::shared_ptr<SessionRecorder> recording{};  // of consoles that are opened from now on
     std::unique_ptr<MainWindow> window;
 };
 

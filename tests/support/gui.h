@@ -29,6 +29,9 @@
 /// What the GUI tests share.
 namespace terratact::gui {
 
+/// Each of them is STOP, everywhere.
+inline constexpr std::array kStopKeys{Qt::Key_F12, Qt::Key_Pause};
+
 /// Values no painter may ever see.
 inline constexpr std::array kHostile{
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),

@@ -24,6 +24,7 @@ struct Staging {
     std::optional<RobotActivity> lasts{};  ///< once it is at this it says so on and on
     std::optional<Refusal> refuses{};      ///< each command, it says
     std::optional<bool> explores{};        ///< whatever it does
+    bool isDisarmed = false;               ///< it says, whatever it is
     double pitch = 0.0, roll = 0.0;        ///< [rad] added
     double twist = 0.0;                    ///< [rad] added between its left and right front flipper
     bool isMute = false;                   ///< nothing of it is heard
@@ -134,6 +135,7 @@ private:
         if (lasting_) status.activity = *staging_.lasts;
         status.activity = staging_.says.value_or(status.activity);
         status.refusal = staging_.refuses.value_or(status.refusal);
+        status.armed = status.armed && !staging_.isDisarmed;
         status.exploring = staging_.explores.value_or(status.exploring);
         return status;
     }

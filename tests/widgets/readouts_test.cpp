@@ -171,6 +171,39 @@ TEST(Header, theBusAndTheModelLeaveForWhatMattersMore)
     EXPECT_EQ(asked, 1);
 }
 
+TEST(Header, whatIsBadIsSeenInEveryWidth)
+{
+    for (const int letters : {100, 200}) {
+        applyLook(*qApp, ThemeName::Day, letters);
+        StatusHeader header;
+        header.setSource("SIMULATED ROBOT");
+        header.setRobot("pressing", Tone::Plain);
+        header.setLink("LINK LOST · 300 ms", Tone::Bad);
+        header.setModel("model default.ttm", Tone::Plain);
+        gui::showActive(header);
+        const QPushButton& bus = *header.busButton();
+        const int least = header.minimumSizeHint().width();
+        for (int pixels = letters * 16; pixels >= least; pixels -= 7) {
+            header.setBus("can0 ACTIVE ≤ 9 %", Tone::Plain, "");
+            header.resize(pixels, header.heightFor(pixels));
+            QApplication::processEvents();
+            header.setBus("can0 BUS-OFF ≤ 9 % ! 3 dropped", Tone::Bad, "", "can0 BUS-OFF");
+            QApplication::processEvents();
+            ASSERT_TRUE(bus.isVisible()) << pixels;
+            EXPECT_TRUE(bus.text().startsWith("can0 BUS-OFF"));
+            EXPECT_TRUE(header.rect().contains(bus.geometry())) << pixels;
+            EXPECT_EQ(gui::cutText(header), std::vector<std::string>()) << pixels;
+            EXPECT_EQ(gui::overlaps(header), std::vector<std::string>()) << pixels;
+        }
+        EXPECT_EQ(bus.text(), "can0 BUS-OFF") << "the rest has gone";
+        EXPECT_EQ(bus.accessibleName(), "Bus: can0 BUS-OFF ≤ 9 % ! 3 dropped");
+        header.setBus("can0 ACTIVE ≤ 9 %", Tone::Doubt, "");
+        QApplication::processEvents();
+        EXPECT_FALSE(bus.isVisible()) << "a doubt has to wait for room";
+    }
+    applyLook(*qApp);
+}
+
 /// What a screen reader is told while this lives: name and description of what is announced.
 struct Listener final : QObject {
     Listener() { qApp->installEventFilter(this); }

@@ -171,6 +171,32 @@ TEST_F(Review, aSceneOfTheLineThatEndedASilenceIsAsGoodAsAnyOther)
     EXPECT_TRUE(at(3.2).unbroken);
 }
 
+TEST_F(Review, readsHowLongASilenceWasWhereTheLinkWasToldToBeUpOnlyOnceItWasSteady)
+{
+    auto writer = robotSession(path, 4.0);
+    ASSERT_TRUE(writer) << writer.error().text;
+    std::int64_t id = 100;
+    const auto link = [&](std::string_view what, double at, std::optional<double> silence = {}) {
+        ASSERT_TRUE(writer->add(EventRow{.id = ++id,
+                                         .time = sessionTimeOf(at),
+                                         .kind = EventKind::Link,
+                                         .subject = std::string(what),
+                                         .number = silence}));
+    };
+    link(kTelemetryLost, 1.7);
+    link(kLinkLost, 1.75);
+    link(kLinkUp, 2.9, 0.3);
+    link(kLinkLost, 3.0);
+    link(kLinkUp, 3.15, 1.2);
+    ASSERT_TRUE(writer->seal());
+    EXPECT_TRUE(at(1.72).telemetryAlone);
+    EXPECT_FALSE(at(1.8).telemetryAlone);
+    EXPECT_TRUE(at(2.5).linkAlive) << "its frames are there";
+    EXPECT_TRUE(at(2.95).unbroken) << "0.3 s are short";
+    EXPECT_FALSE(at(3.2).unbroken) << "1.2 s";
+    EXPECT_FALSE(at(3.1).unbroken) << "and known as soon as frames came again";
+}
+
 TEST_F(Review, showsNoFrameOfADamagedSpanAndSaysSo)
 {
     record(4.0);
