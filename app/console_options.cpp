@@ -103,7 +103,7 @@ void declareOptions(CLI::App& app, ConsoleOptions& options)
     app.add_flag("--no-record", options.noRecord, "Record nothing, whatever the preferences say");
     app.add_option_function<std::string>(
            "--size", [&options](const std::string& text) { options.size = sizeFrom(text); },
-           "Size of the window (default: as it was left)")
+           "Size of the window, where its screen has that much (default: as it was left)")
         ->check(whyNoSize);
 }
 

@@ -49,7 +49,9 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     right_ = new QVBoxLayout;
     right_->setSpacing(0);
     right_->addWidget(pages_, 1);
-    auto* below = new QHBoxLayout;
+    below_ = new QWidget(this);
+    auto* below = new QHBoxLayout(below_);
+    below->setContentsMargins(0, 0, 0, 0);
     below->setSpacing(0);
     below->addWidget(rail_);
     below->addLayout(right_, 1);
@@ -63,7 +65,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     all->setSpacing(0);
     all->addWidget(header_);
     all->addLayout(strips_);
-    all->addLayout(below, 1);
+    all->addWidget(below_, 1);
     // STOP's keys have to stop the robot from every dialog, also from those that the desktop would draw by itself.
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
@@ -257,17 +259,53 @@ void ConsoleWindow::setLook(ThemeName theme, int wanted)
 QSize ConsoleWindow::room() const
 {
     const QSize frame = frameGeometry().size() - size();
-    const QSize here = room_.isValid() ? room_ : screen()->availableSize() - frame;
-    return here.expandedTo(kLeast);
+    return room_.isValid() ? room_ : screen()->availableSize() - frame;
 }
 
 QSize ConsoleWindow::needs() const
 {
-    const QSize now = layout()->totalMinimumSize();
+    QSize now = layout()->totalMinimumSize();
+    if (scroll_)
+        now = {std::max(now.width(), below_->minimumSizeHint().width()),
+               now.height() - scroll_->minimumSizeHint().height()
+                   + below_->minimumSizeHint().height()};
     int height =
         now.height() + header_->heightFor(room().width()) - header_->minimumSizeHint().height();
     if (banners_->isEmpty()) height += bannerLine();
     return {now.width(), height};
+}
+
+void ConsoleWindow::setLeast(QSize needed)
+{
+    setMinimumSize(needed.expandedTo(kLeast).boundedTo(room()));
+    letScroll(needed.expandedTo(room()) != room());
+}
+
+void ConsoleWindow::letScroll(bool scrolls)
+{
+    if (scrolls == (scroll_ != nullptr)) return;
+    auto* all = static_cast<QBoxLayout*>(layout());
+    all->removeWidget(belowBanners());
+    if (scrolls) {
+        scroll_ = new QScrollArea(this);
+        scroll_->setFrameShape(QFrame::NoFrame);
+        scroll_->setFocusPolicy(Qt::NoFocus);
+        scroll_->setWidgetResizable(true);
+        scroll_->setWidget(below_);
+    } else {
+        scroll_->takeWidget();
+        scroll_->hide();
+        scroll_->deleteLater();
+        scroll_ = nullptr;
+    }
+    all->addWidget(belowBanners(), 1);
+    below_->show();
+    belowBanners()->show();
+}
+
+QWidget* ConsoleWindow::belowBanners() const
+{
+    return scroll_ ? scroll_ : below_;
 }
 
 int ConsoleWindow::bannerLine() const
@@ -281,7 +319,7 @@ int ConsoleWindow::bannersTake() const
     for (int i = 0; i < strips_->count(); ++i)
         if (const QWidget* strip = strips_->itemAt(i)->widget(); strip && !strip->isHidden())
             strips += strip->height();
-    return std::max(0, pages_->y() - header_->y() - header_->height() - strips);
+    return std::max(0, belowBanners()->y() - header_->y() - header_->height() - strips);
 }
 
 QSize ConsoleWindow::roomBelowHeader() const
@@ -311,20 +349,25 @@ void ConsoleWindow::fitLetters()
         return needs();
     };
     fits_ = false;  // in the making
+    letScroll(false);
     const int percent = lettersThatFit(wanted_, room(), needsWith);
-    setMinimumSize(needsWith(percent).boundedTo(room()).expandedTo(kLeast));
+    setLeast(needsWith(percent));
     fits_ = true;
     arrange();
     keepOnScreen();
 }
 
-/// A window that had to grow may have grown over the edge.
+/// A window that had to grow may have grown over the edge, beyond which STOP must not lie.
 void ConsoleWindow::keepOnScreen()
 {
     if (!isVisible() || isMaximized() || isFullScreen()) return;
     const QRect screenArea = screen()->availableGeometry();
     QRect frame = frameGeometry();
-    if (frame.width() > screenArea.width() || frame.height() > screenArea.height()) return;
+    if (frame.size().expandedTo(screenArea.size()) != screenArea.size()) {
+        if (room_.isValid() || screen()->availableVirtualGeometry().contains(frame)) return;
+        resize(size().boundedTo(room()));
+        frame = frameGeometry();
+    }
     frame.moveRight(std::min(frame.right(), screenArea.right()));
     frame.moveBottom(std::min(frame.bottom(), screenArea.bottom()));
     frame.moveLeft(std::max(frame.left(), screenArea.left()));
@@ -345,7 +388,7 @@ bool ConsoleWindow::event(QEvent* event)
     if (needed.expandedTo(room()) != room() && !isSmallest)
         fitLetters();
     else
-        setMinimumSize(needed.boundedTo(room()).expandedTo(minimumSize()));
+        setLeast(needed.expandedTo(minimumSize()));
     return done;
 }
 

@@ -9,6 +9,7 @@
 class QBoxLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 
 namespace terratact {
@@ -23,7 +24,8 @@ class TextSheet;
 /// is seen.  Keys do what the table of the window says, which F1 shows.
 ///
 /// It is never smaller than what it shows needs, and never larger than its screen: there the letters are as large as
-/// they can be, which may be smaller than the wanted ones.
+/// they can be, which may be smaller than the wanted ones.  Where the smallest are too large, rail and pages scroll;
+/// the header with STOP does not.
 class ConsoleWindow : public QWidget {
     Q_OBJECT
 public:
@@ -41,7 +43,8 @@ public:
     QSize roomBelowHeader() const;  ///< [px] for such a window, without the frame the desktop draws
     /// From now on a thin line says so, and how to leave it.  Before the window is shown.
     void saySafeMode();
-    static constexpr QSize kLeast{1200, 680};  ///< [px] of any window, and of any room
+    /// [px] of any window, where its screen has that much.
+    static constexpr QSize kLeast{1200, 680};
 
 protected:
     ConsoleWindow();
@@ -87,6 +90,9 @@ private:
     QLabel* addStrip(QLabel* strip, const QString& look);
     QSize room() const;
     QSize needs() const;  ///< [px] with a banner, whether there is one or not
+    void setLeast(QSize needed);
+    void letScroll(bool scrolls);  ///< rail and pages
+    QWidget* belowBanners() const;
     void fitLetters();
     void keepOnScreen();
 
@@ -100,6 +106,8 @@ private:
     StatusHeader* header_ = nullptr;
     NavigationRail* rail_ = nullptr;
     QStackedWidget* pages_ = nullptr;
+    QWidget* below_ = nullptr;       ///< rail and pages
+    QScrollArea* scroll_ = nullptr;  ///< null: they have their room
     QBoxLayout* banners_ = nullptr;  ///< side by side
     QBoxLayout* strips_ = nullptr;
     QBoxLayout* right_ = nullptr;

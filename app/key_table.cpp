@@ -88,6 +88,7 @@ bool KeyTable::filter(const QWidget& window, const QObject& object, const QEvent
         || QApplication::activePopupWidget())
         return false;
     if (belongsTo(widget, key.key())) return false;
+    if (entry->applies && !entry->applies()) return false;
     // Space means the button that has the focus; only without one it has the table's meaning.
     if (key.key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(&widget)) return false;
     if (press && (!key.isAutoRepeat() || entry->repeats)) entry->pressed();

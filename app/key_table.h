@@ -26,6 +26,8 @@ public:
         /// In every window of the program, dialogs included, and whatever else is held down.
         bool everywhere = false;
         bool repeats = false;  ///< acts again and again while it stays down
+        /// Set: where it says no, the key is left to the widget that has the focus.
+        std::function<bool()> applies = {};
     };
     void addGroup(const QString& name);
     void add(Entry entry);  ///< to the last group; throws std::logic_error for a key that is taken

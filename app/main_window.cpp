@@ -553,6 +553,7 @@ void MainWindow::defineKeys()
 
     keys.addGroup(tr("Pages"));
     addPageKeys();
+    numbers_->addKeys(keys);
     addHelpKeys();
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
               tr("open a session, a log or scenes in another window"),

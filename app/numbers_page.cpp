@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/key_table.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/numbers_table.h"
@@ -40,6 +41,14 @@ NumbersPage::NumbersPage(std::function<NumbersSight()> look, QWidget* parent)
     connect(copy_, &QPushButton::clicked, table_, &NumbersTable::copy);
     verdict_->hide();
     summary_->setText(look_().whyNoEstimate);
+}
+
+void NumbersPage::addKeys(KeyTable& keys)
+{
+    keys.add({.keys = {QKeyCombination(Qt::CTRL, Qt::Key_C)},
+              .meaning = tr("copy the numbers, on their page"),
+              .pressed = [this] { table_->copy(); },
+              .applies = [this] { return isVisible(); }});
 }
 
 void NumbersPage::showVerdict(const NumbersSight& sight)

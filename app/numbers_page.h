@@ -13,6 +13,7 @@ class QPushButton;
 
 namespace terratact {
 
+class KeyTable;
 class NumbersTable;
 
 /// What the numbers are of.
@@ -31,6 +32,8 @@ public:
     /// look: at what is to be shown.
     explicit NumbersPage(std::function<NumbersSight()> look, QWidget* parent = nullptr);
     void refresh(double now) override;
+    /// Ctrl+C copies the table while the page is seen, wherever the focus is.
+    void addKeys(KeyTable& keys);
 
     NumbersTable* table() const { return table_; }
     QPushButton* copyButton() const { return copy_; }

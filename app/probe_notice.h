@@ -12,7 +12,7 @@ namespace terratact {
 
 class NavigationRail;
 
-/// Tells an operator who does not see the terrain's page that a probe is proposed there, how long it waits for an
+/// Tells an operator who does not see the terrain's page how far an exploration is, in the rail; that a probe is proposed there, how long it waits for an
 /// answer and what brings it before him; and, once nobody has answered, that this meant no.  GUI thread only.
 class ProbeNotice {
     Q_DECLARE_TR_FUNCTIONS(ProbeNotice)

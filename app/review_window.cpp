@@ -495,6 +495,7 @@ void ReviewWindow::defineKeys()
     player_->addKeys(keys);
     keys.addGroup(tr("Pages"));
     addPageKeys();
+    numbers_->addKeys(keys);
     // Not R and S, which release STOP and drive back in the console's window.
     keys.add({{Qt::Key_E}, tr("estimate the recorded scene again, on the page What if"), [this] {
                   rail()->choose(rail()->pageOf(Qt::Key_F6));

@@ -171,7 +171,8 @@ void TerrainLayout::setTight(bool tight)
     parts_.drive->setNarrow(tight);
     // A banner's line is the terrain's and the question's, where it would else make the cards leave.
     if (window_)
-        parts_.terrain->setMinimumSize(kLeastTerrain - QSize(0, tight ? 0 : window_->bannerLine()));
+        parts_.terrain->setMinimumSize(tight ? QSize(0, kLeastTerrain.height())
+                                             : kLeastTerrain - QSize(0, window_->bannerLine()));
     if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
     // Driving is needed at any time; the rest of its card is looked up.
     if (tight)

@@ -28,6 +28,7 @@
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_table.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -53,7 +54,7 @@ QString cellText(const TrainingProgress::Cell& cell, bool runs)
 
 QTableWidget* makeTable(int rows, const QStringList& columns, const QString& name, QWidget* parent)
 {
-    auto* table = new QTableWidget(rows, static_cast<int>(columns.size()), parent);
+    auto* table = new HeadedTable(rows, static_cast<int>(columns.size()), parent);
     table->setAccessibleName(name);
     table->setHorizontalHeaderLabels(columns);
     table->verticalHeader()->hide();

@@ -59,7 +59,8 @@ public:
     /// fill: which of the theme's it has.
     explicit HoldToConfirmButton(const QString& text, Fill Theme::*fill, QWidget* parent = nullptr);
     void setHoldTime(int milliseconds) { holdTime_ = milliseconds; }
-    double share() const;  ///< 0 … 1 of the time held
+    int holdTime() const { return holdTime_; }  ///< [ms]
+    double share() const;                       ///< 0 … 1 of the time held
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;  ///< with the text on two lines

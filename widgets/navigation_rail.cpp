@@ -47,7 +47,7 @@ void NavigationRail::addPage(const QString& name, Qt::Key key, const QString& ti
     column_->insertWidget(page, button);
     buttons_ << button;
     keys_ << key;
-    asking_ << QString();
+    telling_ << QString();
     connect(button, &QPushButton::clicked, this, [this, page] { choose(page); });
     setDense(dense_);
     if (chosen_ < 0) choose(page);
@@ -56,12 +56,12 @@ void NavigationRail::addPage(const QString& name, Qt::Key key, const QString& ti
 void NavigationRail::showTexts(bool dense)
 {
     for (int page = 0; page < pages(); ++page) {
-        const QString name = button(page)->accessibleName(), &asking = asking_.at(page);
+        const QString name = button(page)->accessibleName(), &telling = telling_.at(page);
         if (dense)
-            button(page)->setText(asking.isEmpty() ? name : asking);
+            button(page)->setText(telling.isEmpty() ? name : telling);
         else
             button(page)->setText(name + QLatin1Char('\n')
-                                  + (asking.isEmpty() ? keyText(keyOf(page)) : asking));
+                                  + (telling.isEmpty() ? keyText(keyOf(page)) : telling));
     }
 }
 
@@ -124,16 +124,16 @@ void NavigationRail::setOffered(int page, bool offered)
     button(page)->setVisible(offered);
 }
 
-void NavigationRail::setAsking(int page, const QString& what)
+void NavigationRail::tell(int page, const QString& what, bool asks)
 {
-    if (asking_.at(page) == what) return;
-    const bool began = asking_.at(page).isEmpty() != what.isEmpty();
-    asking_[page] = what;
-    showTexts(dense_);
+    if (telling_.at(page) != what) {
+        telling_[page] = what;
+        showTexts(dense_);
+        button(page)->setAccessibleDescription(what);
+    }
     QPushButton* const one = button(page);
-    one->setAccessibleDescription(what);
-    if (!began) return;
-    one->setProperty("asks", !what.isEmpty());
+    if (one->property("asks").toBool() == asks) return;
+    one->setProperty("asks", asks);
     one->style()->unpolish(one);
     one->style()->polish(one);
 }

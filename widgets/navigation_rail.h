@@ -28,8 +28,9 @@ public:
     void addTool(QPushButton* button);
     /// A page that is not there for the time being is not offered.
     void setOffered(int page, bool offered);
-    /// What a page asks of the operator, in a word or two that stand in place of its key; empty: nothing.
-    void setAsking(int page, const QString& what);
+    /// What a page has to tell, in a word or two that stand in place of its key; empty: nothing.  asks: the operator,
+    /// which stands out.
+    void tell(int page, const QString& what, bool asks);
 
     QSize minimumSizeHint() const override;  ///< with room for every page
 
@@ -49,7 +50,7 @@ private:
     QVBoxLayout* column_ = nullptr;
     QList<QPushButton*> buttons_, tools_;
     QList<int> keys_;
-    QStringList asking_;  ///< of each page
+    QStringList telling_;  ///< of each page
     bool dense_ = false;
     int chosen_ = -1;
 };

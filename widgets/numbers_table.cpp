@@ -12,7 +12,7 @@
 
 namespace terratact {
 
-NumbersTable::NumbersTable(QWidget* parent) : QTableWidget(kBins, kColumns, parent)
+NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, parent)
 {
     setAccessibleName(tr("The scene as numbers"));
     setHorizontalHeaderLabels({tr("bin [m]"), tr("height [m]"), tr("sd [m]"), tr("10 % [m]"),
@@ -23,7 +23,7 @@ NumbersTable::NumbersTable(QWidget* parent) : QTableWidget(kBins, kColumns, pare
     verticalHeader()->setSectionResizeMode(
         QHeaderView::ResizeToContents);  // as high as the letters
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    for (const Column wide : {Step, TwoHeaps})
+    for (const Column wide : {From, Step, TwoHeaps})
         horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     horizontalHeader()->setHighlightSections(false);
     setEditTriggers(QAbstractItemView::NoEditTriggers);

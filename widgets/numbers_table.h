@@ -1,14 +1,14 @@
 #pragma once
 
-#include <QTableWidget>
 #include <optional>
 
 #include "core/infer/estimate.h"
+#include "widgets/plain_table.h"
 
 namespace terratact {
 
 /// The scene as numbers: a row per bin, rear to front.  A screen reader reads it cell by cell, Ctrl+C copies it.
-class NumbersTable final : public QTableWidget {
+class NumbersTable final : public HeadedTable {
     Q_OBJECT
 public:
     enum Column { Bin, Height, Sd, Low, High, Ceiling, From, Step, Rhat, Ess, TwoHeaps, kColumns };

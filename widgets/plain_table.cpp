@@ -35,6 +35,21 @@ QString plainTip(const QString& text)
              : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(text.toHtmlEscaped());
 }
 
+QSize HeadedTable::minimumSizeHint() const
+{
+    const QHeaderView& header = *horizontalHeader();
+    int width = 2 * frameWidth(), widest = 0,
+        alike = 0;  // [px]; those that stretch are of one width
+    for (int column = 0; column < header.count(); ++column) {
+        const int needed = header.sectionSizeHint(column);
+        if (header.sectionResizeMode(column) == QHeaderView::Stretch)
+            widest = std::max(widest, needed), ++alike;
+        else
+            width += std::max(needed, header.sectionSize(column));
+    }
+    return {width + alike * widest, QTableWidget::minimumSizeHint().height()};
+}
+
 PlainTable::PlainTable(QWidget* parent) : QTableView(parent)
 {
     setSelectionMode(QAbstractItemView::NoSelection);

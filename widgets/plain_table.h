@@ -4,6 +4,7 @@
 #include <QList>
 #include <QStringList>
 #include <QTableView>
+#include <QTableWidget>
 
 namespace terratact {
 
@@ -20,6 +21,14 @@ void fitRows(QTableView& table, const QFontMetrics& letters);
 
 /// A tip that wraps and shows the text as it is: somebody's file may say what looks like HTML.
 QString plainTip(const QString& text);
+
+/// A table that is as wide at least as the names of its columns need.
+class HeadedTable : public QTableWidget {
+    Q_OBJECT
+public:
+    using QTableWidget::QTableWidget;
+    QSize minimumSizeHint() const override;
+};
 
 /// A table to be read: nothing to edit, choose or move in it.  Its rows and columns follow the size of the letters.
 class PlainTable : public QTableView {

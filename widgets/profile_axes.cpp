@@ -74,14 +74,14 @@ void ProfileAxes::name()
         plot_.setAxisTitle(axis, inked(words, theme().muted, font));
 }
 
-bool ProfileAxes::fit(double bottom, double top)
+bool ProfileAxes::fit(double bottom, double top, double below)
 {
     // In steps, so that the picture does not swim with the noise.
     bottom = std::floor(bottom / 0.05 + 1e-9) * 0.05;
     top = std::ceil(top / 0.05 - 1e-9) * 0.05;
 
     const double width = plot_.canvasMap(QwtPlot::xBottom).pDist();
-    const double height = plot_.canvasMap(QwtPlot::yLeft).pDist();
+    const double height = plot_.canvasMap(QwtPlot::yLeft).pDist() - below;
     if (!(width > 10.0 && height > 10.0)) return false;
     const std::array<double, 4> wanted{bottom, top, width, height};
     if (wanted == fitted_) return false;
@@ -100,7 +100,7 @@ bool ProfileAxes::fit(double bottom, double top)
         plot_.setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
     };
     setScale(QwtPlot::xBottom, kLeft - spareX / 2.0, kRight + spareX / 2.0);
-    setScale(QwtPlot::yLeft, bottom - spareZ * 0.6, top + spareZ * 0.4);
+    setScale(QwtPlot::yLeft, bottom - spareZ * 0.6 - below / scale, top + spareZ * 0.4);
     plot_.updateAxes();
     return true;
 }

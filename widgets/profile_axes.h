@@ -28,13 +28,14 @@ public:
 
     void restyle();  ///< in theme and font as they are now
     void name();     ///< as the plot's width allows
-    /// Fits the heights from bottom to top [m] into the canvas as it is; true when the scales had to change.
-    bool fit(double bottom, double top);
+    /// Fits the heights from bottom to top [m] into the canvas as it is, above `below` [px] that are left free; true
+    /// when the scales had to change.
+    bool fit(double bottom, double top, double below);
 
 private:
     QwtPlot& plot_;
     std::array<double, 4>
-        fitted_{};  ///< bottom, top [m], width, height [px] the scales were made for
+        fitted_{};  ///< bottom, top [m], width, height [px] above `below` the scales were made for
 };
 
 }  // namespace terratact

@@ -13,6 +13,7 @@
 
 #include "widgets/drawable.h"
 #include "widgets/palette.h"
+#include "widgets/provenance_marks.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -199,7 +200,8 @@ void Veil::draw(QPainter* painter, const QwtScaleMap& /*x*/, const QwtScaleMap& 
     painter->setFont(font);
     const QFontMetricsF metrics(font, painter->device());
     constexpr double kRoom = 8.0;  // [px]
-    const QRectF place(canvas.left() + kRoom, canvas.bottom() - metrics.height() - 2.0 * kRoom,
+    const double bottom = canvas.bottom() - MarkLetters::height(plot()->font());
+    const QRectF place(canvas.left() + kRoom, bottom - metrics.height() - 2.0 * kRoom,
                        metrics.horizontalAdvance(words) + 2.0 * kRoom, metrics.height() + kRoom);
     painter->fillRect(place, theme().card);
     painter->setPen(theme().bad);

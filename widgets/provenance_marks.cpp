@@ -1,6 +1,5 @@
 #include "widgets/provenance_marks.h"
 
-#include <qwt_abstract_legend.h>
 #include <qwt_graphic.h>
 #include <qwt_plot.h>
 #include <qwt_scale_map.h>
@@ -16,6 +15,15 @@ namespace {
 
 constexpr double kThin = 2.0;      // [px]
 constexpr double kFarthest = 1e4;  // [px] beyond every screen
+
+constexpr int kLargestLetter = 13;  // [px] at 100 %
+
+QFont letterFont(QFont font, int pixels)
+{
+    font.setPixelSize(pixels);
+    font.setBold(true);
+    return font;
+}
 
 QPen barPen(Provenance provenance, const QColor& colour)
 {
@@ -66,7 +74,9 @@ void PatternBar::draw(QPainter* painter, Qt::Orientation /*orientation*/, const 
 }
 
 MarkCurve::MarkCurve(Provenance provenance)
-    : QwtPlotCurve(provenanceWord(provenance)), provenance_(provenance)
+    : QwtPlotCurve(provenanceLetter(provenance) + QStringLiteral(": ")
+                   + provenanceWord(provenance)),
+      provenance_(provenance)
 {
     setStyle(QwtPlotCurve::NoCurve);
     setRenderHint(QwtPlotItem::RenderAntialiased);
@@ -93,22 +103,20 @@ MarkLetters::MarkLetters()
     setItemAttribute(QwtPlotItem::Legend, false);
 }
 
-bool MarkLetters::areSeen() const
+double MarkLetters::height(const QFont& ofPlot)
 {
-    return plot()->legend()->isEmpty();
+    return QFontMetricsF(letterFont(ofPlot, scaled(kLargestLetter))).height();
 }
 
 void MarkLetters::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
                        const QRectF& canvas) const
 {
-    if (!areSeen()) return;
     constexpr int kLeast = 10;  // [px]
     const double width = x.transform(binEnd(0)) - x.transform(binBegin(0));
-    QFont font = plot()->font();
-    font.setPixelSize(std::clamp(static_cast<int>(width), kLeast, scaled(14)));
-    font.setBold(true);
-    painter->setFont(font);
-    const double height = painter->fontMetrics().height();
+    const int largest = scaled(kLargestLetter);
+    painter->setFont(letterFont(
+        plot()->font(), std::clamp(static_cast<int>(width), std::min(kLeast, largest), largest)));
+    const double height = MarkLetters::height(plot()->font());
     QColor behind = theme().card;
     behind.setAlpha(0xd0);
     for (std::size_t i = 0; i < kBins; ++i) {

@@ -40,12 +40,12 @@ private:
     Provenance provenance_;
 };
 
-/// A letter for each bin at the lower edge, where there is no legend that says what the marks mean.
+/// A letter for each bin at the lower edge, below everything else.
 class MarkLetters final : public QwtPlotItem {
 public:
     MarkLetters();
     std::array<std::optional<Provenance>, kBins> shown{};
-    bool areSeen() const;
+    static double height(const QFont& ofPlot);  ///< [px] of the strip they stand in
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;

@@ -59,7 +59,11 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
 {
     const bool fresh = age <= kStaleAfter;
     const auto put = [&](Row row, const QString& text) {
-        show(row, fresh ? text : words::kNothing, fresh);
+        if (fresh) return show(row, text, true);
+        const QString old = tr("%1 old").arg(words::age(ages[row]));
+        const bool isKnown = std::isfinite(ages[row]);
+        show(row, isKnown ? QStringLiteral("%1   %2").arg(words::kNothing, old) : words::kNothing,
+             false);
     };
     const auto pair = [](const QString& left, const QString& right) {
         return RobotReadout::tr("L %1   R %2").arg(left, right);

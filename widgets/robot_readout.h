@@ -15,7 +15,7 @@ namespace terratact {
 inline constexpr double kStaleAfter = 0.15;
 
 /// The robot's angles and currents L left, R right, each with its age as its tip.  What is older than
-/// kStaleAfter reads "--".  Beside the pitch stands that of the scene which is drawn.
+/// kStaleAfter reads "--" with its age beside it.  Beside the pitch stands that of the scene which is drawn.
 class RobotReadout final : public QWidget {
     Q_OBJECT
 public:
@@ -33,7 +33,7 @@ public:
                         std::optional<double> captured = {});
     void clearMeasurement();  ///< nothing has arrived yet
 
-    QString text(int row) const;  ///< value as shown; rows as in the order of Row
+    QString text(int row) const;  ///< as shown; rows as in the order of Row
     QString ageText(int row) const;
 
 private:

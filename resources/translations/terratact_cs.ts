@@ -567,7 +567,7 @@
     <name>ProbeNotice</name>
     <message>
         <source>arm? %1</source>
-        <translation>sonda %1</translation>
+        <translation>sonda? %1</translation>
     </message>
     <message>
         <source>PROBE at %1? %2 left, then no: F2 shows the question</source>
@@ -584,6 +584,30 @@
     <message>
         <source>The probe was not answered in time, which means no: close the window that covers the result</source>
         <translation>Na sondu nikdo včas neodpověděl, což znamená ne: zavřete okno, které výsledek zakrývá</translation>
+    </message>
+    <message>
+        <source>halting</source>
+        <translation>zastavuje</translation>
+    </message>
+    <message>
+        <source>pressing</source>
+        <translation>přitlačuje</translation>
+    </message>
+    <message>
+        <source>estimating</source>
+        <translation>odhaduje</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>sonda</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>výsledek</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>selhalo</translation>
     </message>
 </context>
 <context>
@@ -3173,6 +3197,10 @@ F1</translation>
     <message>
         <source>last heard %1 ago</source>
         <translation>naposledy slyšen před %1</translation>
+    </message>
+    <message>
+        <source>copy the numbers, on their page</source>
+        <translation>zkopírovat čísla, na jejich stránce</translation>
     </message>
 </context>
 <context>

@@ -567,7 +567,7 @@
     <name>ProbeNotice</name>
     <message>
         <source>arm? %1</source>
-        <translation>Sonde %1</translation>
+        <translation>Sonde? %1</translation>
     </message>
     <message>
         <source>PROBE at %1? %2 left, then no: F2 shows the question</source>
@@ -584,6 +584,30 @@
     <message>
         <source>The probe was not answered in time, which means no: close the window that covers the result</source>
         <translation>Die Sondierung wurde nicht rechtzeitig beantwortet, das heißt nein: das Fenster schließen, das das Ergebnis verdeckt</translation>
+    </message>
+    <message>
+        <source>halting</source>
+        <translation>hält an</translation>
+    </message>
+    <message>
+        <source>pressing</source>
+        <translation>drückt an</translation>
+    </message>
+    <message>
+        <source>estimating</source>
+        <translation>schätzt</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>misslungen</translation>
     </message>
 </context>
 <context>
@@ -3173,6 +3197,10 @@ F1</translation>
     <message>
         <source>last heard %1 ago</source>
         <translation>zuletzt gehört vor %1</translation>
+    </message>
+    <message>
+        <source>copy the numbers, on their page</source>
+        <translation>die Zahlen kopieren, auf ihrer Seite</translation>
     </message>
 </context>
 <context>

@@ -96,6 +96,17 @@ TEST_F(BusConsole, showsAsManyArraysAsTheRobotsFileHas)
     }
 }
 
+TEST_F(BusConsole, wantsEachConfirmationHeldAsLongAsTheManualSays)
+{
+    startQuickRobot();
+    MainWindow::Options options = linked(bus.join("can0"), {.mode = CanSource::Mode::Transmit});
+    options.model = [] { return Result<LoadedModel>(madeUp()); };
+    const MainWindow asOpened(std::move(options));
+    EXPECT_EQ(asOpened.header()->arming()->confirmButton()->holdTime(), 1000);
+    EXPECT_EQ(asOpened.probeCard()->approveButton()->holdTime(), 1500);
+    EXPECT_EQ(asOpened.atemPanel()->releaseButton()->holdTime(), 1500);
+}
+
 TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
 {
     open();

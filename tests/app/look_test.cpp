@@ -394,7 +394,7 @@ TEST(TerrainPageAlone, saysNoTelemetryYoungerThanItMayBe)
     EXPECT_EQ(says(0.149, false, 0.24), "< 0.3 s old") << "these are still those numbers";
     EXPECT_EQ(says(0.149, true, 0.24), "< 0.4 s old");
     EXPECT_EQ(says(0.16, false, 0.24), "0.2 s old") << "at once";
-    EXPECT_EQ(page.readout()->text(RobotReadout::Pitch), "--");
+    EXPECT_EQ(page.readout()->text(RobotReadout::Pitch), "--   160 ms old");
     EXPECT_EQ(says(1.27, false, 0.24), "1.3 s old") << "and it grows";
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QClipboard>
 #include <QDialog>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -29,6 +30,7 @@
 #include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/navigation_rail.h"
+#include "widgets/numbers_table.h"
 #include "widgets/probe_card.h"
 #include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
@@ -370,6 +372,28 @@ TEST_F(Console, theSheetOfKeysLeavesTheHeaderFreeAndAllOfItCanBeReached)
         QTest::keyClick(sheet, Qt::Key_Escape);
         EXPECT_FALSE(sheet->isVisible());
     }
+}
+
+TEST_F(Console, ctrlCCopiesTheNumbersWhileTheyAreSeen)
+{
+    openScripted();
+    QApplication::clipboard()->setText("before");
+    const auto copy = [&] {
+        QTest::keyClick(window->windowHandle(), Qt::Key_C, Qt::ControlModifier);
+        return QApplication::clipboard()->text();
+    };
+    EXPECT_EQ(copy(), "before") << "they are not seen";
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    ASSERT_TRUE(eventually([&] { return window->numbers()->isVisible(); }));
+    EXPECT_EQ(copy(), window->numbers()->table()->text());
+    EXPECT_TRUE(window->keys().html().contains("copy the numbers"));
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    QLineEdit field(window.get());
+    field.setText("typed");
+    field.show();
+    field.setFocus();
+    field.selectAll();
+    EXPECT_EQ(copy(), "typed") << "what a field has is its own";
 }
 
 }  // namespace

@@ -9,12 +9,15 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <algorithm>
+#include <atomic>
 #include <ctime>
 #include <functional>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "app/language.h"
 #include "app/resources.h"
 #include "app/steady_now.h"
 #include "core/learn/model_file.h"
@@ -279,6 +282,72 @@ TEST_F(Console, aProposedProbeIsToldOnEveryPageWithTheTimeThatIsLeft)
     EXPECT_FALSE(says("not answered in time")) << "it was answered";
 }
 
+TEST_F(Console, howFarAnExplorationIsStandsInTheRailOfEveryOtherPage)
+{
+    answerTime = 300.0;
+    std::atomic<bool> mayEstimate = false;
+    open(fastRobot(robot, 2.1), [&mayEstimate] {
+        LoadedModel model = madeUp();
+        model.estimate = [&mayEstimate, estimate = model.estimate](const EstimateRequest& request,
+                                                                   const Watch& watch) {
+            while (!mayEstimate && !watch.cancelled())
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            return estimate(request, watch);
+        };
+        return Result<LoadedModel>(std::move(model));
+    });
+    ASSERT_TRUE(readyToExplore());
+    const QPushButton& terrain = *window->rail()->button(0);
+    const QString plain = terrain.text();
+    const int wide = window->rail()->width();
+    const auto tells = [&](const char* what) {
+        const QRegularExpression words(QLatin1String(what) + QLatin1Char('$'));
+        EXPECT_TRUE(eventually([&] { return terrain.text().contains(words); }))
+            << what << ": " << terrain.text().toStdString();
+        EXPECT_EQ(window->rail()->width(), wide) << what;
+        EXPECT_EQ(gui::cutWhenSettled(*window->rail()), std::vector<std::string>()) << what;
+    };
+    QTest::keyClick(window.get(), Qt::Key_A);
+    EXPECT_TRUE(reaches(AtemPhase::Estimating));
+    EXPECT_TRUE(eventually([&] { return says("Estimating"); }));
+    EXPECT_EQ(terrain.text(), plain) << "the card says it";
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    tells("estimating");
+    mayEstimate = true;
+    tells("arm\\? [0-9]:[0-9]{2}");
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
+    QTest::keyPress(window.get(), Qt::Key_Space);
+    ASSERT_TRUE(reaches(AtemPhase::Probing));
+    QTest::keyRelease(window.get(), Qt::Key_Space);
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    tells("probe 0:[0-9]{2}");
+    tells("result");
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(eventually([&] { return terrain.text() == plain; }));
+}
+
+TEST_F(Console, whatTheRailTellsOfAnExplorationMakesItNoWiderInAnyLanguage)
+{
+    for (const char* language : {"en", "cs", "de"}) {
+        window.reset();
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        openScripted();
+        const int wide = window->rail()->width();
+        for (const char* word :
+             {"halting", "pressing", "estimating", "probe", "result", "failed"}) {
+            const bool timed = std::string_view(word) == "probe";
+            const QString time = timed ? QStringLiteral(" 0:44") : QString();
+            window->rail()->tell(0, ProbeNotice::tr(word) + time, false);
+            QTest::qWait(20);
+            EXPECT_EQ(window->rail()->width(), wide) << language << ": " << word;
+        }
+    }
+    window.reset();
+    installLanguage(*qApp, "en");
+}
+
 TEST_F(Console, aProbeThatNobodyAnsweredIsToldUntilTheTerrainIsSeen)
 {
     answerTime = 2.0;
@@ -374,15 +443,18 @@ TEST_F(Console, escapeClearsWhatStandsAfterAStop)
 TEST_F(Console, staleValuesDisappearAndTheLostLinkIsSaid)
 {
     ScriptedSource* source = openScripted();
-    ASSERT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) != "--"; }));
+    ASSERT_TRUE(
+        eventually([&] { return window->readout()->text(RobotReadout::Pitch).endsWith("°"); }));
     source->setSilent(true);
-    ASSERT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) == "--"; }));
+    ASSERT_TRUE(eventually(
+        [&] { return window->readout()->text(RobotReadout::Pitch).startsWith("--   "); }));
     EXPECT_EQ(window->forces()->numberText(0), "--");
     EXPECT_TRUE(window->terrain()->accessibleDescription().contains("not live"));
     ASSERT_TRUE(eventually([&] { return window->header()->linkText().startsWith("LINK LOST"); }));
     EXPECT_FALSE(window->atemPanel()->requestButton()->isEnabled());
     source->setSilent(false);
-    EXPECT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) != "--"; }));
+    EXPECT_TRUE(
+        eventually([&] { return window->readout()->text(RobotReadout::Pitch).endsWith("°"); }));
     EXPECT_TRUE(eventually([&] { return window->header()->linkText().startsWith("link"); }));
     EXPECT_FALSE(window->terrain()->accessibleDescription().contains("not live"));
 }
@@ -414,7 +486,8 @@ TEST_F(Console, hostileTelemetryLeavesItDrawnAndAlive)
         ASSERT_FALSE(gui::painted(*window).isNull()) << bad;
     }
     source->setMeasurement({});
-    EXPECT_TRUE(eventually([&] { return window->readout()->text(RobotReadout::Pitch) != "--"; }));
+    EXPECT_TRUE(
+        eventually([&] { return window->readout()->text(RobotReadout::Pitch).endsWith("°"); }));
 }
 
 TEST_F(Console, theRealChainRunsAndTheWindowStaysAlive)

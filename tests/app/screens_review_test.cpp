@@ -11,6 +11,7 @@
 #include <QTableWidget>
 
 #include "app/about.h"
+#include "app/profile_menu.h"
 #include "app/remote_stop.h"
 #include "app/resources.h"
 #include "app/review_events_page.h"
@@ -185,10 +186,11 @@ TEST_F(Screens, menus)
         ASSERT_TRUE(eventually(isMeasured));
         pictureOfMenu(
             *console->header()->qualityButton(), "menu_quality",
-            {MainWindow::tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")});
+            {QCoreApplication::translate(
+                "PresetWords", "%1: %2 ms, exact quantiles by a formula, mean error %3 mm")});
         pictureOfMenu(*console->viewButton(), "menu_terrain",
-                      {MainWindow::tr("Some of the draws as thin lines (D)"),
-                       MainWindow::tr("A second method beside it"), QStringLiteral("joint")});
+                      {ProfileMenu::tr("Some of the draws as thin lines (D)"),
+                       ProfileMenu::tr("A second method beside it"), QStringLiteral("joint")});
         pictureOfMenu(*console->atemPanel()->needsButton(), "menu_needs",
                       {AtemPanel::tr("exploring"), AtemPanel::tr("releasing STOP")});
         auto* help = console->rail()->findChild<QPushButton*>(QStringLiteral("help"));

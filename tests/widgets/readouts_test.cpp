@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <limits>
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
@@ -59,7 +60,8 @@ TEST(Readout, thePitchThatIsDrawnStandsBesideThatOfNow)
     readout.setMeasurement(m, 0.04, -0.1);
     EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("+5.7°   captured −5.7°"));
     readout.setMeasurement(m, 0.151, -0.1);
-    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("--   captured −5.7°"));
+    EXPECT_EQ(readout.text(RobotReadout::Pitch),
+              QStringLiteral("--   151 ms old   captured −5.7°"));
     readout.setMeasurement(m, 0.04);
     EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("+5.7°"));
 }
@@ -73,7 +75,6 @@ TEST(Readout, theTipOfEveryValueIsTheAgeOfItsOwnMessage)
     EXPECT_EQ(readout.ageText(RobotReadout::Pitch), "20 ms");
     EXPECT_EQ(readout.ageText(RobotReadout::FrontFlippers), "300 ms");
     EXPECT_EQ(readout.ageText(RobotReadout::FrontCurrents), "2.4 s");
-    EXPECT_EQ(readout.text(RobotReadout::Pitch), "--") << "half a line is none";
     int tips = 0;
     for (const QLabel* label : readout.findChildren<QLabel*>())
         tips += label->toolTip().endsWith(" old") ? 1 : 0;
@@ -83,13 +84,27 @@ TEST(Readout, theTipOfEveryValueIsTheAgeOfItsOwnMessage)
     for (const QLabel* label : readout.findChildren<QLabel*>()) EXPECT_EQ(label->toolTip(), "");
 }
 
+TEST(Readout, theAgeStandsInPrintBesideWhatIsTooOldToBeShown)
+{
+    RobotReadout readout;
+    const double never = std::numeric_limits<double>::infinity();
+    readout.setMeasurement({}, 0.02, {0.02, 0.02, 0.02, 0.02, 0.02, 0.02});
+    for (int row = 0; row < RobotReadout::kRows; ++row)
+        EXPECT_FALSE(readout.text(row).contains("old")) << row;
+    readout.setMeasurement({}, 2.44, {0.02, 0.02, 0.3, 0.03, 2.44, never});
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), "--   20 ms old") << "half a line is none";
+    EXPECT_EQ(readout.text(RobotReadout::FrontCurrents), "--   2.4 s old") << "that is missing";
+    EXPECT_EQ(readout.text(RobotReadout::RearCurrents), "--") << "it never came";
+}
+
 TEST(Readout, staleValuesAreNotShown)
 {
     RobotReadout readout;
     readout.setMeasurement({}, 0.149);
     EXPECT_NE(readout.text(RobotReadout::Pitch), "--");
     readout.setMeasurement({}, 0.151);
-    for (int row = 0; row < RobotReadout::kRows; ++row) EXPECT_EQ(readout.text(row), "--");
+    for (int row = 0; row < RobotReadout::kRows; ++row)
+        EXPECT_EQ(readout.text(row), "--   151 ms old");
     for (const double bad : gui::kHostile) {
         Measurement m;
         m.pitch = m.roll = m.frontLeft = m.rearRightCurrent = bad;

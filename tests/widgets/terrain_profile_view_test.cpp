@@ -153,31 +153,51 @@ std::array<int, 3> inkOfBar(const TerrainProfileView& view, const QImage& image,
     return {pieces, 100 * length / height, width};
 }
 
-TEST_F(TerrainView, aLetterSaysOfEveryBinWhatTheLegendWouldWhereThatHasNoRoom)
+/// Of the strip below `top`, around x: how many pixels stand out from the card.
+int inkIn(const QImage& image, double x, double top)
+{
+    int ink = 0;
+    for (int y = qCeil(top); y < image.height(); ++y)
+        for (int dx = -6; dx <= 6; ++dx) {
+            const QRgb pixel = image.pixel(qRound(x) + dx, y);
+            ink += std::abs(qGray(pixel) - qGray(theme().card.rgb())) > 50 ? 1 : 0;
+        }
+    return ink;
+}
+
+TEST_F(TerrainView, aLetterSaysOfEveryBinWhatSpeaksForItAndCoversNothing)
 {
     const MarkLetters* letters = nullptr;
     for (const QwtPlotItem* item : view.itemList())
         if (const auto* found = dynamic_cast<const MarkLetters*>(item)) letters = found;
     ASSERT_TRUE(letters);
-    view.setEstimate(oneOfEachKind());
-    QApplication::processEvents();
-    EXPECT_TRUE(view.legend()->isVisible());
-    EXPECT_FALSE(letters->areSeen()) << "the legend says it";
-    view.resize(500, 150);
-    QApplication::processEvents();
-    EXPECT_TRUE(letters->areSeen());
-    for (int bin = 0; bin < kBins; ++bin)
-        EXPECT_EQ(letters->shown[static_cast<std::size_t>(bin)], provenance(oneOfEachKind(), bin));
-    const QImage with = painted(*view.canvas());
+    TerrainEstimate deep = oneOfEachKind();
+    deep.q10[1] = -0.9;
+    for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast})
+        for (const int percent : {80, 100, 200})
+            for (const QSize size : {QSize(900, 480), QSize(500, 150)}) {
+                applyLook(*qApp, name, percent);
+                view.resize(size);
+                for (const TerrainEstimate& e : {oneOfEachKind(), deep}) {
+                    view.setEstimate(e);
+                    gui::settle(view);
+                    const std::string where = std::to_string(static_cast<int>(name)) + ", "
+                                            + std::to_string(percent) + " %, "
+                                            + std::to_string(size.width());
+                    const QImage image = painted(*view.canvas());
+                    const double strip = image.height() - MarkLetters::height(view.font());
+                    for (int bin = 0; bin < kBins; ++bin) {
+                        const auto k = static_cast<std::size_t>(bin);
+                        EXPECT_EQ(letters->shown[k], provenance(e, bin));
+                        EXPECT_GE(inkIn(image, view.pixelOf(binCentre(bin), 0.0).x(), strip), 8)
+                            << where << ", bin " << bin;
+                        EXPECT_LE(view.pixelOf(0.0, e.q10[k]).y(), strip) << where;
+                    }
+                }
+            }
+    applyLook(*qApp);
     view.clearEstimate("none");
     for (const auto& shown : letters->shown) EXPECT_FALSE(shown);
-    // The lowest row of a letter's place has its ink.
-    const QPointF at = view.pixelOf(binCentre(2), 0.0);
-    int ink = 0;
-    for (int dx = -6; dx <= 6; ++dx)
-        for (int up = 2; up < 14; ++up)
-            ink += qGray(with.pixel(qRound(at.x()) + dx, with.height() - up)) < 110 ? 1 : 0;
-    EXPECT_GT(ink, 10);
 }
 
 TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
