@@ -1,6 +1,7 @@
 #include "app/console_window.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QKeySequence>
 #include <QLabel>
 #include <QMenu>
@@ -14,6 +15,7 @@
 #include <QVBoxLayout>
 #include <QWindow>
 #include <algorithm>
+#include <utility>
 
 #include "app/about.h"
 #include "app/letters.h"
@@ -140,19 +142,23 @@ void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& new
     view->setMenu(new ViewMenu(preferences, newWindow, view));
 }
 
-void ConsoleWindow::addHelpTool()
+void ConsoleWindow::addHelpTool(const QString& demonstration,
+                                std::function<void(const QString& path)> open)
 {
     QPushButton* help = addTool(tr("Help\nF1"), tr("Every key, and what this program is"));
     help->setAccessibleName(tr("Help"));
     help->setObjectName(QStringLiteral("help"));
     auto* menu = new QMenu(help);
     const auto offer = [this, menu](const QString& text, QKeyCombination key,
-                                    void (ConsoleWindow::*open)()) {
+                                    void (ConsoleWindow::*shows)()) {
         const QString keys = QKeySequence(key).toString(QKeySequence::NativeText);
-        connect(menu->addAction(text + QLatin1Char('\t') + keys), &QAction::triggered, this, open);
+        connect(menu->addAction(text + QLatin1Char('\t') + keys), &QAction::triggered, this, shows);
     };
     offer(tr("Keys"), kKeysKey, &ConsoleWindow::showKeys);
     offer(tr("About Terratact"), kAboutKey, &ConsoleWindow::showAbout);
+    if (QFileInfo::exists(demonstration))
+        connect(menu->addAction(tr("Recorded demonstration")), &QAction::triggered, this,
+                [demonstration, open = std::move(open)] { open(demonstration); });
     help->setMenu(menu);
 }
 

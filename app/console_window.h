@@ -2,6 +2,7 @@
 
 #include <QSize>
 #include <QWidget>
+#include <functional>
 
 #include "app/key_table.h"
 #include "widgets/palette.h"
@@ -60,7 +61,9 @@ protected:
     QPushButton* addTool(const QString& text, const QString& tip);  ///< to the rail
     /// newWindow: when what needs a new window gets one, in words.
     void addViewTool(PreferenceStore& preferences, const QString& newWindow);
-    void addHelpTool();  ///< the sheet of the keys, and what this program is
+    /// The sheet of the keys, what this program is, and a demonstration to open, where there is that file.
+    void addHelpTool(const QString& demonstration = {},
+                     std::function<void(const QString& path)> open = {});
     void addBelowPages(QWidget* widget);
     QStackedWidget* pages() const { return pages_; }
 

@@ -119,7 +119,9 @@ void MainWindow::build(const Options& options)
                                    "this one goes on (Ctrl+O)")),
             &QPushButton::clicked, this, &MainWindow::open);
     addViewTool(*preferences_, tr("opens the console anew"));
-    addHelpTool();
+    addHelpTool(demonstration(), [this](const QString& path) {
+        openInAnotherWindow(path, ownStopLine(), notOpened());
+    });
     arrange();
 }
 
@@ -540,10 +542,19 @@ void MainWindow::releaseStop()
 
 void MainWindow::open()
 {
-    openInAnotherWindow(
+    askAndOpenInAnotherWindow(
         *this, QString::fromStdString(recorder_ ? recorder_->folder() : sessionFolder()),
-        stopLine_ ? stopLineName() : std::string(),
-        [this](const QString& why) { events()->add(why, Weight::Bad, QTime::currentTime()); });
+        ownStopLine(), notOpened());
+}
+
+std::string MainWindow::ownStopLine() const
+{
+    return stopLine_ ? stopLineName() : std::string();
+}
+
+std::function<void(const QString&)> MainWindow::notOpened()
+{
+    return [this](const QString& why) { events()->add(why, Weight::Bad, QTime::currentTime()); };
 }
 
 void MainWindow::defineKeys()

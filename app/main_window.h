@@ -2,7 +2,9 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "app/acquisition.h"
 #include "app/console_alarms.h"
@@ -121,6 +123,8 @@ private:
     void connectStop();
     void addTraining(const Options& options);
     void open();
+    std::string ownStopLine() const;  ///< for windows that are opened here; empty: they have none
+    std::function<void(const QString& why)> notOpened();
     void defineKeys();
     void applyPreferences(const Preferences& before);
     /// The terrain page in the layout in force, at the font scale in force.

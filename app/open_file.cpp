@@ -10,6 +10,7 @@
 
 #include "app/file_dialog.h"
 #include "app/remote_stop.h"
+#include "app/resources.h"
 #include "core/log/session_schema.h"
 
 namespace terratact {
@@ -37,27 +38,36 @@ FileKind kindOfFile(const QString& path)
     return line.contains("pitch_rad") && line.contains(',') ? FileKind::Scenes : FileKind::Log;
 }
 
-void openInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
-                         std::function<void(const QString& why)> failed)
+void openInAnotherWindow(const QString& path, const std::string& stopLine,
+                         const std::function<void(const QString& why)>& failed)
+{
+    QProcess program;
+    program.setProgram(QCoreApplication::applicationFilePath());
+    program.setArguments({path});
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    if (!stopLine.empty())
+        environment.insert(QLatin1String(kStopLineVariable), QString::fromStdString(stopLine));
+    program.setProcessEnvironment(environment);
+    if (!program.startDetached())
+        failed(OpenFile::tr("%1 could not be opened: this program could not be started again")
+                   .arg(path));
+}
+
+void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
+                               std::function<void(const QString& why)> failed)
 {
     const QString filter =
         OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)");
     const QString start = QFileInfo(folder).isDir() ? folder : QString();
     askForFile(parent, {.title = OpenFile::tr("Open"), .start = start, .filter = filter},
                [stopLine, failed = std::move(failed)](const QString& path) {
-                   QProcess program;
-                   program.setProgram(QCoreApplication::applicationFilePath());
-                   program.setArguments({path});
-                   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-                   if (!stopLine.empty())
-                       environment.insert(QLatin1String(kStopLineVariable),
-                                          QString::fromStdString(stopLine));
-                   program.setProcessEnvironment(environment);
-                   if (!program.startDetached())
-                       failed(OpenFile::tr("%1 could not be opened: this program could not be "
-                                           "started again")
-                                  .arg(path));
+                   openInAnotherWindow(path, stopLine, failed);
                });
+}
+
+QString demonstration()
+{
+    return QString::fromStdString(resourcePath("sessions/demo.tts"));
 }
 
 }  // namespace terratact

@@ -17,10 +17,17 @@ enum class FileKind : std::uint8_t {
 };
 FileKind kindOfFile(const QString& path);
 
-/// Asks for a file, and opens the one that is chosen in another process of this program, so that nothing that runs here
-/// is touched.  Does not wait.  folder: where to look for the first time.  failed: it could not, and why.  stopLine: where its STOP goes, see app/remote_stop.h; empty:
-/// where that of this program goes.
-void openInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
-                         std::function<void(const QString& why)> failed);
+/// Opens a file in another process of this program, so that nothing that runs here is touched.  Does not wait.
+/// stopLine: where its STOP goes, see app/remote_stop.h; empty: where that of this program goes.  failed: it could not,
+/// and why.
+void openInAnotherWindow(const QString& path, const std::string& stopLine,
+                         const std::function<void(const QString& why)>& failed);
+
+/// Asks for a file, and opens the one that is chosen likewise.  folder: where to look for the first time.
+void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
+                               std::function<void(const QString& why)> failed);
+
+/// The session that the program brings along; it may be missing.
+QString demonstration();
 
 }  // namespace terratact

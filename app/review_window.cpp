@@ -164,7 +164,8 @@ void ReviewWindow::addTools()
                     tr("Write what is shown, or what the session holds, to a file (Ctrl+E)")),
             &QPushButton::clicked, this, &ReviewWindow::exportShown);
     addViewTool(*preferences_, tr("at the next start"));
-    addHelpTool();
+    addHelpTool(demonstration(),
+                [this](const QString& path) { openInAnotherWindow(path, {}, notOpened()); });
 }
 
 void ReviewWindow::addPlayer()
@@ -475,10 +476,15 @@ void ReviewWindow::open()
 {
     player_->pause();
     const QString folder = QFileInfo(QString::fromStdString(session_.path())).absolutePath();
-    openInAnotherWindow(*this, folder, {}, [this](const QString& why) {
+    askAndOpenInAnotherWindow(*this, folder, {}, notOpened());
+}
+
+std::function<void(const QString&)> ReviewWindow::notOpened()
+{
+    return [this](const QString& why) {
         trouble_ = why;
         showState();
-    });
+    };
 }
 
 void ReviewWindow::applyPreferences(const Preferences& before)

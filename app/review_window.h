@@ -2,6 +2,7 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -93,6 +94,7 @@ private:
     void addNote();
     void takeNote();
     void open();
+    std::function<void(const QString& why)> notOpened();
     ExportSight exportSight() const;
     void exportShown();
 

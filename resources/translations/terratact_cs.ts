@@ -2330,6 +2330,10 @@ F1</translation>
         <source>what this program is</source>
         <translation>co je tento program</translation>
     </message>
+    <message>
+        <source>Recorded demonstration</source>
+        <translation>Nahraná ukázka</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DiagnosticsPage</name>

@@ -2330,6 +2330,10 @@ F1</translation>
         <source>what this program is</source>
         <translation>was dieses Programm ist</translation>
     </message>
+    <message>
+        <source>Recorded demonstration</source>
+        <translation>Aufgezeichnete Vorführung</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DiagnosticsPage</name>

@@ -199,7 +199,8 @@ TEST_F(Screens, menus)
             if (button->menu() && button != help) view = button;
         ASSERT_TRUE(view && help);
         pictureOfMenu(*help, "menu_help",
-                      {ConsoleWindow::tr("Keys"), ConsoleWindow::tr("About Terratact")});
+                      {ConsoleWindow::tr("Keys"), ConsoleWindow::tr("About Terratact"),
+                       ConsoleWindow::tr("Recorded demonstration")});
         pictureOfMenu(*view, "menu_view",
                       {ViewMenu::tr("layout: drive"), ViewMenu::tr("colours: night, red"),
                        ViewMenu::tr("larger letters"), ViewMenu::tr("language: %1")});

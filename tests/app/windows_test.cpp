@@ -21,6 +21,7 @@
 #include "app/file_dialog.h"
 #include "app/language.h"
 #include "app/main_window.h"
+#include "app/open_file.h"
 #include "app/review_export_dialog.h"
 #include "app/review_window.h"
 #include "app/scenes_window.h"
@@ -212,6 +213,34 @@ TEST_F(Windows, aboutSaysWhatTheProgramIsAndWhoseWorkIsInIt)
     const auto sheets = window->findChildren<TextSheet*>();
     ASSERT_EQ(sheets.size(), 2);
     EXPECT_TRUE(sheets.last()->plainText().contains(aboutLine())) << "below the keys, too";
+}
+
+/// A window with nothing but its help.
+struct HelpingWindow : ConsoleWindow {
+    explicit HelpingWindow(const QString& demonstration)
+    {
+        addHelpTool(demonstration, [this](const QString& path) { opened = path; });
+    }
+    QString opened;
+};
+
+QAction* demonstrationIn(const ConsoleWindow& window)
+{
+    const auto* help = window.findChild<QPushButton*>(QStringLiteral("help"));
+    for (QAction* action : help->menu()->actions())
+        if (action->text() == "Recorded demonstration") return action;
+    return nullptr;
+}
+
+TEST_F(Windows, ofTheConsoleOfferTheRecordedDemonstrationWhereItIs)
+{
+    EXPECT_EQ(kindOfFile(demonstration()), FileKind::Session);
+    EXPECT_TRUE(demonstrationIn(*scripted()));
+    HelpingWindow window(demonstration());
+    ASSERT_TRUE(demonstrationIn(window));
+    demonstrationIn(window)->trigger();
+    EXPECT_EQ(window.opened, demonstration());
+    EXPECT_FALSE(demonstrationIn(HelpingWindow("/nowhere/demo.tts")));
 }
 
 TEST_F(Windows, ofAConsoleLetStopThrough)
