@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/force_arrays.h"
@@ -336,7 +337,10 @@ void ReviewWindow::showTerrain()
     if (moment_.scene) {
         sight.scene = &moment_.scene->measurement;
         sight.sceneTruth = &moment_.scene->truth;
-        if (!sight.measurement) sight.measurement = sight.scene, sight.age = 1e6;
+        if (!sight.measurement) {
+            sight.measurement = sight.scene;
+            sight.age = std::numeric_limits<double>::infinity();  // nothing was heard yet
+        }
     }
     terrain_->verdict()->setLimit(limit());
     if (row) {
