@@ -108,6 +108,13 @@ double MarkLetters::height(const QFont& ofPlot)
     return QFontMetricsF(letterFont(ofPlot, scaled(kLargestLetter))).height();
 }
 
+double MarkLetters::reserved(const QFont& ofPlot, double canvasHeight)
+{
+    constexpr double kMost = 1.0 / 16.0;  // of the canvas
+    const double strip = height(ofPlot);
+    return strip <= kMost * canvasHeight ? strip : 0.0;
+}
+
 void MarkLetters::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
                        const QRectF& canvas) const
 {

@@ -40,12 +40,14 @@ private:
     Provenance provenance_;
 };
 
-/// A letter for each bin at the lower edge, below everything else.
+/// A letter for each bin at the lower edge, below everything else where there is room for that.
 class MarkLetters final : public QwtPlotItem {
 public:
     MarkLetters();
     std::array<std::optional<Provenance>, kBins> shown{};
     static double height(const QFont& ofPlot);  ///< [px] of the strip they stand in
+    /// [px] of it that the profile leaves free; none of a low canvas, where letters lie upon the lowest heights.
+    static double reserved(const QFont& ofPlot, double canvasHeight);
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;

@@ -518,7 +518,7 @@ bool TerrainProfileView::setScales()
             for (const double z : {bin->height, bin->q10, bin->q90}) include(z);
         }
     }
-    return axes_.fit(bottom, top, MarkLetters::height(font()));
+    return axes_.fit(bottom, top, MarkLetters::reserved(font(), canvas()->height()));
 }
 
 QPointF TerrainProfileView::pixelOf(double x, double z) const

@@ -191,11 +191,15 @@ TEST_F(TerrainView, aLetterSaysOfEveryBinWhatSpeaksForItAndCoversNothing)
                         EXPECT_EQ(letters->shown[k], provenance(e, bin));
                         EXPECT_GE(inkIn(image, view.pixelOf(binCentre(bin), 0.0).x(), strip), 8)
                             << where << ", bin " << bin;
-                        EXPECT_LE(view.pixelOf(0.0, e.q10[k]).y(), strip) << where;
+                        EXPECT_LE(view.pixelOf(0.0, e.q10[k]).y(),
+                                  image.height()
+                                      - MarkLetters::reserved(view.font(), image.height()))
+                            << where;
                     }
                 }
             }
     applyLook(*qApp);
+    EXPECT_GT(MarkLetters::reserved(view.font(), 480.0), 0.0);
     view.clearEstimate("none");
     for (const auto& shown : letters->shown) EXPECT_FALSE(shown);
 }
