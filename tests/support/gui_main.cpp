@@ -8,7 +8,7 @@ int main(int argc, char** argv)
 {
     // A window that a test has opened for a file is this program again, which must not run the same test again.
     if (argc == 2 && argv[1][0] != '-') return 0;
-    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+    if (qEnvironmentVariable("QT_QPA_PLATFORM", "offscreen") == QLatin1String("offscreen"))
         qputenv("QT_QPA_PLATFORM",
                 "offscreen:configfile=" TERRATACT_SOURCE_DIR "/tests/data/screens/3840x2400.json");
     testing::InitGoogleTest(&argc, argv);
