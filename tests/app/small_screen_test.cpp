@@ -64,6 +64,8 @@ struct SmallScreen : BusConsole {
     {
         window->rail()->choose(0);
         QTest::qWait(60);
+        // What is new in the header may take it to a second line, which the rest makes room for.
+        (void)eventually([&] { return gui::overlaps(*window).empty(); }, 3000);
         lookAtHeader(what + ", terrain");
         const QRect seen = onScreen(*window->verdict()).intersected(screenArea());
         EXPECT_EQ(seen.height(), window->verdict()->height()) << what;
