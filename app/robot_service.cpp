@@ -21,7 +21,7 @@ struct Shown {
 
 std::string words(const Shown& shown, const RobotOnBus& robot, const CanBus& bus)
 {
-    const std::string state = describe(shown.bus, bus.name());
+    std::string state = describe(shown.bus, bus.name());
     const bool works = shown.bus == BusState::Up || shown.bus == BusState::ErrorWarning;
     if (!works) return state;
     return fmt::format("{}, {} (epoch {}){}", describe(shown.activity),
