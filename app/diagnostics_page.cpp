@@ -119,6 +119,7 @@ DiagnosticsSection presentDiagnostics(const ConsoleFacts& facts)
                                                   : words::kNothing)
                   << std::pair(DiagnosticsPage::tr("telemetry"),
                                words::number(facts.telemetryRate, 0) + QStringLiteral(" Hz"));
+    if (!facts.bus.isEmpty()) section.lines << std::pair(DiagnosticsPage::tr("bus"), facts.bus);
     if (facts.waiting)
         section.lines << std::pair(DiagnosticsPage::tr("CAN frames waiting"),
                                    DiagnosticsPage::tr("%1 now, %2 at most")

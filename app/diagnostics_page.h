@@ -44,8 +44,9 @@ struct PanelFacts {
 
 /// What a console works with, and how it fares.
 struct ConsoleFacts {
-    std::optional<double> telemetryAge{};         ///< [s]; empty: none came yet
-    double telemetryRate = 0.0;                   ///< [Hz]
+    std::optional<double> telemetryAge{};  ///< [s]; empty: none came yet
+    double telemetryRate = 0.0;            ///< [Hz]
+    QString bus{};                         ///< what is the matter with it; empty: there is none
     std::optional<CanSource::Waiting> waiting{};  ///< of a bus
     std::optional<PanelFacts> panel{};            ///< empty: there is none
     bool estimating = false;

@@ -75,8 +75,7 @@ void LinkStatus::showLink(const LinkSight& sight, double age)
     case LinkStanding::Up: break;
     case LinkStanding::Silent: return header_.setLink(sentence(link), Tone::Bad, bus);
     case LinkStanding::Ended: return header_.setLink(title, Tone::Doubt, bus);
-    case LinkStanding::Unsteady:
-        return header_.setLink(tr("%1 · gaps: %2").arg(title).arg(link.gaps), Tone::Bad, bus);
+    case LinkStanding::Unsteady: return header_.setLink(title, Tone::Bad, bus);
     case LinkStanding::Lost:
         header_.setLink(link.alive ? tr("back, not steady yet")
                                    : QStringLiteral("%1 · %2").arg(title, words::age(age)),
@@ -96,16 +95,20 @@ void LinkStatus::showBus(double now)
     QStringList parts{isLog    ? tr("log")
                       : isOurs ? tr("bus")
                                : QString::fromStdString(link_->busName())};
+    QStringList brief = parts;
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
-    const QString brief = parts.join(QLatin1Char(' '));
+    if (view.bus != BusState::Up) brief << glance(view.bus);
     parts << loadGlance(load, link_->bitrate());
     const std::uint64_t dropped = view.frames.dropped, errors = view.frames.errorFrames;
     if (dropped > 0) parts << (droppedLately_ ? tr("! %1 dropped") : tr("%1 dropped")).arg(dropped);
+    if (droppedLately_) brief << parts.last();
     if (errors > 0) parts << (erredLately_ ? tr("! %1 errors") : tr("%1 errors")).arg(errors);
+    if (erredLately_) brief << parts.last();
     const Tone tone = toneOf(view.bus);
     const bool isDoubtful = droppedLately_ || erredLately_;
     header_.setBus(parts.join(QLatin1Char(' ')),
-                   tone == Tone::Plain && isDoubtful ? Tone::Doubt : tone, details(view), brief);
+                   tone == Tone::Plain && isDoubtful ? Tone::Doubt : tone, details(view),
+                   brief.join(QLatin1Char(' ')));
 }
 
 void LinkStatus::showRate(double now)

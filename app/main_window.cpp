@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/alarms_page.h"
+#include "app/bus_words.h"
 #include "app/console_keys.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
@@ -514,7 +515,10 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
                        .model = exploration_->estimation().model(),
                        .longest = WatchedApplication::longestEvents()};
     if (latest) facts.telemetryAge = steadyNow() - secondsOf(latest->arrived);
-    if (link_) facts.waiting = link_->waiting();
+    if (link_) {
+        facts.bus = busWords(link_->view().bus, link_->busName());
+        facts.waiting = link_->waiting();
+    }
     if (panel_)
         facts.panel = PanelFacts{.report = panel_->report(),
                                  .answers = panel_->answers(steadyNow()),

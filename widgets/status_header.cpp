@@ -189,12 +189,12 @@ void StatusHeader::setLink(const QString& text, Tone tone, const QString& detail
 void StatusHeader::setBus(const QString& text, Tone tone, const QString& details,
                           const QString& brief)
 {
-    const bool isBad = tone == Tone::Bad;
-    const QString least = !isBad ? QString() : brief.isEmpty() ? text : brief;
+    const QString least = tone == Tone::Plain || brief.isEmpty() ? text : brief;
     setRole(*bus_, tone == Tone::Bad     ? QStringLiteral("alarm")
                    : tone == Tone::Doubt ? QStringLiteral("caution")
                                          : QStringLiteral("quiet"));
-    if (busText_ != text || busBrief_ != least) {
+    if (busText_ != text || busBrief_ != least || busTone_ != tone) {
+        busTone_ = tone;
         busText_ = text;
         busBrief_ = least;
         bus_->setText(text);
@@ -349,15 +349,18 @@ void StatusHeader::fit()
     const QMargins margins = layout()->contentsMargins();
     int room = width() - (lines_ > 1 ? minimumSizeHint().width() : wide);
     const int above = width() - margins.left() - margins.right() - stopWidth() - usualUpper();
-    const int bus = busWidth(busText_) + kBetween;
+    const int bus = busWidth(busText_) + kBetween, brief = busWidth(busBrief_) + kBetween;
     const QString tone = model_->property("tone").toString();
     const bool trouble = tone == QLatin1String("bad");
     const int model = model_->sizeHint().width() + kBetween;
     // A model that is not ready yet matters more than how busy the bus is.
     const int kept = lines_ == 1 && tone == QLatin1String("doubt") ? model : 0;
-    const bool hasRoom = (lines_ > 1 ? above : room - kept) >= bus;
-    const bool isBus = !busText_.isEmpty() && (hasRoom || !busBrief_.isEmpty());
-    showBus(hasRoom || busBrief_.isEmpty() ? busText_ : busBrief_);
+    const int forBus = lines_ > 1 ? above : room - kept;
+    const int spare = usualUpper() - widthOf({source_, link_, robot_});
+    const bool isWanted =
+        busTone_ == Tone::Bad || (busTone_ == Tone::Doubt && forBus + spare >= brief);
+    const bool isBus = !busText_.isEmpty() && (forBus >= std::min(bus, brief) || isWanted);
+    showBus(forBus >= bus ? busText_ : busBrief_);
     bus_->setVisible(isBus);
     if (isBus && lines_ == 1) room -= bus_->minimumWidth() + kBetween;
     model_->setVisible(trouble || room >= model);

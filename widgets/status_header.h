@@ -36,7 +36,8 @@ public:
 
     void setSource(const QString& name);
     void setLink(const QString& text, Tone tone, const QString& details = {});
-    /// The bus: its state and load; empty: the source is none.  brief: what of that must be seen where it is Bad.
+    /// The bus: its state and load; empty: the source is none.  brief: what of that is to be seen where there is no room
+    /// for all: of a doubt where others can spare it, of what is Bad in any case.
     void setBus(const QString& text, Tone tone, const QString& details, const QString& brief = {});
     /// unseen: how many of all nobody has acknowledged.
     void setAlarms(int unseen, int all);
@@ -88,6 +89,7 @@ private:
 
     int lines_ = 0;
     QString busText_, busBrief_;
+    Tone busTone_{};
     StopSight::State stopState_ = StopSight::State::Ready;
     QBoxLayout* first_ = nullptr;
     QBoxLayout* second_ = nullptr;

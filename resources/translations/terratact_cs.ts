@@ -281,10 +281,6 @@
         <translation>chyb %1</translation>
     </message>
     <message>
-        <source>%1 · gaps: %2</source>
-        <translation>%1 · výpadky: %2</translation>
-    </message>
-    <message>
         <source>back, not steady yet</source>
         <translation>zpět, ještě ne stálé</translation>
     </message>
@@ -2560,6 +2556,10 @@ F1</translation>
     <message>
         <source>longest events</source>
         <translation>nejdelší události</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>sběrnice</translation>
     </message>
 </context>
 <context>

@@ -281,10 +281,6 @@
         <translation>%1 Fehler</translation>
     </message>
     <message>
-        <source>%1 · gaps: %2</source>
-        <translation>%1 · Lücken: %2</translation>
-    </message>
-    <message>
         <source>back, not steady yet</source>
         <translation>wieder da, noch nicht stetig</translation>
     </message>
@@ -2560,6 +2556,10 @@ F1</translation>
     <message>
         <source>longest events</source>
         <translation>längste Ereignisse</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>Bus</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 // STOP, what goes wrong, and a console that only follows, as pictures: see screens_test.cpp.
 #include <QPushButton>
+#include <QTimer>
+#include <algorithm>
 
 #include "app/bus_words.h"
 #include "app/link_status.h"
@@ -8,6 +10,7 @@
 #include "app/stop_display.h"
 #include "app/terrain_page.h"
 #include "core/atem/following.h"
+#include "core/wire/can_codec.h"
 #include "tests/app/screens.h"
 #include "tests/support/gui.h"
 #include "widgets/arming_control.h"
@@ -19,6 +22,16 @@
 namespace terratact {
 
 using gui::eventually;
+
+namespace {
+
+bool alarmStands(MainWindow& console, std::string_view id)
+{
+    return std::ranges::any_of(console.alarms().list().alarms(),
+                               [id](const Alarm& alarm) { return alarm.id == id; });
+}
+
+}  // namespace
 
 TEST_F(Screens, stop)
 {
@@ -78,6 +91,66 @@ TEST_F(Screens, trouble)
         picture("not_recorded", {RecordingDisplay::tr("NOT RECORDED: %1"),
                                  words::sentence("the directory cannot be made"),
                                  RecordingDisplay::tr("✕ NOT\nRECORDED")});
+    });
+}
+
+TEST_F(Screens, doubtful_link)
+{
+    inEveryLanguage([&] {
+        open({.linkLostAfter = 0.8});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        robot->stage({.isNumb = true});
+        picture("telemetry_lost", {words::sentence("telemetry lost"),
+                                   LinkStatus::tr("%1 for %2 — %3; no measured value is live%4")});
+        robot->stage({});
+
+        open({.linkLostAfter = 0.3});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        bool isNumb = false;
+        QTimer comesAndGoes;
+        QObject::connect(&comesAndGoes, &QTimer::timeout, [&] {
+            isNumb = !isNumb;
+            robot->stage({.isNumb = isNumb});
+        });
+        comesAndGoes.start(500);
+        picture("telemetry_unsteady",
+                {words::sentence("telemetry unsteady"),
+                 LinkStatus::tr("%1 — gaps: %2, the longest %3; values read -- in each of them")});
+        comesAndGoes.stop();
+
+        open({});
+        press(Qt::Key_1, Qt::ControlModifier);
+        ASSERT_NO_FATAL_FAILURE(arm());
+        QTest::keyPress(&window(), Qt::Key_W);
+        robot->stage({.isDisarmed = true});
+        ASSERT_TRUE(eventually([&] { return !console->exploration().armed(); }));
+        QTest::keyRelease(&window(), Qt::Key_W);
+        const QString disarmed = LinkStatus::tr("disarmed: %1");
+        picture("disarmed_while_driving", {disarmed});
+        press(Qt::Key_F3);
+        picture("disarmed_while_driving_numbers", {disarmed});
+
+        open({});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        press(Qt::Key_F4);
+        bus.put(pack({.kind = FrameKind::ConsoleHeartbeat}));
+        picture("another_console",
+                {ConsoleAlarms::tr("Another console sends commands on this bus: find it and "
+                                   "switch it off")});
+        press(Qt::Key_F2);
+        bus.setState(BusState::ErrorWarning, "can0");
+        picture("bus_warning", {glance(BusState::ErrorWarning)});
+        bus.setState(BusState::ErrorPassive, "can0");
+        picture("bus_passive", {glance(BusState::ErrorPassive)});
+        bus.setState(BusState::Up, "can0");
+        bus.dropNext(40);
+        picture("frames_dropped", {LinkStatus::tr("! %1 dropped")});
+        robot->stage({.isUnfeeling = true});
+        const QString alarm = ConsoleAlarms::tr("Force sensors not usable: %1");
+        ASSERT_TRUE(eventually([&] { return alarmStands(*console, "sensors"); }));
+        picture("force_sensors_unusable", {StatusHeader::tr("alarms: %1")});
+        press(Qt::Key_F4);
+        picture("alarms_of_force_sensors", {alarm});
     });
 }
 

@@ -25,10 +25,11 @@ struct Staging {
     std::optional<Refusal> refuses{};      ///< each command, it says
     std::optional<bool> explores{};        ///< whatever it does
     bool isDisarmed = false;               ///< it says, whatever it is
-    double pitch = 0.0, roll = 0.0;        ///< [rad] added
-    double twist = 0.0;                    ///< [rad] added between its left and right front flipper
-    bool isMute = false;                   ///< nothing of it is heard
-    bool isNumb = false;                   ///< nothing but its status and heartbeat is heard
+    bool isUnfeeling = false;  ///< force elements: left 2 open, left 3 saturated, right 4 short
+    double pitch = 0.0, roll = 0.0;  ///< [rad] added
+    double twist = 0.0;              ///< [rad] added between its left and right front flipper
+    bool isMute = false;             ///< nothing of it is heard
+    bool isNumb = false;             ///< nothing but its status and heartbeat is heard
 };
 
 /// A simulated robot in a thread of its own on the end "robot" of a MemoryBus, which must outlive it, with telemetry as
@@ -127,6 +128,12 @@ private:
             content.values[0] += 0.5 * staging_.twist;
             content.values[1] -= 0.5 * staging_.twist;
         }
+        const auto volts = [&](FrameKind of, std::size_t element, double voltage) {
+            if (staging_.isUnfeeling && content.kind == of) content.values[element] = voltage;
+        };
+        volts(FrameKind::LeftForces1To3, 1, 0.0);
+        volts(FrameKind::LeftForces1To3, 2, 4.85);
+        volts(FrameKind::RightForces4To6, 0, 5.0);
         return pack(content);
     }
     RobotStatus stagedStatus(RobotStatus status)
