@@ -6,6 +6,18 @@ set -eu
 cd "$1"
 rm -f sheet-*.png
 # shellcheck disable=SC2086 # the names are a pattern
-montage -label '%t' -font DejaVu-Sans -pointsize 20 -tile 3x3 -geometry '900x>+10+10' -background '#8899aa' \
-  ${2:-*.png} sheet-%02d.png
+set -- ${2:-*.png}
+sheet=1
+# One sheet at a time: all pictures at once are more than imagemagick takes in.
+while [ $# -gt 0 ]; do
+  nine=
+  while [ $# -gt 0 ] && [ "$(printf '%s' "$nine" | wc -w)" -lt 9 ]; do
+    nine="$nine $1"
+    shift
+  done
+  # shellcheck disable=SC2086 # a list of names
+  montage -label '%t' -font DejaVu-Sans -pointsize 20 -tile 3x3 -geometry '900x>+10+10' -background '#8899aa' \
+    $nine "$(printf 'sheet-%02d.png' "$sheet")"
+  sheet=$((sheet + 1))
+done
 ls "$PWD"/sheet-*.png
