@@ -7,13 +7,26 @@ namespace terratact {
 
 using namespace std::chrono_literals;
 
-Received received(const std::optional<Received>& before, Sample sample, SteadyTime arrived)
+namespace {
+
+double silenceBetween(const Received& before, const Received& now)
 {
-    Received now{.sample = sample, .arrived = arrived, .count = 1};
+    return std::max(secondsOf(now.arrived) - secondsOf(before.arrived),
+                    now.arrivedSleepless - before.arrivedSleepless);
+}
+
+}  // namespace
+
+Received received(const std::optional<Received>& before, Sample sample, const Arrival& arrived)
+{
+    Received now{.sample = sample,
+                 .arrived = arrived.steady,
+                 .arrivedSleepless = arrived.sleepless,
+                 .count = 1};
     if (before) {
         now.count = before->count + 1;
-        const std::chrono::duration<double> silence = arrived - before->arrived;
-        now.unbrokenFrom = silence.count() > kLongestSilence ? now.count : before->unbrokenFrom;
+        const bool isBroken = silenceBetween(*before, now) > kLongestSilence;
+        now.unbrokenFrom = isBroken ? now.count : before->unbrokenFrom;
         now.press = before->press;
     }
     const RobotActivity activity = now.sample.measurement.activity;
@@ -41,7 +54,7 @@ void Acquisition::read(const std::stop_token& stop)
             if (next) {
                 const SteadyTime now = std::chrono::steady_clock::now();
                 const std::scoped_lock lock(mutex_);
-                latest_ = received(latest_, **std::move(next), now);
+                latest_ = received(latest_, **std::move(next), {now, sleeplessNow()});
                 arrivals_.push_back(now);
                 while (now - arrivals_.front() > 1s) arrivals_.pop_front();
                 trouble_.clear();

@@ -21,18 +21,25 @@ struct Press {
     std::uint64_t count = 0;  ///< of that line
 };
 
+/// When a line of telemetry came.
+struct Arrival {
+    SteadyTime steady{};
+    double sleepless = 0.0;  ///< [s], see sleeplessNow()
+};
+
 /// The newest telemetry.
 struct Received {
     Sample sample;
     SteadyTime arrived;
-    std::uint64_t count = 0;  ///< 1 for the first
-    /// Count of the first since the last silence of more than kLongestSilence.
+    double arrivedSleepless = 0.0;  ///< [s], see sleeplessNow()
+    std::uint64_t count = 0;        ///< 1 for the first
+    /// Count of the first since the last silence of more than kLongestSilence; a computer that slept has heard nothing.
     std::uint64_t unbrokenFrom = 1;
     std::optional<Press> press{};  ///< how the present press began; the arm may probe during one
 };
 
 /// The newest telemetry after one more line: no line is missed in press, however seldom somebody looks.
-Received received(const std::optional<Received>& before, Sample sample, SteadyTime arrived);
+Received received(const std::optional<Received>& before, Sample sample, const Arrival& arrived);
 
 /// Reads a source in its own thread into a mailbox that keeps only the newest: whoever draws looks when
 /// it likes and can never be flooded.  The source must outlive it.

@@ -4,6 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <set>
+#include <string>
+#include <tuple>
 
 #include "app/session_commands.h"
 #include "app/session_text.h"
@@ -26,8 +29,9 @@ public:
 
     Status add(SessionReader& session)
     {
-        // Rotated files have their start in common, later ones repeat what rows refer to.
+        // Rotated files have their start in common, later ones repeat what stood when they began.
         session_ = &session;
+        toldBefore_.merge(told_);
         shift_ = session.start().wallTime - wallTime_;
         ids_ = {};
         const SessionVerification found = session.verify();
@@ -49,6 +53,8 @@ private:
         std::size_t modelsRead = 0, scenesRead = 0, estimatesRead = 0, proposalsRead = 0,
                     eventsRead = 0;
     };
+
+    using Told = std::tuple<SessionTime, EventKind, std::string, std::string>;
 
     Status tell(const SessionVerification& found)
     {
@@ -167,6 +173,9 @@ private:
 
     Status take(EventRow row)
     {
+        const Told told{row.time + shift_, row.kind, row.subject, row.text};
+        if (toldBefore_.contains(told)) return Done{};
+        told_.insert(told);
         if (row.estimate != 0)
             if (Status there = requireEstimate(row.estimate); !there) return there;
         if (row.proposal != 0) {
@@ -209,6 +218,7 @@ private:
     SessionTime shift_ = 0;
     Ids ids_;
     std::int64_t lastEvent_ = 0;
+    std::set<Told> told_, toldBefore_;  ///< events of this session, of those before it
     std::vector<ModelRow> models_;
     std::vector<SceneRow> scenes_;
     std::vector<EstimateRow> estimates_;  ///< without their draws

@@ -67,8 +67,10 @@ void Estimation::look(const std::optional<Received>& latest, bool heard)
     if (!latest) return;
     const Measurement& newest = latest->sample.measurement;
     if (pose_) pose_->look(newest, latest->count);
-    if (scene_ && latest->unbrokenFrom > capturedAt_) wasUnheard_ = true;
+    if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))
+        emit unheard();
     if (latest->count == tracked_) return;
+    if (track_ && latest->unbrokenFrom > tracked_) track_->takeSilence();
     tracked_ = latest->count;
     if (track_) track_->take(newest);
 }
@@ -233,6 +235,7 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     advice_ = advice;
     estimateJob_ = job;
     track_.emplace(robot_, estimate, scene_->measurement);
+    if (wasUnheard_) track_->takeSilence();
     emit stands(false);
     tellOf(estimate);
     unadvised_ = true;

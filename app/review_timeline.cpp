@@ -127,6 +127,8 @@ private:
                 alarms_.end(event.subject, at);
             break;
         case EventKind::Decision: mark(ReviewLane::Operator, event, TimelineWeight::Accent); break;
+        case EventKind::Unheard: mark(ReviewLane::Estimates, event, TimelineWeight::Doubt); break;
+        case EventKind::Override:
         case EventKind::Panel:
         case EventKind::Arming: mark(ReviewLane::Operator, event, TimelineWeight::Plain); break;
         case EventKind::Marker: mark(ReviewLane::Markers, event, TimelineWeight::Accent); break;
@@ -205,6 +207,8 @@ QString nameOf(EventKind kind)
     case EventKind::Arming: return ReviewWords::tr("arming");
     case EventKind::Link: return ReviewWords::tr("link");
     case EventKind::Forgotten: return ReviewWords::tr("estimate gone");
+    case EventKind::Unheard: return ReviewWords::tr("not heard");
+    case EventKind::Override: return ReviewWords::tr("override");
     case EventKind::Alarm: return ReviewWords::tr("alarm");
     case EventKind::Panel: return ReviewWords::tr("panel");
     case EventKind::Marker: return ReviewWords::tr("marker");
@@ -222,6 +226,11 @@ QString sentenceOf(const EventRow& event)
         return event.number.value_or(0.0) > 0.0
                  ? ReviewWords::tr("contact closed: %1").arg(words::text(event.subject))
                  : ReviewWords::tr("contact open: %1").arg(words::text(event.subject));
+    if (event.kind == EventKind::Unheard)
+        return ReviewWords::tr("the robot was not heard for a while since the scene");
+    if (event.kind == EventKind::Override)
+        return event.text.empty() ? ReviewWords::tr("nothing is overridden")
+                                  : ReviewWords::tr("overridden: %1").arg(words::text(event.text));
     QStringList parts;
     for (const std::string& part : {event.subject, event.text})
         if (!part.empty()) parts << words::sentence(part);

@@ -296,6 +296,7 @@ void ReviewWindow::showHeader()
                            Tone::Plain, QString::fromStdString(moment_.model->details));
     else
         header()->setModel(tr("no model"), Tone::Doubt);
+    header()->setOverridden(QString::fromStdString(moment_.overridden));
     const auto unseen =
         std::count_if(moment_.alarms.begin(), moment_.alarms.end(),
                       [](const Alarm& alarm) { return alarm.state != AlarmState::Acknowledged; });

@@ -91,7 +91,7 @@ void SessionRecorder::take(std::span<const BusFrame> frames)
     }
 }
 
-void SessionRecorder::keep(Row row, SessionTime time)
+void SessionRecorder::keep(SessionRow row, SessionTime time)
 {
     if (waiting_.rows.size() < options_.mostRows) {
         waiting_.rows.push_back(std::move(row));
@@ -178,8 +178,7 @@ void SessionRecorder::run(const std::stop_token& stop)
         }
         if (!on) {
             if (writer_) seal("recording was switched off");
-            for (const Row& row : batch_.rows) remember(row);
-            batch_ = {};
+            remember();
             const std::scoped_lock lock(mutex_);
             state_.trouble.clear();
             continue;
@@ -193,8 +192,7 @@ void SessionRecorder::run(const std::stop_token& stop)
             close(written.error().text);
             continue;
         }
-        for (const Row& row : batch_.rows) remember(row);
-        batch_ = {};
+        remember();
         measure();
     }
     if (writer_) seal("closed with the console");
@@ -223,7 +221,7 @@ void SessionRecorder::gather()
             ++state_.missing;
         }
     }
-    for (Row& row : fresh.rows) {
+    for (SessionRow& row : fresh.rows) {
         if (batch_.rows.size() < options_.mostRows)
             batch_.rows.push_back(std::move(row));
         else
@@ -277,10 +275,10 @@ Status SessionRecorder::begin()
     return told;
 }
 
-/// What later rows may refer to, in a file that goes on after another.
+/// What stands, in a file that goes on after another.
 Status SessionRecorder::writeContext()
 {
-    for (const Row& row : context_) {
+    for (const SessionRow& row : context_.rows()) {
         try {
             Status added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
             if (!added) return added;
@@ -296,7 +294,7 @@ Status SessionRecorder::write()
     for (const FrameRow& frame : batch_.frames)
         if (Status added = writer_->add(frame); !added) return added;
     Status added = Done{};
-    std::erase_if(batch_.rows, [&](const Row& row) {
+    std::erase_if(batch_.rows, [&](const SessionRow& row) {
         if (!added) return false;
         try {
             added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
@@ -319,19 +317,10 @@ Status SessionRecorder::write()
         .number = static_cast<double>(batch_.missingFrames)});
 }
 
-/// What later rows may refer to: the model in use, and all of the scene that was captured last.
-void SessionRecorder::remember(const Row& row)
+void SessionRecorder::remember()
 {
-    if (std::holds_alternative<EventRow>(row)) return;
-    if (std::holds_alternative<SceneRow>(row)) {
-        const auto newest = std::find_if(context_.rbegin(), context_.rend(), [](const Row& kept) {
-            return std::holds_alternative<ModelRow>(kept);
-        });
-        std::vector<Row> model;
-        if (newest != context_.rend()) model.push_back(*newest);
-        context_ = std::move(model);
-    }
-    context_.push_back(row);
+    for (const SessionRow& row : batch_.rows) context_.take(row);
+    batch_ = {};
 }
 
 void SessionRecorder::close(const std::string& why)

@@ -10,10 +10,9 @@
 #include <span>
 #include <string>
 #include <thread>
-#include <variant>
 #include <vector>
 
-#include "core/log/session_rows.h"
+#include "app/recording_context.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_writer.h"
 #include "drivers/can_bus.h"
@@ -75,17 +74,16 @@ public:
     const std::string& folder() const { return options_.folder; }  ///< of its files
 
 private:
-    using Row = std::variant<ModelRow, SceneRow, EstimateRow, ProposalRow, EventRow>;
     struct Batch {
         std::vector<FrameRow> frames{};
-        std::vector<Row> rows{};
+        std::vector<SessionRow> rows{};
         std::int64_t missingFrames = 0, missingRows = 0;
         SessionTime missingSince = 0;
     };
 
     template <class T>
     std::int64_t number(T row, std::int64_t& last);
-    void keep(Row row, SessionTime time);  ///< with the mutex held
+    void keep(SessionRow row, SessionTime time);  ///< with the mutex held
     void gather();
     void miss(SessionTime since, std::int64_t frames, std::int64_t rows);
     SessionTime now() const;
@@ -94,7 +92,7 @@ private:
     Status begin();
     Status write();
     Status writeContext();
-    void remember(const Row& row);
+    void remember();
     void close(const std::string& why);
     void seal(const std::string& why);
     void measure();
@@ -105,7 +103,7 @@ private:
     // Only the thread touches these.
     std::optional<SessionWriter> writer_;
     Batch batch_;                    ///< not committed yet
-    std::vector<Row> context_;       ///< for the next file, see remember()
+    RecordingContext context_;       ///< for the next file
     std::int64_t framesBefore_ = 0;  ///< in files before this one
     double nextTry_ = 0.0;           ///< [s] steady clock
     double openedAt_ = 0.0;

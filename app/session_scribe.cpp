@@ -62,6 +62,7 @@ void SessionScribe::connectTo(Exploration& exploration)
     connect(estimation, &Estimation::stands, this, &SessionScribe::takeEstimate);
     connect(&exploration, &Exploration::proposed, this, &SessionScribe::takeProposal);
     connect(&exploration, &Exploration::decided, this, &SessionScribe::decision);
+    connect(estimation, &Estimation::unheard, this, [this] { tell(EventKind::Unheard, {}, {}); });
     connect(estimation, &Estimation::forgotten, this, [this](const QString& why) {
         tell(EventKind::Forgotten, {}, why.toStdString());
         estimate_ = proposal_ = 0;
@@ -171,6 +172,9 @@ void SessionScribe::look(const LinkAccount& link, const std::optional<CanView>& 
     if (std::exchange(phase_, state.phase) != state.phase)
         tell(EventKind::Phase, describe(state.phase),
              state.phase == AtemPhase::Failed ? describe(state.failure) : std::string());
+    const std::string overridden = exploration_.overridden().toStdString();
+    if (std::exchange(overridden_, overridden) != overridden)
+        tell(EventKind::Override, {}, overridden);
     lookAtAlarms(alarms);
     if (panel) lookAtPanel(*panel);
 }

@@ -54,6 +54,7 @@ private:
     LinkAccount link_;
     std::string linkTold_;  ///< subject of the last event; empty: there was none
     std::optional<ArmingPhase> arming_;
+    std::string overridden_;
     std::map<std::string, AlarmState> alarms_;
     std::optional<PerContact<bool>> contacts_;
 };

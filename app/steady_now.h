@@ -1,5 +1,7 @@
 #pragma once
 
+#include <time.h>
+
 #include <chrono>
 
 namespace terratact {
@@ -12,6 +14,14 @@ inline double secondsOf(std::chrono::steady_clock::time_point time)
 inline double steadyNow()
 {
     return secondsOf(std::chrono::steady_clock::now());
+}
+
+/// [s] on the clock that goes on while this computer sleeps, which the steady one does not.
+inline double sleeplessNow()
+{
+    timespec now{};
+    ::clock_gettime(CLOCK_BOOTTIME, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace terratact

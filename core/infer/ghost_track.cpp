@@ -84,6 +84,11 @@ void GhostTrack::take(const Measurement& measurement)
     if (const auto why = judge(measurement)) end(*why);
 }
 
+void GhostTrack::takeSilence()
+{
+    if (!why_) end(NoGhost::Unheard);
+}
+
 std::optional<NoGhost> GhostTrack::judge(const Measurement& m) const
 {
     const double turned = turnBetween(scene_.turned.value_or(0.0), m.turned.value_or(0.0));

@@ -52,6 +52,8 @@ public:
 
     /// The next line of telemetry.  Does nothing after the end.
     void take(const Measurement& measurement);
+    /// There was none for too long, by a clock that its lines do not tell of.
+    void takeSilence();
 
     const std::optional<Ghost>& ghost() const { return ghost_; }
     /// Set where ghost() is empty.

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kRoles{"first", "again", "second"};
 constexpr std::array<std::string_view, kEventKinds> kKinds{
-    "word",  "decision", "phase",  "arming", "link",   "forgotten",
-    "alarm", "panel",    "marker", "gap",    "session"};
+    "word",     "decision", "phase", "arming", "link", "forgotten", "unheard",
+    "override", "alarm",    "panel", "marker", "gap",  "session"};
 
 template <class Enum, std::size_t n>
 std::string_view nameOf(const std::array<std::string_view, n>& names, Enum value)

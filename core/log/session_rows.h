@@ -123,13 +123,15 @@ enum class EventKind : std::uint8_t {
     Arming,    ///< subject: phase
     Link,  ///< subject: kLinkUp, kLinkLost, kTelemetryLost; number: of kLinkUp, the longest silence [s]
     Forgotten,  ///< the estimate no longer stands; text: why
+    Unheard,    ///< since the scene there was a silence of more than kLongestSilence
+    Override,   ///< text: what the operator has overridden from now on; empty: nothing
     Alarm,  ///< subject: its identifier; text; number: 0 gone, 1 returned, 2 acknowledged, 3 raised
     Panel,  ///< a contact of the operator's panel; subject: which; number: 1 closed, 0 open
     Marker,  ///< set by the operator; text: a note
     Gap,     ///< frames that are not in the file; number: how many; text: why
     Session  ///< subject: begun, ended, recovered, continued
 };
-inline constexpr int kEventKinds = 11;
+inline constexpr int kEventKinds = 13;
 inline constexpr std::string_view kLinkUp = "up", kLinkLost = "lost",
                                   kTelemetryLost = "telemetry lost";  ///< other frames came
 std::string_view name(EventKind kind);

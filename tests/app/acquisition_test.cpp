@@ -81,5 +81,23 @@ TEST(AcquisitionTest, aPressIsRememberedFromItsFirstLineToItsEnd)
     EXPECT_EQ(began, (std::vector<std::uint64_t>{0, 0, 0, 4, 4, 4, 4, 0, 9, 0, 0}));
 }
 
+TEST(AcquisitionTest, aComputerThatSleptHasHeardNothing)
+{
+    const auto unbrokenFrom = [](double steady, double sleepless) {
+        std::optional<Received> latest;
+        for (int i = 0; i < 3; ++i) {
+            const double late = i == 2 ? 1.0 : 0.0;
+            const std::chrono::duration<double> at(0.05 * i + late * steady);
+            latest = received(latest, {},
+                              {SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(at)),
+                               0.05 * i + late * sleepless});
+        }
+        return latest->unbrokenFrom;
+    };
+    EXPECT_EQ(unbrokenFrom(0.9, 0.9), 1U);
+    EXPECT_EQ(unbrokenFrom(1.1, 1.1), 3U);
+    EXPECT_EQ(unbrokenFrom(0.0, 60.0), 3U);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -15,6 +15,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/session_commands.h"
 #include "app/steady_now.h"
 #include "core/log/session_reader.h"
 #include "tests/support/sessions.h"
@@ -319,6 +320,62 @@ TEST_F(Recorder, knowsInEveryFileWhatWasSaidWhileItWasOffOrBefore)
     }
     EXPECT_TRUE(hasEvent(*SessionReader::open(files[0]), EventKind::Decision, "approve"));
     EXPECT_TRUE(hasEvent(*SessionReader::open(files[1]), EventKind::Decision, "stop"));
+}
+
+TEST_F(Recorder, everyFileSaysWhatStoodWhenItBegan)
+{
+    {
+        SessionRecorder recorder(options);
+        recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        recorder.record(someScene(1, 0));
+        recorder.record(someEstimate(1, 0));
+        const auto tell = [&](EventKind kind, const char* subject, const char* text,
+                              std::optional<double> number = {}) {
+            recorder.record(EventRow{
+                .kind = kind, .subject = subject, .text = text, .number = number, .estimate = 1});
+        };
+        tell(EventKind::Phase, "pressing", "");
+        tell(EventKind::Phase, "ready", "");
+        tell(EventKind::Link, "up", "");
+        tell(EventKind::Unheard, "", "");
+        tell(EventKind::Override, "", "roll 9");
+        tell(EventKind::Forgotten, "", "the robot has moved");
+        tell(EventKind::Alarm, "load", "too much", 3.0);
+        tell(EventKind::Alarm, "link", "gone", 3.0);
+        tell(EventKind::Alarm, "link", "", 0.0);
+        tell(EventKind::Word, "note", "said once");
+        ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+        recorder.setOn(false);
+        ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
+        recorder.setOn(true);
+        ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+    }
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 2U);
+    const auto next = SessionReader::open(files[1]);
+    ASSERT_TRUE(next) << next.error().text;
+    std::vector<std::string> told;
+    for (const EventRow& event : next->events())
+        told.push_back(std::string(name(event.kind)) + ' ' + event.subject + ' ' + event.text);
+    std::sort(told.begin(), told.end());
+    const std::string after = "session continued after " + files[0];
+    EXPECT_EQ(told,
+              (std::vector<std::string>{"alarm load too much", "forgotten  the robot has moved",
+                                        "link up ", "override  roll 9", "phase ready ", after,
+                                        "session ended closed with the console", "unheard  "}));
+    EXPECT_NE(next->estimate(1), nullptr);
+
+    const std::string merged = folder + "/both.tts";
+    ASSERT_TRUE(mergeSessions({.files = files, .out = merged}));
+    const auto whole = SessionReader::open(merged);
+    ASSERT_TRUE(whole) << whole.error().text;
+    const auto& events = whole->events();
+    EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                            [](const EventRow& e) { return e.kind == EventKind::Override; }),
+              1);
+    EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                            [](const EventRow& e) { return e.kind == EventKind::Phase; }),
+              2);
 }
 
 TEST_F(Recorder, leavesNoFileOfAConsoleThatDidNotComeToBe)

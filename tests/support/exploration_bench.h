@@ -81,8 +81,9 @@ struct Bench : testing::Test {
     {
         now += 0.04;
         latest = received(latest, {.measurement = telemetry, .truth = std::nullopt},
-                          SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
-                              std::chrono::duration<double>(now))));
+                          {SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
+                               std::chrono::duration<double>(now))),
+                           now});
     }
     EstimateRequest lastAsked() const
     {

@@ -143,35 +143,30 @@ TEST_F(Review, tellsWhetherTheRobotWasHeardAllAlongSinceTheScene)
     auto writer = robotSession(path, 3.3);
     ASSERT_TRUE(writer) << writer.error().text;
     std::int64_t id = 100;
-    const auto link = [&](const char* what, double at) {
-        ASSERT_TRUE(writer->add(EventRow{
-            .id = ++id, .time = sessionTimeOf(at), .kind = EventKind::Link, .subject = what}));
-    };
-    link("lost", 1.7);  // after 0.25 s of silence
-    link("up", 2.15);
-    link("lost", 2.3);
-    link("up", 3.15);
+    for (const double when : {At::kScene - 0.1, 3.15})  // the first: of the scene before
+        ASSERT_TRUE(writer->add(
+            EventRow{.id = ++id, .time = sessionTimeOf(when), .kind = EventKind::Unheard}));
     ASSERT_TRUE(writer->seal());
-    EXPECT_TRUE(at(2.2).unbroken) << "0.7 s are short";
-    EXPECT_TRUE(at(3.1).unbroken) << "it has not ended";
-    EXPECT_FALSE(at(3.2).unbroken) << "1.1 s";
+    ASSERT_TRUE(at(3.1).scene);
+    EXPECT_TRUE(at(3.1).unbroken);
+    EXPECT_FALSE(at(3.2).unbroken);
 }
 
-TEST_F(Review, aSceneOfTheLineThatEndedASilenceIsAsGoodAsAnyOther)
+TEST_F(Review, showsWhatWasOverridden)
 {
-    auto writer = robotSession(path, 3.3);
+    auto writer = robotSession(path, 3.0);
     ASSERT_TRUE(writer) << writer.error().text;
-    // The link is told to be up once the scene is captured.
-    for (const auto& [id, what, when] :
-         {std::tuple(100, "lost", At::kScene - 1.1), std::tuple(101, "up", At::kScene + 0.01)})
+    std::int64_t id = 100;
+    for (const auto& [when, text] : {std::pair(1.0, "roll 9°"), std::pair(2.0, "")})
         ASSERT_TRUE(writer->add(EventRow{
-            .id = id, .time = sessionTimeOf(when), .kind = EventKind::Link, .subject = what}));
+            .id = ++id, .time = sessionTimeOf(when), .kind = EventKind::Override, .text = text}));
     ASSERT_TRUE(writer->seal());
-    ASSERT_TRUE(at(3.2).scene);
-    EXPECT_TRUE(at(3.2).unbroken);
+    EXPECT_EQ(at(0.9).overridden, "");
+    EXPECT_EQ(at(1.9).overridden, "roll 9°");
+    EXPECT_EQ(at(2.1).overridden, "");
 }
 
-TEST_F(Review, readsHowLongASilenceWasWhereTheLinkWasToldToBeUpOnlyOnceItWasSteady)
+TEST_F(Review, theLinkIsUpWhereItsFramesAreThoughThatIsToldOnceItIsSteady)
 {
     auto writer = robotSession(path, 4.0);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -186,15 +181,10 @@ TEST_F(Review, readsHowLongASilenceWasWhereTheLinkWasToldToBeUpOnlyOnceItWasStea
     link(kTelemetryLost, 1.7);
     link(kLinkLost, 1.75);
     link(kLinkUp, 2.9, 0.3);
-    link(kLinkLost, 3.0);
-    link(kLinkUp, 3.15, 1.2);
     ASSERT_TRUE(writer->seal());
     EXPECT_TRUE(at(1.72).telemetryAlone);
     EXPECT_FALSE(at(1.8).telemetryAlone);
     EXPECT_TRUE(at(2.5).linkAlive) << "its frames are there";
-    EXPECT_TRUE(at(2.95).unbroken) << "0.3 s are short";
-    EXPECT_FALSE(at(3.2).unbroken) << "1.2 s";
-    EXPECT_FALSE(at(3.1).unbroken) << "and known as soon as frames came again";
 }
 
 TEST_F(Review, showsNoFrameOfADamagedSpanAndSaysSo)
