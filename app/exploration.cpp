@@ -91,7 +91,7 @@ QString Exploration::wordsOf(NoProbe why) const
 
 void Exploration::request()
 {
-    if (following()) return;
+    if (following() || armIsOut()) return;
     emit decided("explore", {});
     pending_.requested = true;
     driving_ = false;  // the halt comes from the exploration
@@ -415,7 +415,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Stopped:
         estimation_.cancel();
         emit happened(tr("STOP"), Weight::Bad);
-        if (!estimation_.estimate()) forget(tr("No estimate: the robot was stopped"));
+        if (!estimation_.estimate()) forget(tr("No estimate: STOP was pressed"));
         break;
     case AtemPhase::Failed: fail(); break;
     }
@@ -510,7 +510,15 @@ QList<Precondition> Exploration::toDrive() const
         Preconditions::notExploring(exploring(state_.phase)),
         Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
+    if (armIsOut()) list << Preconditions::armIsOut();
     return list;
+}
+
+/// Though this console knows of no probe, or gave it up.
+bool Exploration::armIsOut() const
+{
+    return linkAlive_ && !exploring(state_.phase)
+        && latest_->sample.measurement.activity == RobotActivity::Probing;
 }
 
 QList<Precondition> Exploration::toProbe() const
@@ -564,6 +572,7 @@ QList<Precondition> Exploration::preconditions() const
         Preconditions::stop(state_.phase == AtemPhase::Stopped, releasing_, linkAlive_),
     };
     if (link_) list << Preconditions::arming(whyNotArmed());
+    if (armIsOut()) list << Preconditions::armIsOut();
     list << Preconditions::model(estimation_.model());
     if (linkAlive_)
         list << ground_.judge(latest_->sample.measurement, options_.settings);

@@ -136,6 +136,7 @@ private:
     void command(const Command& command);
     bool answered() const;  ///< the newest telemetry was measured after the last command
     void endOverrides();
+    bool armIsOut() const;
     void forget(const QString& why);  ///< the estimate and what is proposed on it
     QString whyNotArmed() const;      ///< of a link; empty: it is
 

@@ -65,10 +65,11 @@ void LinkStatus::showLink(const LinkSight& sight, double age)
 {
     const LinkAccount& link = sight.link;
     if (link.standing == LinkStanding::Up) {
+        if (upSince_ == 0.0) upSince_ = sight.now;
         if (sight.now - rateShownAt_ >= kRateEvery) showRate(sight.now);
         return;
     }
-    rateShownAt_ = worstAge_ = 0.0;
+    rateShownAt_ = worstAge_ = upSince_ = 0.0;
     const QString title = capitals(link);
     const QString bus = link_ ? details(link_->view()) : QString();
     switch (link.standing) {
@@ -85,9 +86,11 @@ void LinkStatus::showLink(const LinkSight& sight, double age)
 
 void LinkStatus::showBus(double now)
 {
-    if (!link_ || now - busShownAt_ < kRateEvery) return;
-    busShownAt_ = now;
+    if (!link_) return;
     const CanView view = link_->view();
+    if (now - busShownAt_ < kRateEvery && view.bus == busShown_) return;
+    busShownAt_ = now;
+    busShown_ = view.bus;
     const BusLoad load = link_->tap().load();
     // Of a log the state says only whether it goes on.
     const bool isLog = link_->mode() == CanSource::Mode::Replay;
@@ -115,8 +118,11 @@ void LinkStatus::showRate(double now)
 {
     const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
     const std::uint64_t dropped = view ? view->frames.dropped : 0;
-    QString text =
-        tr("link %1 Hz · ≤ %2").arg(words::number(acquisition_.rate(), 0), words::age(worstAge_));
+    // The rate is that of the last second.
+    QString text = now - upSince_ < 1.0
+                     ? tr("link · ≤ %1").arg(words::age(worstAge_))
+                     : tr("link %1 Hz · ≤ %2")
+                           .arg(words::number(acquisition_.rate(), 0), words::age(worstAge_));
     if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
     const bool isGood =
         worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && !droppedLately_;
@@ -143,7 +149,8 @@ QString LinkStatus::bannerText(const LinkSight& sight, double age) const
         return tr("%1 — gaps: %2, the longest %3; values read -- in each of them")
             .arg(title, QString::number(link.gaps), words::age(link.longest));
     if (link.alive)
-        return tr("BACK after %1 — what is shown is live").arg(words::age(link.longest));
+        return tr("BACK after %1 — measured values are live, the terrain is as it was felt before")
+            .arg(words::age(link.longest));
     const QString trouble = troubleWords(link_, acquisition_.trouble());
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
     return link.alone

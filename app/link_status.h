@@ -62,7 +62,9 @@ private:
     bool droppedLately_ = false, erredLately_ = false;
     double rateShownAt_ = 0.0;  ///< [s]; 0: the link was not up since
     double busShownAt_ = 0.0;   ///< [s]
-    double worstAge_ = 0.0;     ///< [s] of telemetry, since then
+    BusState busShown_ = BusState::Up;
+    double upSince_ = 0.0;   ///< [s] the link; 0: it is not
+    double worstAge_ = 0.0;  ///< [s] of telemetry, since then
 };
 
 }  // namespace terratact

@@ -421,6 +421,7 @@ void MainWindow::redraw(double now)
     showTerrain(now);
     using Terrain = ProbeNotice::Terrain;
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
+                       probeCard()->isVoid(),
                        !terrainPage_->isVisible() ? Terrain::Elsewhere
                        : probeCard()->isCovered() ? Terrain::Covered
                                                   : Terrain::Seen);

@@ -70,6 +70,11 @@ Precondition Preconditions::stands(bool asThen)
                   : missing(tr("scene, settings or model have changed since the question"));
 }
 
+Precondition Preconditions::armIsOut()
+{
+    return missing(tr("the arm is still out: wait until it is back, or press STOP"));
+}
+
 Precondition Preconditions::wasUnheard()
 {
     return missing(tr("the link was lost, the robot may have moved: explore again"));

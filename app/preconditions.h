@@ -32,6 +32,7 @@ public:
     static Precondition noProbeProposed();
     static Precondition notExploring(bool explores);
     static Precondition stands(bool asThen);  ///< what was shown with a proposal
+    static Precondition armIsOut();           ///< the robot says that it probes
     static Precondition wasUnheard();         ///< the robot, since then
     static Precondition stopConfirmed(bool confirmed, bool heard);
     static QList<Precondition> toArm(const CanView& view);

@@ -44,10 +44,10 @@ ProbeNotice::ProbeNotice(NavigationRail& rail, QLabel& banner) : rail_(rail), ba
 }
 
 void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& time,
-                       const std::optional<ProbeProposal>& proposal, Terrain terrain)
+                       const std::optional<ProbeProposal>& proposal, bool isVoid, Terrain terrain)
 {
     const bool seen = terrain == Terrain::Seen, covered = terrain == Terrain::Covered;
-    const bool asks = proposal && state.phase == AtemPhase::ProposingProbe;
+    const bool asks = proposal && !isVoid && state.phase == AtemPhase::ProposingProbe;
     const bool expired = state.phase == AtemPhase::Presenting && state.approvalExpired;
     toldExpiry_ = expired && (toldExpiry_ || seen);
     const QString left = words::countdown(time ? time->seconds : 0.0);

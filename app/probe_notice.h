@@ -26,9 +26,10 @@ public:
         Covered,    ///< likewise, but for another window that covers the card of the probe
         Elsewhere,  ///< he looks at another page
     };
-    /// To be called whenever the window is drawn.  proposal: where there is one, asked or not.
+    /// To be called whenever the window is drawn.  proposal: where there is one, asked or not.  isVoid: it cannot be
+    /// approved any more, so nobody is called to it.
     void show(const AtemState& state, const std::optional<PhaseTime>& time,
-              const std::optional<ProbeProposal>& proposal, Terrain terrain);
+              const std::optional<ProbeProposal>& proposal, bool isVoid, Terrain terrain);
 
 private:
     NavigationRail& rail_;

@@ -30,28 +30,12 @@ QString followedProbe(const AtemState& state)
     return TerrainPage::tr("Following: probes are approved where the robot is commanded.");
 }
 
-QString whyNoProbe(const TerrainSight& sight)
-{
-    const AtemState& state = sight.state;
-    if (state.followed) return followedProbe(state);
-    if (state.phase == AtemPhase::Presenting) {
-        if (state.probed)
-            return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
-        if (state.approvalExpired)
-            return TerrainPage::tr("The proposal was not answered in time, which means no.");
-        if (!sight.whyNotOffered.isEmpty()) return sight.whyNotOffered;
-        if (sight.estimate && !sight.proposal)
-            return TerrainPage::tr("No probe: the estimate stands without the arm.");
-    }
-    return TerrainPage::tr(
-        "No probe is proposed. After an exploration the arm is offered where the "
-        "terrain stays uncertain.");
-}
-
 /// What the estimate that stands says of a probe is told where nobody is asked and nothing is under way.
 bool tellsWorth(const TerrainSight& sight)
 {
     if (!sight.estimate || sight.live || !sight.bestProbe) return false;
+    if (sight.verdict && !sight.verdict->doubts.empty())
+        return false;  // it does not count any more
     switch (sight.state.phase) {
     case AtemPhase::Presenting:
     case AtemPhase::Stopped:
@@ -65,6 +49,25 @@ bool tellsWorth(const TerrainSight& sight)
     case AtemPhase::EstimatingAgain: return false;
     }
     return false;
+}
+
+QString whyNoProbe(const TerrainSight& sight)
+{
+    const AtemState& state = sight.state;
+    if (state.followed) return followedProbe(state);
+    if (state.phase == AtemPhase::Presenting) {
+        if (state.probed)
+            return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
+        if (state.approvalExpired)
+            return TerrainPage::tr("The proposal was not answered in time, which means no.");
+        if (!sight.whyNotOffered.isEmpty()) return sight.whyNotOffered;
+        if (sight.estimate && !sight.proposal)
+            return TerrainPage::tr("No probe: the estimate stands without the arm.");
+    }
+    if (tellsWorth(sight)) return TerrainPage::tr("Nobody asks for the arm. What it would buy:");
+    return TerrainPage::tr(
+        "No probe is proposed. After an exploration the arm is offered where the "
+        "terrain stays uncertain.");
 }
 
 /// The robot says of its arm where it touched last at this pose, and nothing of where it is.
@@ -393,7 +396,7 @@ void TerrainPage::showProbe(const TerrainSight& sight)
     drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
     // In large letters the question needs the room; the robot stands still while it is asked.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
-    terrain_->setArmTip(armTipOf(sight, asking));
+    terrain_->setArmTip(armTipOf(sight, asking && firstMissing(sight.probing).isEmpty()));
     if (asking) {
         ProbeProposal proposal = *sight.proposal;
         if (sight.verdict && proposal.stepLimit == verdict_->limit())

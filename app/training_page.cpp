@@ -126,7 +126,7 @@ TrainingPage::TrainingPage(const Exploration& exploration, Options options, QWid
     connect(start_, &QPushButton::clicked, this, &TrainingPage::start);
     connect(cancel_, &QPushButton::clicked, &trainer_, &ModelTrainer::cancel);
     connect(compare_, &QPushButton::clicked, this, &TrainingPage::compare);
-    connect(adopt_, &QPushButton::clicked, this, &TrainingPage::adopt);
+    connect(adopt_, &HoldToConfirmButton::confirmed, this, &TrainingPage::adopt);
     connect(discard_, &HoldToConfirmButton::confirmed, this, &TrainingPage::discard);
     for (QLineEdit* field : {scenes_, name_, test_})
         connect(field, &QLineEdit::textChanged, this, &TrainingPage::showButtons);
@@ -259,8 +259,9 @@ QWidget* TrainingPage::compareCard()
     setTone(*caution_, Tone::Doubt);
     reason_ = makeSentence(tr("Why not"), card);
     setTone(*reason_, Tone::Muted);
-    adopt_ = makeButton(tr("Adopt"), {}, card);
-    adopt_->setProperty("role", "primary");
+    adopt_ = new HoldToConfirmButton(tr("Adopt (hold)"), &Theme::decide, card);
+    adopt_->setAccessibleName(tr("Use the new model from now on"));
+    adopt_->setFocusPolicy(Qt::TabFocus);
     discard_ = new HoldToConfirmButton(tr("Discard (hold)"), &Theme::caution, card);
     discard_->setAccessibleName(tr("Discard the new model"));
     discard_->setFocusPolicy(Qt::TabFocus);

@@ -47,7 +47,7 @@ public:
     QPushButton* startButton() const { return start_; }
     QPushButton* cancelButton() const { return cancel_; }
     QPushButton* compareButton() const { return compare_; }
-    QPushButton* adoptButton() const { return adopt_; }
+    HoldToConfirmButton* adoptButton() const { return adopt_; }
     HoldToConfirmButton* discardButton() const { return discard_; }
     QProgressBar* bar() const { return bar_; }
     QLabel* status() const { return status_; }
@@ -106,8 +106,8 @@ private:
     QLineEdit *scenes_ = nullptr, *name_ = nullptr, *test_ = nullptr;
     QSpinBox* seed_ = nullptr;
     QPushButton *chooseScenes_ = nullptr, *chooseTest_ = nullptr, *start_ = nullptr,
-                *cancel_ = nullptr, *compare_ = nullptr, *adopt_ = nullptr;
-    HoldToConfirmButton* discard_ = nullptr;
+                *cancel_ = nullptr, *compare_ = nullptr;
+    HoldToConfirmButton *adopt_ = nullptr, *discard_ = nullptr;
     QProgressBar* bar_ = nullptr;
     QLabel *status_ = nullptr, *newModel_ = nullptr, *verdict_ = nullptr, *caution_ = nullptr,
            *reason_ = nullptr;

@@ -393,7 +393,7 @@ void AtemPanel::showButtons()
     request_->setToolTip(tip + QLatin1Char('\n') + linesOf(needs));
     const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
     abort_->setEnabled(busy || ended);
-    abort_->setText(clears ? tr("Clear (Esc)") : tr("Abort (Esc)"));
+    abort_->setText(clears ? tr("Forget (Esc)") : tr("Abort (Esc)"));
     abort_->setToolTip(!abort_->isEnabled() ? tr("No exploration is running")
                        : clears             ? tr("Takes the result off the screen")
                                             : tr("Halts the robot and ends the exploration"));

@@ -58,6 +58,7 @@ QPushButton[role="primary"]:disabled { background: @offArea; color: @offText; bo
 QPushButton[role^="stop"] { background: @stopArea; color: @stopText; border: 2px solid @stopBorder; border-radius: 6px;
                             font-size: @20px; font-weight: bold; min-width: 184px; min-height: @36px; padding: 0 16px; }
 QPushButton[role="stop"]:hover { background: @stopHover; }
+QPushButton[role="stopNotSent"] { background: @stopArea; color: @stopText; border: 4px dashed @source; }
 QPushButton[role="stopSent"] { background: @cautionArea; color: @cautionText; border: 2px solid @source; }
 QPushButton[role="stopped"] { background: @stoppedArea; color: @stoppedText; border: 2px dashed @stopBorder; }
 QPushButton[role^="stop"]:pressed { background: @stopDown; color: @stopText; }
@@ -71,6 +72,7 @@ QLabel#verdictBadge[outlook="blocked"] { background: @blockedArea; color: @block
 QLabel#verdictBadge[outlook="open"] { background: @openArea; color: @openText; }
 QLabel#verdictBadge[outlook="none"] { background: @offArea; color: @offText; }
 QLabel#verdictQuestion { font-size: @16px; font-weight: bold; }
+QLabel#verdictQuestion[tone="muted"] { font-weight: normal; }
 QPushButton[role="compact"] { padding: 3px 3px; font-size: @13px; }
 QPushButton[role="flat"] { background: transparent; color: @muted; border-color: transparent; padding: 3px 4px; font-size: @13px; }
 QPushButton[role="flat"]::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; }

@@ -74,7 +74,8 @@ public:
     int leastHeight() const;  ///< [px] of a question, asked or not
     int givenHeight() const;  ///< [px] more, and all its lines are seen
 
-    bool asks() const;   ///< a proposal is on the card
+    bool asks() const;                                             ///< a proposal is on the card
+    bool isVoid() const { return asks() && !whyVoid_.isEmpty(); }  ///< and cannot be approved
     bool tells() const;  ///< what a probe would buy, without asking for it
     /// The proposal that the operator has before him, by its id: the card is seen and was painted with it.
     std::optional<quint64> shown() const;
@@ -104,7 +105,6 @@ private:
     QString questionText() const;
     void showAnswer();
     void showApproval();
-    bool isVoid() const { return asks() && !whyVoid_.isEmpty(); }
     void showOthers();
     void showRanking();
     void showPage(int page);

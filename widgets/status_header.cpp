@@ -87,8 +87,8 @@ QString stopRole(StopSight::State state)
     switch (state) {
     case StopSight::State::Ready:
     case StopSight::State::Elsewhere: return QStringLiteral("stop");
-    case StopSight::State::Sent:
-    case StopSight::State::NotSent: return QStringLiteral("stopSent");
+    case StopSight::State::Sent: return QStringLiteral("stopSent");
+    case StopSight::State::NotSent: return QStringLiteral("stopNotSent");
     case StopSight::State::Confirmed: return QStringLiteral("stopped");
     case StopSight::State::NoEffect: return QStringLiteral("stopNone");
     }

@@ -271,10 +271,11 @@ void TerrainProfileView::resizeEvent(QResizeEvent* event)
 
 void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QString& why)
 {
-    const QString note = ghost ? tr("ghost of the last estimate · %1 m driven · ± %2 cm")
-                                     .arg(words::number(ghost->motion.way, 2),
-                                          words::number(100.0 * meanSd(*ghost), 0))
-                               : why;
+    const QString note = ghost
+                           ? tr("ghost of the last estimate · %1 m driven since · heights ± %2 cm")
+                                 .arg(words::number(ghost->motion.way, 2),
+                                      words::number(100.0 * meanSd(*ghost), 0))
+                           : why;
     if (ghost == ghost_->ghost && note == ghostNote_->text().text()) return;
     ghost_->ghost = ghost;
     setInLegend(*ghost_, ghost.has_value());

@@ -29,6 +29,14 @@ QString likeliestText(const Verdict& verdict)
              words::number(verdict.likeliestP, 2));
 }
 
+QString unfeltText(const std::vector<int>& bins)
+{
+    if (bins.empty()) return {};
+    const QString first = words::binName(bins.front());
+    return bins.size() == 1 ? first
+                            : VerdictStrip::tr("%1 to %2").arg(first, words::binName(bins.back()));
+}
+
 /// One of several reasons, which share two lines.
 QString briefly(Doubt doubt)
 {
@@ -74,6 +82,11 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     question_ = new QLabel(this);
     question_->setObjectName(QStringLiteral("verdictQuestion"));
     question_->setWordWrap(true);
+    question_->setToolTip(
+        tr("A step: two neighbouring bins, 0.1 m apart, that differ in height by more than the "
+           "limit, "
+           "anywhere from %1 to %2 m ahead of the IMU")
+            .arg(words::number(binBegin(kFirstAhead), 2), words::number(binEnd(kBins - 1), 2)));
     question_->setAccessibleName(tr("Probability of a step ahead"));
     reason_ = new QLabel(this);
     reason_->setAccessibleName(tr("Why"));
@@ -169,8 +182,10 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
 {
     switch (verdict.outlook) {
     case Outlook::Clear:
-        return tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
-            .arg(words::percent(kClearBelow));
+        return (verdict.unfelt.empty()
+                    ? tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
+                    : tr("up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2"))
+            .arg(words::percent(kClearBelow), unfeltText(verdict.unfelt));
     case Outlook::Blocked: return likeliestText(verdict);
     case Outlook::CannotTell: break;
     }
@@ -182,20 +197,27 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
 
 void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
 {
-    question_->setText(probabilityOf(verdict, limit_));
+    const bool isWithheld = !verdict.doubts.empty();
+    const QString probability = probabilityOf(verdict, limit_);
+    // What is withheld must not be the first thing that is read.
+    question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
+    setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
+    setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);
     QString why = whyOf(verdict);
-    if (!probe.isEmpty()) why += QStringLiteral(" — ") + probe;
+    if (!probe.isEmpty() && !isWithheld) why += QStringLiteral(" — ") + probe;
     reason_->setText(why);
     QStringList tip{why};
     for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
     reason_->setToolTip(tip.join(QLatin1Char('\n')));
-    say(answerOf(verdict), outlookOf(verdict), !verdict.doubts.empty());
+    say(answerOf(verdict), outlookOf(verdict), isWithheld);
 }
 
 void VerdictStrip::setNothing(const QString& why)
 {
     question_->setText(
         tr("Is there a step of more than %1 m ahead?").arg(words::number(limit_, 2)));
+    setTone(*question_, Tone::Strong);
+    setTone(*reason_, Tone::Muted);
     reason_->setText(why);
     reason_->setToolTip(QString());
     say(tr("NO VERDICT"), QStringLiteral("none"), false);

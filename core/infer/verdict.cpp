@@ -54,6 +54,8 @@ Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, con
     Verdict verdict;
     verdict.likeliest = kFirstAhead;
     verdict.doubts = doubtsOf(estimate, scene, since);
+    for (int bin = kFirstAhead; bin < kBins; ++bin)
+        if (estimate.priorOnly(bin)) verdict.unfelt.push_back(bin);
     if (estimate.draws.empty()) {
         verdict.step = {0.0, 1.0};
         return verdict;

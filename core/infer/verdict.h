@@ -34,6 +34,7 @@ struct Verdict {
     StepProbability step;  ///< of some step ahead; {0, 1} where there are no draws
     int likeliest = 0;  ///< rear bin of the pair of neighbours ahead that likeliest differs so much
     double likeliestP = 0.0;    ///< and its probability
+    std::vector<int> unfelt{};  ///< bins ahead of which the training set alone speaks
     std::vector<Doubt> doubts;  ///< not empty: withheld, and outlook is CannotTell
     bool operator==(const Verdict&) const = default;
 };

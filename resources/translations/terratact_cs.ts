@@ -289,10 +289,6 @@
         <translation>%1 — výpadky: %2, nejdelší %3; v každém z nich je místo hodnot --</translation>
     </message>
     <message>
-        <source>BACK after %1 — what is shown is live</source>
-        <translation>ZPĚT po %1 — co je vidět, je živé</translation>
-    </message>
-    <message>
         <source>%1 for %2 — %3; no measured value is live%4</source>
         <translation>%1 už %2 — %3; žádná naměřená hodnota není živá%4</translation>
     </message>
@@ -307,6 +303,14 @@
     <message>
         <source>disarmed: %1</source>
         <translation>už není aktivní: %1</translation>
+    </message>
+    <message>
+        <source>link · ≤ %1</source>
+        <translation>spoj · ≤ %1</translation>
+    </message>
+    <message>
+        <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
+        <translation>ZPĚT po %1 — měřené hodnoty jsou živé, terén je z doby předtím</translation>
     </message>
 </context>
 <context>
@@ -483,6 +487,10 @@
     <message>
         <source>the link was lost, the robot may have moved: explore again</source>
         <translation>spojení bylo ztraceno, robot se mohl pohnout: prozkoumejte znovu</translation>
+    </message>
+    <message>
+        <source>the arm is still out: wait until it is back, or press STOP</source>
+        <translation>rameno je ještě venku: počkejte na jeho návrat, nebo stiskněte STOP</translation>
     </message>
 </context>
 <context>
@@ -830,6 +838,26 @@ značka K</translation>
     <message>
         <source>contact open: %1</source>
         <translation>kontakt rozepnut: %1</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>nebyl slyšet</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>přebití</translation>
+    </message>
+    <message>
+        <source>the robot was not heard for a while since the scene</source>
+        <translation>robota nebylo po scéně chvíli slyšet</translation>
+    </message>
+    <message>
+        <source>nothing is overridden</source>
+        <translation>nic není přebito</translation>
+    </message>
+    <message>
+        <source>overridden: %1</source>
+        <translation>přebito: %1</translation>
     </message>
 </context>
 <context>
@@ -2108,10 +2136,6 @@ Poslední deaktivace: %1</translation>
         <translation>Zastaví robota, přitlačí přední flippery a odhadne terén</translation>
     </message>
     <message>
-        <source>Clear (Esc)</source>
-        <translation>Smazat (Esc)</translation>
-    </message>
-    <message>
         <source>Halts the robot and ends the exploration</source>
         <translation>Zastaví robota a ukončí průzkum</translation>
     </message>
@@ -2206,6 +2230,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Exploration</source>
         <translation>Průzkum</translation>
+    </message>
+    <message>
+        <source>Forget (Esc)</source>
+        <translation>Zapomenout (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2833,16 +2861,16 @@ F1</translation>
         <translation>Nenabízí se podle nastavení: žádný bod v dosahu o schodu nic neřekne</translation>
     </message>
     <message>
-        <source>No estimate: the robot was stopped</source>
-        <translation>Bez odhadu: robot byl zastaven</translation>
-    </message>
-    <message>
         <source>Not offered when the estimate came: explore again to be asked</source>
         <translation>Nenabídnuto, když odhad přišel: k dotazu prozkoumejte znovu</translation>
     </message>
     <message>
         <source>No estimate yet: no telemetry from the robot</source>
         <translation>Zatím bez odhadu: od robota nejde telemetrie</translation>
+    </message>
+    <message>
+        <source>No estimate: STOP was pressed</source>
+        <translation>Bez odhadu: byl stisknut STOP</translation>
     </message>
 </context>
 <context>
@@ -5219,6 +5247,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>the forces are %1 old</source>
         <translation>síly jsou staré %1</translation>
     </message>
+    <message>
+        <source>Nobody asks for the arm. What it would buy:</source>
+        <translation>O rameno nikdo nežádá. Co by přineslo:</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -5303,10 +5335,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>stín</translation>
     </message>
     <message>
-        <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
-        <translation>stín posledního odhadu · ujeto %1 m · ± %2 cm</translation>
-    </message>
-    <message>
         <source>as of %1 ago</source>
         <translation>stav před %1</translation>
     </message>
@@ -5333,6 +5361,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>from: %1 (%2)</source>
         <translation>z: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>ghost of the last estimate · %1 m driven since · heights ± %2 cm</source>
+        <translation>stín posledního odhadu · od té doby ujeto %1 m · výšky ± %2 cm</translation>
     </message>
 </context>
 <context>
@@ -5573,10 +5605,6 @@ vpředu</translation>
         <translation>Proč ne</translation>
     </message>
     <message>
-        <source>Adopt</source>
-        <translation>Převzít</translation>
-    </message>
-    <message>
         <source>Use the new model from now on</source>
         <translation>Od teď používat nový model</translation>
     </message>
@@ -5724,6 +5752,10 @@ vpředu</translation>
         <source>Nothing runs that could be cancelled.</source>
         <translation>Neběží nic, co by šlo zrušit.</translation>
     </message>
+    <message>
+        <source>Adopt (hold)</source>
+        <translation>Převzít (podržet)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
@@ -5826,6 +5858,18 @@ vpředu</translation>
     <message>
         <source>the link was lost</source>
         <translation>spojení bylo ztraceno</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 až %2</translation>
+    </message>
+    <message>
+        <source>A step: two neighbouring bins, 0.1 m apart, that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
+        <translation>Schod: dva sousední úseky, 0.1 m od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 m před IMU</translation>
+    </message>
+    <message>
+        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
+        <translation>do 0.75 m před IMU, riziko pod %1 %, ale neohmatáno: %2</translation>
     </message>
 </context>
 <context>

@@ -289,10 +289,6 @@
         <translation>%1 — Lücken: %2, die längste %3; in jeder stehen Werte auf --</translation>
     </message>
     <message>
-        <source>BACK after %1 — what is shown is live</source>
-        <translation>WIEDER DA nach %1 — was zu sehen ist, ist aktuell</translation>
-    </message>
-    <message>
         <source>%1 for %2 — %3; no measured value is live%4</source>
         <translation>%1 seit %2 — %3; kein Messwert ist aktuell%4</translation>
     </message>
@@ -307,6 +303,14 @@
     <message>
         <source>disarmed: %1</source>
         <translation>nicht mehr freigegeben: %1</translation>
+    </message>
+    <message>
+        <source>link · ≤ %1</source>
+        <translation>Link · ≤ %1</translation>
+    </message>
+    <message>
+        <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
+        <translation>WIEDER DA nach %1 — Messwerte sind aktuell, das Gelände ist das von vorher</translation>
     </message>
 </context>
 <context>
@@ -483,6 +487,10 @@
     <message>
         <source>the link was lost, the robot may have moved: explore again</source>
         <translation>die Verbindung war verloren, der Roboter kann sich bewegt haben: neu erkunden</translation>
+    </message>
+    <message>
+        <source>the arm is still out: wait until it is back, or press STOP</source>
+        <translation>der Arm ist noch draußen: warten, bis er zurück ist, oder STOP drücken</translation>
     </message>
 </context>
 <context>
@@ -830,6 +838,26 @@ Marke K</translation>
     <message>
         <source>contact open: %1</source>
         <translation>Kontakt offen: %1</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>nicht gehört</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>Übergehen</translation>
+    </message>
+    <message>
+        <source>the robot was not heard for a while since the scene</source>
+        <translation>der Roboter war seit der Szene eine Weile nicht zu hören</translation>
+    </message>
+    <message>
+        <source>nothing is overridden</source>
+        <translation>nichts wird übergangen</translation>
+    </message>
+    <message>
+        <source>overridden: %1</source>
+        <translation>übergangen: %1</translation>
     </message>
 </context>
 <context>
@@ -2108,10 +2136,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Hält den Roboter an, drückt die vorderen Flipper an und schätzt das Gelände</translation>
     </message>
     <message>
-        <source>Clear (Esc)</source>
-        <translation>Löschen (Esc)</translation>
-    </message>
-    <message>
         <source>Halts the robot and ends the exploration</source>
         <translation>Hält den Roboter an und beendet die Erkundung</translation>
     </message>
@@ -2206,6 +2230,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Exploration</source>
         <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>Forget (Esc)</source>
+        <translation>Vergessen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2833,16 +2861,16 @@ F1</translation>
         <translation>Nach den Einstellungen nicht angeboten: kein Feld in Reichweite sagt etwas über die Stufe</translation>
     </message>
     <message>
-        <source>No estimate: the robot was stopped</source>
-        <translation>Keine Schätzung: der Roboter wurde gestoppt</translation>
-    </message>
-    <message>
         <source>Not offered when the estimate came: explore again to be asked</source>
         <translation>Nicht angeboten, als die Schätzung kam: erneut erkunden, um gefragt zu werden</translation>
     </message>
     <message>
         <source>No estimate yet: no telemetry from the robot</source>
         <translation>Noch keine Schätzung: keine Telemetrie vom Roboter</translation>
+    </message>
+    <message>
+        <source>No estimate: STOP was pressed</source>
+        <translation>Keine Schätzung: STOP wurde gedrückt</translation>
     </message>
 </context>
 <context>
@@ -5219,6 +5247,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>the forces are %1 old</source>
         <translation>die Kräfte sind %1 alt</translation>
     </message>
+    <message>
+        <source>Nobody asks for the arm. What it would buy:</source>
+        <translation>Niemand fragt nach dem Arm. Was er brächte:</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
@@ -5303,10 +5335,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Schatten</translation>
     </message>
     <message>
-        <source>ghost of the last estimate · %1 m driven · ± %2 cm</source>
-        <translation>Schatten der letzten Schätzung · %1 m gefahren · ± %2 cm</translation>
-    </message>
-    <message>
         <source>as of %1 ago</source>
         <translation>Stand vor %1</translation>
     </message>
@@ -5333,6 +5361,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>from: %1 (%2)</source>
         <translation>aus: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>ghost of the last estimate · %1 m driven since · heights ± %2 cm</source>
+        <translation>Schatten der letzten Schätzung · seither %1 m gefahren · Höhen ± %2 cm</translation>
     </message>
 </context>
 <context>
@@ -5573,10 +5605,6 @@ voraus</translation>
         <translation>Warum nicht</translation>
     </message>
     <message>
-        <source>Adopt</source>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
         <source>Use the new model from now on</source>
         <translation>Ab jetzt das neue Modell verwenden</translation>
     </message>
@@ -5724,6 +5752,10 @@ voraus</translation>
         <source>Nothing runs that could be cancelled.</source>
         <translation>Es läuft nichts, was man abbrechen könnte.</translation>
     </message>
+    <message>
+        <source>Adopt (hold)</source>
+        <translation>Übernehmen (halten)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
@@ -5826,6 +5858,18 @@ voraus</translation>
     <message>
         <source>the link was lost</source>
         <translation>Verbindung war verloren</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>A step: two neighbouring bins, 0.1 m apart, that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
+        <translation>Eine Stufe: zwei benachbarte Abschnitte, 0.1 m voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 m vor der IMU</translation>
+    </message>
+    <message>
+        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
+        <translation>bis 0.75 m vor der IMU, Risiko unter %1 %, aber nicht ertastet: %2</translation>
     </message>
 </context>
 <context>

@@ -274,7 +274,8 @@ TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
     line();
     showAt(now);
     EXPECT_TRUE(exploration->linkAlive()) << "one line of telemetry is enough";
-    EXPECT_EQ(banner.text(), "BACK after 260 ms — what is shown is live");
+    EXPECT_EQ(banner.text(),
+              "BACK after 260 ms — measured values are live, the terrain is as it was felt before");
     for (const double back = now; now - back < 0.99;) {
         EXPECT_TRUE(banner.isVisible()) << "for a second: it may go again";
         line();

@@ -434,7 +434,7 @@ TEST_F(Console, escapeClearsWhatStandsAfterAStop)
     ASSERT_TRUE(window->exploration().estimation().estimate());
     const QPushButton& clear = *window->atemPanel()->abortButton();
     ASSERT_TRUE(eventually([&] { return clear.isVisible() && clear.isEnabled(); }));
-    EXPECT_EQ(clear.text(), "Clear (Esc)");
+    EXPECT_EQ(clear.text(), "Forget (Esc)");
     QTest::keyClick(window.get(), Qt::Key_Escape);
     EXPECT_TRUE(eventually([&] { return !window->exploration().estimation().estimate(); }));
     EXPECT_TRUE(eventually([&] { return !clear.isEnabled(); }));

@@ -33,6 +33,26 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
 }
 
+TEST_F(Bench, nothingMovesWhileTheArmIsOutThoughTheProbeWasGivenUp)
+{
+    telemetry.activity = RobotActivity::Probing;
+    tick();
+    const QString out = "✘ the arm is still out: wait until it is back, or press STOP";
+    EXPECT_TRUE(linesOf(exploration->preconditions()).contains(out));
+    EXPECT_TRUE(linesOf(exploration->toDrive()).contains(out));
+    exploration->request();
+    exploration->drive(1);
+    tick();
+    EXPECT_EQ(exploration->state().phase, AtemPhase::Idle);
+    EXPECT_EQ(sent<DriveCommand>(), 0);
+    telemetry.activity = RobotActivity::Halted;
+    tick();
+    EXPECT_FALSE(linesOf(exploration->preconditions()).contains("✘"));
+    exploration->request();
+    tick();
+    EXPECT_NE(exploration->state().phase, AtemPhase::Idle);
+}
+
 TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
 {
     EXPECT_EQ(linesOf(exploration->preconditions()),

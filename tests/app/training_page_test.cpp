@@ -91,6 +91,7 @@ struct TrainingConsole : testing::Test {
         gui::showActive(*window);
         page = window->training();
         page->discardButton()->setHoldTime(100);
+        page->adoptButton()->setHoldTime(100);
         QTest::keyClick(window.get(), Qt::Key_F6);
         EXPECT_TRUE(page->isVisible());
         EXPECT_TRUE(eventually([&] { return modelInUse() == "old.ttm"; }, kPatience));
@@ -198,19 +199,25 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     ASSERT_TRUE(eventually([&] { return !page->adoptButton()->isEnabled(); }));
     EXPECT_TRUE(page->reason()->text().contains("exploration is running"));
     tips.look(*page);
-    click(page->adoptButton());
+    QTest::mousePress(page->adoptButton(), Qt::LeftButton);
+    QTest::qWait(300);
+    QTest::mouseRelease(page->adoptButton(), Qt::LeftButton);
     EXPECT_EQ(modelInUse(), "old.ttm");
     page->setFocus();
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(eventually([&] { return page->adoptButton()->isEnabled(); }));
     tips.look(*page);
     EXPECT_EQ(tips.silent(), std::vector<std::string>());
-    for (const char* name : {"Start", "Cancel", "Compare", "Adopt", "Discard the new model",
-                             "Choose the scenes to learn from", "Choose the scenes to test on"})
+    for (const char* name :
+         {"Start", "Cancel", "Compare", "Use the new model from now on", "Discard the new model",
+          "Choose the scenes to learn from", "Choose the scenes to test on"})
         EXPECT_TRUE(tips.compared().contains(name)) << name;
 
     click(page->adoptButton());
+    EXPECT_EQ(modelInUse(), "old.ttm") << "a click is no hold";
+    QTest::mousePress(page->adoptButton(), Qt::LeftButton);
     ASSERT_TRUE(eventually([&] { return modelInUse() == "trained-1.ttm"; }, kPatience)) << said();
+    QTest::mouseRelease(page->adoptButton(), Qt::LeftButton);
     EXPECT_TRUE(eventually([&] { return said() == "trained-1.ttm is in use now"; })) << said();
     EXPECT_EQ(page->modelInUse().toStdString(), models + "/trained-1.ttm");
     EXPECT_TRUE(
@@ -296,8 +303,9 @@ TEST_F(TrainingConsole, aModelThatCannotBeLoadedLeavesTheOldOne)
 {
     trainAndCompare();
     data.write("share/terratact/models/trained-1.ttm", "torn");
-    click(page->adoptButton());
+    QTest::mousePress(page->adoptButton(), Qt::LeftButton);
     ASSERT_TRUE(eventually([&] { return said().starts_with("Not adopted"); })) << said();
+    QTest::mouseRelease(page->adoptButton(), Qt::LeftButton);
     EXPECT_NE(said().find("trained-1.ttm"), std::string::npos);
     EXPECT_EQ(modelInUse(), "old.ttm");
     EXPECT_EQ(page->modelInUse().toStdString(), files->file("old.ttm"));

@@ -342,7 +342,8 @@ TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
     EXPECT_FALSE(alike(colourAt(view, 0.05, -0.27), QColor(theme().sampled)));
     EXPECT_NE(colourAt(view, 0.05, -0.27), theme().card) << "in its band";
     EXPECT_EQ(colourAt(view, 0.6, -0.05), theme().card) << "nothing where nothing was estimated";
-    EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("0.20 m driven · ± 3 cm")));
+    EXPECT_TRUE(view.accessibleDescription().contains(
+        QStringLiteral("0.20 m driven since · heights ± 3 cm")));
     view.setGhost(std::nullopt, "No ghost: the robot has turned");
     EXPECT_TRUE(view.accessibleDescription().contains("has turned"));
     view.setGhost(std::nullopt);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace terratact {
 namespace {
@@ -50,6 +51,17 @@ TEST(Verdict, namesTheLikeliestPairAhead)
     EXPECT_EQ(v.likeliest, 7);
     EXPECT_DOUBLE_EQ(v.likeliestP, 0.3);
     EXPECT_DOUBLE_EQ(verdictOf(e, Measurement{}, {}, 0.25).step.p, 0.0);
+}
+
+TEST(Verdict, saysWhichBinsAheadNobodyHasFelt)
+{
+    TerrainEstimate e = estimateWith(0);
+    e.ceiling.fill(0.1);
+    EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).unfelt, (std::vector<int>{}));
+    for (const std::size_t bin : {0U, 8U, 9U, 10U})
+        e.ceiling[bin] = std::numeric_limits<double>::infinity();
+    e.origin[8] = Origin::Contact;
+    EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).unfelt, (std::vector<int>{9, 10}));
 }
 
 TEST(Verdict, isWithheldForEachDoubtByItself)
