@@ -4,8 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <cerrno>
-#include <charconv>
 #include <system_error>
+
+#include "core/text.h"
 
 namespace terratact {
 namespace {
@@ -108,10 +109,8 @@ CanController controllerFrom(std::string_view linkDetails)
     controller.state = wordAfter(linkDetails, " can state ");
     if (controller.state.empty()) controller.state = wordAfter(linkDetails, " can <FD> state ");
     const std::string_view digits = wordAfter(linkDetails, " bitrate ");
-    long bitrate = 0;
-    const char* const end = digits.data() + digits.size();
-    const auto [rest, error] = std::from_chars(digits.data(), end, bitrate);
-    if (error == std::errc{} && rest == end && bitrate > 0) controller.bitrate = bitrate;
+    const auto bitrate = integerFrom<long>(digits);
+    if (bitrate && *bitrate > 0) controller.bitrate = *bitrate;
     return controller;
 }
 

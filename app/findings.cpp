@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/file_read.h"
+#include "core/text.h"
 
 namespace terratact {
 namespace {
@@ -14,10 +14,8 @@ constexpr int kMostShards = 10'000;
 
 std::optional<int> countFrom(std::string_view text)
 {
-    int count = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    const bool whole = error == std::errc{} && end == text.data() + text.size();
-    return whole && count >= 1 && count <= kMostShards ? std::optional(count) : std::nullopt;
+    const auto count = integerFrom<int>(text);
+    return count && *count >= 1 && *count <= kMostShards ? count : std::nullopt;
 }
 
 std::vector<std::string> labels(const Findings& findings)

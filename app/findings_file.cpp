@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <limits>
+#include <span>
 
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/learn/canonical_bytes.h"
 #include "core/learn/sha256.h"
-#include "core/sqlite.h"
+#include "core/sqlite_tables.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -22,49 +22,57 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30U;
 constexpr std::int64_t kMostCount = 10'000'000;
 constexpr double kMostNumber = 1e9;
 
-struct Table {
-    const char* name;
-    const char* sql;
-};
-
 /// Sorted by name.
-constexpr std::array kTables{
-    Table{
-        "bin_error",
-        "CREATE TABLE bin_error(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
-        "run INTEGER NOT NULL, bin INTEGER NOT NULL, error_m REAL NOT NULL, crps_m REAL NOT NULL, "
-        "pit REAL NOT NULL, in_50 INTEGER NOT NULL, in_80 INTEGER NOT NULL, "
-        "in_95 INTEGER NOT NULL, width_m REAL NOT NULL, origin INTEGER NOT NULL, "
-        "novelty REAL NOT NULL) STRICT"},
-    Table{"content", "CREATE TABLE content(position INTEGER PRIMARY KEY, sha256 TEXT NOT NULL) "
-                     "STRICT"},
-    Table{"meta", "CREATE TABLE meta(position INTEGER PRIMARY KEY, key TEXT NOT NULL, "
-                  "value TEXT NOT NULL) STRICT"},
-    Table{"method", "CREATE TABLE method(position INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT"},
-    Table{"method_run",
-          "CREATE TABLE method_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
-          "scenes INTEGER NOT NULL, converged INTEGER NOT NULL, "
-          "ended_by_sweeps INTEGER NOT NULL, ended_by_time INTEGER NOT NULL, "
-          "failed INTEGER NOT NULL, "
-          "seconds REAL NOT NULL) STRICT"},
-    Table{"part", "CREATE TABLE part(position INTEGER PRIMARY KEY, number INTEGER NOT NULL, count "
-                  "INTEGER NOT NULL, total INTEGER NOT NULL, "
-                  "seed TEXT NOT NULL, step_limit_m REAL NOT NULL, sd_limit_m REAL NOT NULL, "
-                  "classes INTEGER NOT NULL) STRICT"},
-    Table{"probe_run", "CREATE TABLE probe_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
-                       "rule TEXT NOT NULL) STRICT"},
-    Table{"probe_trial",
-          "CREATE TABLE probe_trial(position INTEGER PRIMARY KEY, run INTEGER NOT NULL, "
-          "ahead_before_m REAL NOT NULL, all_before_m REAL NOT NULL, ahead_after_m REAL NOT NULL, "
-          "all_after_m REAL NOT NULL, probes INTEGER NOT NULL, settled INTEGER NOT NULL) STRICT"},
-    Table{"scene",
-          "CREATE TABLE scene(position INTEGER PRIMARY KEY, run TEXT NOT NULL, "
-          "t_s REAL NOT NULL, under_flipper INTEGER NOT NULL, class TEXT NOT NULL) STRICT"},
-    Table{"step_forecast",
-          "CREATE TABLE step_forecast(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
-          "run INTEGER NOT NULL, place INTEGER NOT NULL, probability REAL NOT NULL, "
-          "observed INTEGER NOT NULL) STRICT"},
-};
+std::span<const SqliteTable> tables()
+{
+    static const std::array kTables{
+        SqliteTable{"bin_error",
+                    "CREATE TABLE bin_error(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
+                    "run INTEGER NOT NULL, bin INTEGER NOT NULL, error_m REAL NOT NULL, crps_m "
+                    "REAL NOT NULL, "
+                    "pit REAL NOT NULL, in_50 INTEGER NOT NULL, in_80 INTEGER NOT NULL, "
+                    "in_95 INTEGER NOT NULL, width_m REAL NOT NULL, origin INTEGER NOT NULL, "
+                    "novelty REAL NOT NULL) STRICT"},
+        SqliteTable{"content",
+                    "CREATE TABLE content(position INTEGER PRIMARY KEY, sha256 TEXT NOT NULL) "
+                    "STRICT"},
+        SqliteTable{"meta", "CREATE TABLE meta(position INTEGER PRIMARY KEY, key TEXT NOT NULL, "
+                            "value TEXT NOT NULL) STRICT"},
+        SqliteTable{"method",
+                    "CREATE TABLE method(position INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT"},
+        SqliteTable{"method_run",
+                    "CREATE TABLE method_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
+                    "scenes INTEGER NOT NULL, converged INTEGER NOT NULL, "
+                    "ended_by_sweeps INTEGER NOT NULL, ended_by_time INTEGER NOT NULL, "
+                    "failed INTEGER NOT NULL, "
+                    "seconds REAL NOT NULL) STRICT"},
+        SqliteTable{
+            "part",
+            "CREATE TABLE part(position INTEGER PRIMARY KEY, number INTEGER NOT NULL, count "
+            "INTEGER NOT NULL, total INTEGER NOT NULL, "
+            "seed TEXT NOT NULL, step_limit_m REAL NOT NULL, sd_limit_m REAL NOT NULL, "
+            "classes INTEGER NOT NULL) STRICT"},
+        SqliteTable{"probe_run",
+                    "CREATE TABLE probe_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
+                    "rule TEXT NOT NULL) STRICT"},
+        SqliteTable{
+            "probe_trial",
+            "CREATE TABLE probe_trial(position INTEGER PRIMARY KEY, run INTEGER NOT NULL, "
+            "ahead_before_m REAL NOT NULL, all_before_m REAL NOT NULL, ahead_after_m REAL NOT "
+            "NULL, "
+            "all_after_m REAL NOT NULL, probes INTEGER NOT NULL, settled INTEGER NOT NULL) STRICT"},
+        SqliteTable{
+            "scene",
+            "CREATE TABLE scene(position INTEGER PRIMARY KEY, run TEXT NOT NULL, "
+            "t_s REAL NOT NULL, under_flipper INTEGER NOT NULL, class TEXT NOT NULL) STRICT"},
+        SqliteTable{
+            "step_forecast",
+            "CREATE TABLE step_forecast(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
+            "run INTEGER NOT NULL, place INTEGER NOT NULL, probability REAL NOT NULL, "
+            "observed INTEGER NOT NULL) STRICT"},
+    };
+    return kTables;
+}
 
 /// Why a file is refused.  Thrown and caught in this file only: a sentence that lacks the file's name.
 struct Refused {
@@ -202,7 +210,7 @@ void fill(const std::string& path, const Findings& findings)
     SqliteFile file = SqliteFile::fill(path);
     file.run("PRAGMA application_id = " + std::to_string(kApplicationId));
     file.run("PRAGMA user_version = " + std::to_string(kUserVersion));
-    for (const Table& table : kTables) file.run(table.sql);
+    for (const SqliteTable& table : tables()) file.run(table.sql);
     file.run("BEGIN");
     Writer writer(file);
     writeShared(writer, findings);
@@ -284,25 +292,14 @@ void checkIdentity(SqliteFile& file)
 
 void checkSchema(SqliteFile& file)
 {
-    const std::string other = "its tables are not those of a part of an evaluation";
-    SqliteStatement found =
-        file.prepare("SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY name");
-    for (const Table& table : kTables) {
-        require(found.step(), other);
-        require(found.text(0) == "table" && found.text(1) == table.name
-                    && found.text(2) == table.name && found.text(3) == table.sql,
-                other);
-    }
-    require(!found.step(), other);
+    require(hasOnlyTables(file, tables()), "its tables are not those of a part of an evaluation");
 }
 
 std::uint64_t seedFrom(const std::string& text)
 {
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    require(error == std::errc{} && std::to_string(seed) == text,
-            "its seed is not a number: " + shown(text));
-    return seed;
+    const auto seed = writtenIntegerFrom<std::uint64_t>(text);
+    require(seed.has_value(), "its seed is not a number: " + shown(text));
+    return *seed;
 }
 
 Method methodOf(const std::string& text)

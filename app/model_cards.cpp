@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -12,6 +11,7 @@
 
 #include "core/infer/obstacle.h"
 #include "core/learn/sha256.h"
+#include "core/text.h"
 
 namespace terratact {
 namespace {
@@ -23,13 +23,8 @@ std::optional<std::time_t> sourceDateEpoch()
 {
     const char* const set = std::getenv("SOURCE_DATE_EPOCH");
     if (!set) return std::nullopt;
-    const std::string_view text(set);
-    std::time_t seconds = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    if (error != std::errc{} || end != text.data() + text.size() || seconds < 0
-        || seconds > kLastSecond)
-        return std::nullopt;
-    return seconds;
+    const auto seconds = integerFrom<std::time_t>(set);
+    return seconds && *seconds >= 0 && *seconds <= kLastSecond ? seconds : std::nullopt;
 }
 
 std::string nameOf(const std::string& path)

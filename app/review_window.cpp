@@ -5,36 +5,27 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
-#include "app/force_arrays.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
-#include "app/probe_proposals.h"
 #include "app/review_events_page.h"
 #include "app/review_export.h"
 #include "app/review_export_dialog.h"
-#include "app/review_player_bar.h"
 #include "app/review_timeline.h"
-#include "app/robot_words.h"
 #include "app/terrain_page.h"
 #include "app/view_menu.h"
 #include "app/what_if_page.h"
-#include "core/atem/link_watch.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
 #include "widgets/estimate_strip.h"
-#include "widgets/event_list.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
@@ -58,45 +49,16 @@ QString fileName(const SessionReader& session)
     return QFileInfo(QString::fromStdString(session.path())).fileName();
 }
 
-ProbeProposal proposalOf(const ProposalRow& row)
-{
-    ProbeProposal p{.id = static_cast<quint64>(row.id),
-                    .bin = row.bin,
-                    .height = row.height,
-                    .q10 = row.q10,
-                    .q90 = row.q90,
-                    .sd = row.sd,
-                    .limit = row.limit,
-                    .armSd = row.armSd,
-                    .seconds = row.seconds,
-                    .stepLimit = row.stepLimit,
-                    .bitsBefore = row.bitsBefore,
-                    .worth = {},
-                    .others = {}};
-    for (const OfferedBin& offer : row.offers) {
-        const ProbeWorth worth{offer.bin, offer.varianceShare, offer.bitsAfter};
-        if (offer.bin == row.bin)
-            p.worth = worth;
-        else
-            p.others.push_back(worth);
-    }
-    return p;
-}
-
 }  // namespace
 
 ReviewWindow::ReviewWindow(Options options)
     : session_(std::move(options.session)), robot_(std::move(options.robot)),
       preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      moments_(session_, robot_), forces_(session_, robot_),
+      moments_(session_, robot_), sights_(session_, robot_),
       surveyor_(session_.path(), robot_, preferences_->current().forceThreshold)
 {
     setWindowTitle(tr("REVIEW — %1 — Terratact").arg(fileName(session_)));
-    if (auto notes = readNotes(session_.path()))
-        notes_ = std::move(*notes);
-    else
-        trouble_ = words::sentence(notes.error().text);
     buildHeader();
     addPages(std::move(options.models));
     addTools();
@@ -128,13 +90,15 @@ void ReviewWindow::addPages(QStringList models)
 {
     terrain_ = new TerrainPage(robot_, this);
     terrain_->arrange(Layout::Review, lookInForce().fontScale);
+    display_.emplace(session_, ReviewDisplay::Places{*header(), *damage_, *terrain_->events()});
     terrain_->viewButton()->hide();
     terrain_->atemPanel()->forbidCommands();
     addPage(terrain_, tr("Terrain"), Qt::Key_F2, tr("What the operator saw at this time"));
     numbers_ = new NumbersPage(
         [this] {
             return NumbersSight{moment_.estimate ? &moment_.estimate->estimate : nullptr,
-                                tr("No estimate stood at this time"), limit(), verdict(),
+                                tr("No estimate stood at this time"), sights_.limit(moment_),
+                                sights_.verdict(moment_),
                                 moment_.measurement
                                     ? std::optional(secondsOf(moment_.time - moment_.measured))
                                     : std::nullopt};
@@ -172,12 +136,8 @@ void ReviewWindow::addTools()
 void ReviewWindow::addPlayer()
 {
     player_ = new ReviewPlayerBar(session_, moments_, this);
-    note_ = new QLineEdit(player_);
-    note_->setPlaceholderText(tr("note (M)"));
-    note_->setAccessibleName(tr("Note at this time"));
-    note_->setToolTip(
-        tr("Kept beside the session, in %1; Enter saves it")
-            .arg(QFileInfo(QString::fromStdString(notesPath(session_.path()))).fileName()));
+    note_ = new ReviewNoteField(session_, player(), player_);
+    trouble_ = note_->trouble();
     player_->addTool(note_);
     addBelowPages(player_);
 }
@@ -189,14 +149,14 @@ void ReviewWindow::connectAll()
         showMoment();
     });
     connect(terrain_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
-        limit_ = metres;
+        sights_.setLimit(metres);
         showMoment();
     });
     connect(header(), &StatusHeader::alarmsRequested, this,
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
     connect(events_, &ReviewEventsPage::seekWanted, player_, &ReviewPlayerBar::goTo);
     connect(whatIf_, &WhatIfPage::answered, this, &ReviewWindow::showMoment);
-    connect(note_, &QLineEdit::returnPressed, this, &ReviewWindow::takeNote);
+    connect(note_, &ReviewNoteField::taken, this, &ReviewWindow::noteTaken);
     connect(player_, &ReviewPlayerBar::moved, this, &ReviewWindow::showMoment);
     connect(player_, &ReviewPlayerBar::fieldLeft, this, [this] { setFocus(); });
     // What has passed while it stood does not count.
@@ -246,7 +206,7 @@ void ReviewWindow::loadTimeline()
 {
     const Surveyed surveyed = surveyor_.found();
     surveyedAll_ = surveyed.share >= 1.0;
-    const Timeline timeline = timelineOf(session_, surveyed, notes_);
+    const Timeline timeline = timelineOf(session_, surveyed, notes());
     damagedPlaces_ = timeline.gaps.size();
     player_->setTimeline(timeline);
     showState();
@@ -255,138 +215,20 @@ void ReviewWindow::loadTimeline()
 void ReviewWindow::showMoment()
 {
     moment_ = moments_.at(sessionTimeOf(player().position()));
-    showHeader();
+    display_->show(moment_);
     showTerrain();
     whatIf_->setRecorded(moment_.estimate, moment_.scene, moment_.model);
     events_->setMoment(moment_);
-    showEvents();
     if (currentPage() == numbers_) numbers_->refresh(0.0);
-    damage_->setVisible(moment_.damage.has_value());
-    if (moment_.damage)
-        damage_->setText(tr("DAMAGED from %1 to %2, nothing of it is shown: %3")
-                             .arg(timeWords(secondsOf(moment_.damage->first)),
-                                  timeWords(secondsOf(moment_.damage->last)),
-                                  words::sentence(moment_.damage->why)));
-}
-
-void ReviewWindow::showHeader()
-{
-    const bool heard = moment_.measurement.has_value();
-    const double age = secondsOf(moment_.time - (heard ? moment_.measured : moment_.linkSince));
-    if (moment_.linkAlive && heard)
-        header()->setLink(tr("link %1 Hz").arg(words::number(moment_.linesPerSecond, 0)),
-                          Tone::Good);
-    else if (!moment_.linkAlive && moment_.linkSince > 0)
-        header()->setLink(
-            QStringLiteral("%1 · %2").arg(
-                words::sentence(describe(LinkAccount{.standing = LinkStanding::Lost,
-                                                     .alone = moment_.telemetryAlone}))
-                    .toUpper(),
-                words::age(age)),
-            Tone::Bad);
-    else
-        header()->setLink(tr("no telemetry"), Tone::Doubt);
-    if (heard && secondsOf(moment_.time - moment_.measured) <= kStaleAfter)
-        header()->setRobot(glance(moment_.measurement->activity),
-                           toneOf(moment_.measurement->activity));
-    else
-        header()->setRobot(tr("robot: --"), Tone::Plain);
-    if (moment_.model)
-        header()->setModel(tr("model %1").arg(QString::fromStdString(moment_.model->name)),
-                           Tone::Plain, QString::fromStdString(moment_.model->details));
-    else
-        header()->setModel(tr("no model"), Tone::Doubt);
-    header()->setOverridden(QString::fromStdString(moment_.overridden));
-    const auto unseen =
-        std::count_if(moment_.alarms.begin(), moment_.alarms.end(),
-                      [](const Alarm& alarm) { return alarm.state != AlarmState::Acknowledged; });
-    header()->setAlarms(static_cast<int>(unseen), static_cast<int>(moment_.alarms.size()));
-}
-
-double ReviewWindow::limit() const
-{
-    return limit_.value_or(moment_.estimate ? moment_.estimate->stepLimit : kStepLimit);
-}
-
-std::optional<Verdict> ReviewWindow::verdict() const
-{
-    if (!moment_.estimate || !moment_.scene) return std::nullopt;
-    const bool heard = moment_.linkAlive && moment_.measurement
-                    && secondsOf(moment_.time - moment_.measured) <= kStaleAfter;
-    return verdictOf(moment_.estimate->estimate, moment_.scene->measurement,
-                     {.heard = heard, .unbroken = moment_.unbroken}, limit());
 }
 
 void ReviewWindow::showTerrain()
 {
-    const EstimateRow* const row = moment_.estimate.get();
-    const double now = secondsOf(moment_.time);
-    const double threshold =
-        row ? row->estimate.settings.forceThreshold : preferences_->current().forceThreshold;
-    TerrainSight sight{.now = now};
-    sight.count = ++shows_;  // every moment is drawn anew
-    std::vector<ForceArray> forces;
-    std::vector<TimedForces> before;
-    if (moment_.measurement) {
-        sight.measurement = &*moment_.measurement;
-        sight.age = secondsOf(moment_.time - moment_.measured);
-        forces = ForceArrays(robot_).of(*moment_.measurement, moment_.line, threshold);
-        sight.forces = &forces;
-        before = forces_.before(moment_.time, threshold);
-        sight.forcesBefore = &before;
-    }
-    if (moment_.scene) {
-        sight.scene = &moment_.scene->measurement;
-        sight.sceneTruth = &moment_.scene->truth;
-        if (!sight.measurement) {
-            sight.measurement = sight.scene;
-            sight.age = std::numeric_limits<double>::infinity();  // nothing was heard yet
-        }
-    }
-    terrain_->verdict()->setLimit(limit());
-    if (row) {
-        sight.estimate = &row->estimate;
-        sight.estimateSeconds = row->seconds;
-        sight.verdict = verdict();
-    }
-    if (const auto& answer = whatIf_->answer(); answer && row) {
-        sight.second = &*answer;
-        sight.secondName = tr("what if: %1").arg(words::text(name(answer->settings.method)));
-    } else if (moment_.second) {
-        sight.second = &moment_.second->estimate;
-        sight.secondName = words::text(name(moment_.second->estimate.settings.method));
-    }
-    sight.whyNoEstimate = moment_.forgotten.empty() ? tr("No estimate stood at this time")
-                                                    : words::sentence(moment_.forgotten);
-    sight.state = moment_.state;
-    sight.secondsInPhase = now - moment_.state.since;
-    const auto probe = moment_.proposal ? std::optional(moment_.proposal->seconds) : std::nullopt;
-    sight.time = phaseTime(moment_.state, now, AtemLimits{}, {.press = {}, .probe = probe});
-    std::optional<ProbeProposal> proposal;
-    if (moment_.proposal) {
-        proposal = proposalOf(*moment_.proposal);
-        sight.proposal = &*proposal;
-        sight.probeSeconds = moment_.proposal->seconds;
-        if (moment_.state.phase == AtemPhase::Probing) sight.probingBin = moment_.proposal->bin;
-    }
-    if (row && !proposal)
-        sight.bestProbe = bestProbe({row->estimate, adviceAt(limit()), robot_,
-                                     ProbeProposal{}.seconds, preferences_->current().probes});
-    const QString why = tr("A review commands no robot");
-    sight.preconditions << Precondition{Precondition::Level::Missing, why};
-    sight.driving = sight.preconditions;
-    terrain_->setThreshold(threshold);
-    terrain_->setSight(sight);
+    const Preferences& preferences = preferences_->current();
+    terrain_->verdict()->setLimit(sights_.limit(moment_));
+    terrain_->setThreshold(ReviewSights::threshold(moment_, preferences));
+    terrain_->setSight(sights_.terrain(moment_, whatIf_->answer(), preferences));
     forbidCommands();
-}
-
-const ProbeAdvice& ReviewWindow::adviceAt(double limit)
-{
-    if (advised_ != moment_.estimate || advice_.stepLimit != limit) {
-        advised_ = moment_.estimate;
-        advice_ = adviseProbe(advised_->estimate, robot_, limit);
-    }
-    return advice_;
 }
 
 /// Nothing listens to these; the card says why they are not there.
@@ -424,22 +266,10 @@ void ReviewWindow::addNote()
     note_->setFocus(Qt::ShortcutFocusReason);
 }
 
-void ReviewWindow::takeNote()
+void ReviewWindow::noteTaken()
 {
-    const QString text = note_->text().trimmed();
-    if (text.isEmpty()) return;
-    std::vector<ReviewNote> notes = notes_;
-    notes.push_back({player().position(), text.toStdString()});
-    std::stable_sort(notes.begin(), notes.end(),
-                     [](const ReviewNote& a, const ReviewNote& b) { return a.time < b.time; });
-    const Status saved = writeNotes(session_.path(), notes);
-    trouble_ =
-        saved ? QString() : tr("NOTE NOT SAVED: %1").arg(words::sentence(saved.error().text));
-    if (saved) {
-        notes_ = std::move(notes);
-        note_->clear();
-        setFocus();
-    }
+    trouble_ = note_->trouble();
+    if (trouble_.isEmpty()) setFocus();
     loadTimeline();
 }
 
@@ -533,31 +363,6 @@ void ReviewWindow::defineKeys()
     addViewKeys(keys, *preferences_);
     keys.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
-}
-
-/// The events up to this time beside the robot, as the operator had them.
-void ReviewWindow::showEvents()
-{
-    constexpr std::size_t kListed = 40;
-    std::vector<const EventRow*> last;
-    for (const EventRow& event : session_.events())
-        if (event.time <= moment_.time && event.kind != EventKind::Session) last.push_back(&event);
-    const std::int64_t newest = last.empty() ? 0 : last.back()->id;
-    if (newest == listed_) return;
-    listed_ = newest;
-    EventList* const list = terrain_->events();
-    list->clear();
-    const std::size_t from = last.size() - std::min(last.size(), kListed);
-    for (std::size_t i = from; i < last.size(); ++i) {
-        const EventRow& event = *last[i];
-        const bool isBad = event.subject == "bad" || event.kind == EventKind::Gap
-                        || (event.kind == EventKind::Alarm && event.number == 3.0)
-                        || (event.kind == EventKind::Link && event.subject != kLinkUp);
-        const Weight weight = isBad                    ? Weight::Bad
-                            : event.subject == "doubt" ? Weight::Doubt
-                                                       : Weight::Note;
-        list->add(sentenceOf(event), weight, wallClock(session_, event.time).time());
-    }
 }
 
 void ReviewWindow::arrange()

@@ -8,16 +8,15 @@
 
 #include "app/console_window.h"
 #include "app/preference_store.h"
-#include "app/review_forces.h"
-#include "app/review_notes.h"
+#include "app/review_display.h"
+#include "app/review_note_field.h"
 #include "app/review_player_bar.h"
+#include "app/review_sights.h"
 #include "app/session_surveyor.h"
-#include "core/atem/arm_choice.h"
 #include "core/log/review_moment.h"
 #include "core/robot/robot_model.h"
 
 class QLabel;
-class QLineEdit;
 class QScrollArea;
 
 namespace terratact {
@@ -52,7 +51,7 @@ public:
     const ReviewPlayer& player() const { return player_->player(); }
     const ReviewMoment& moment() const { return moment_; }
     const SessionReader& session() const { return session_; }
-    const std::vector<ReviewNote>& notes() const { return notes_; }
+    const std::vector<ReviewNote>& notes() const { return note_->notes(); }
     TerrainPage* terrainPage() const { return terrain_; }
     NumbersPage* numbers() const { return numbers_; }
     ReviewEventsPage* events() const { return events_; }
@@ -79,20 +78,15 @@ private:
     void connectAll();
     void defineKeys();
     void showMoment();
-    void showHeader();
     void showTerrain();
-    double limit() const;                    ///< [m] of an obstacle, at this time
-    std::optional<Verdict> verdict() const;  ///< likewise, as the operator saw it
     void showState();
-    void showEvents();
     void place();  ///< what finds no room beside the terrain on the robot's page
     void forbidCommands();
-    const ProbeAdvice& adviceAt(double limit);  ///< of the estimate of the moment, which there is
     void applyPreferences(const Preferences& before);
     void loadTimeline();
     void followSession();
     void addNote();
-    void takeNote();
+    void noteTaken();
     void open();
     std::function<void(const QString& why)> notOpened();
     ExportSight exportSight() const;
@@ -102,20 +96,15 @@ private:
     RobotModel robot_;
     std::unique_ptr<PreferenceStore> preferences_;
     ReviewMoments moments_;
-    ReviewForces forces_;
+    ReviewSights sights_;
+    std::optional<ReviewDisplay> display_;  ///< since there is what it fills
     ReviewMoment moment_;
-    std::shared_ptr<const EstimateRow> advised_;  ///< what advice_ is of
-    ProbeAdvice advice_;
     SessionSurveyor surveyor_;
     std::uint64_t surveyVersion_ = 0;
     bool surveyedAll_ = false;
     bool grows_ = false;  ///< something was committed within the last seconds
     double sinceRefresh_ = 0.0, sinceGrowth_ = 0.0;  ///< [s]
-    std::uint64_t shows_ = 0;
-    std::int64_t listed_ = -1;     ///< the newest event in the list
-    std::optional<double> limit_;  ///< [m] of an obstacle, where the reviewer asks for another
-    std::vector<ReviewNote> notes_;
-    QString trouble_;  ///< with notes, files or exports
+    QString trouble_;                                ///< with notes, files or exports
     qsizetype damagedPlaces_ = 0;
     QTimer look_;
     QElapsedTimer sinceLook_;
@@ -129,7 +118,7 @@ private:
     ReviewEventsPage* events_ = nullptr;
     WhatIfPage* whatIf_ = nullptr;
     ReviewPlayerBar* player_ = nullptr;
-    QLineEdit* note_ = nullptr;
+    ReviewNoteField* note_ = nullptr;
     ReviewExportDialog* export_ = nullptr;
 };
 

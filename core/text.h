@@ -1,8 +1,10 @@
 #pragma once
 
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace terratact {
 
@@ -19,6 +21,24 @@ std::string rhatText(double rhat);
 /// The number a text spells, in full, the same in every locale; empty where it spells none or one beyond
 /// a double.  "nan" and "inf" are numbers here: whoever reads must check.
 std::optional<double> numberFrom(std::string_view text);
+
+/// The integer a text spells, in full; empty where it spells none, or one beyond `Integer`.
+template <class Integer>
+std::optional<Integer> integerFrom(std::string_view text, int base = 10)
+{
+    Integer value{};
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value, base);
+    return error == std::errc{} && rest == end ? std::optional(value) : std::nullopt;
+}
+
+/// Likewise, and only as std::to_string() spells it: a file that we wrote has no other.
+template <class Integer>
+std::optional<Integer> writtenIntegerFrom(std::string_view text)
+{
+    const auto value = integerFrom<Integer>(text);
+    return value && std::to_string(*value) == text ? value : std::nullopt;
+}
 
 /// Of ASCII: line ends, escapes, DEL … and no part of any other character of UTF-8.
 constexpr bool isControl(char c)

@@ -1,8 +1,6 @@
 #include "widgets/force_bars.h"
 
-#include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
-#include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
 #include <qwt_scale_map.h>
 #include <qwt_scale_widget.h>
@@ -17,6 +15,7 @@
 #include "core/robot/force_drift.h"
 #include "widgets/force_chart.h"
 #include "widgets/palette.h"
+#include "widgets/plain_plot.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -54,17 +53,7 @@ std::optional<double> PeakHold::peak() const
 ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
 {
     setAccessibleName(tr("Forces on the front flippers"));
-    setAutoReplot(false);
-    setSizePolicy(QSizePolicy::Expanding,
-                  QSizePolicy::Expanding);  // Qwt's would take sizeHint() for the least
-    auto* frame = new QwtPlotCanvas(this);
-    frame->setFrameStyle(QFrame::NoFrame);
-    frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
-    frame->setPaintAttribute(QwtPlotCanvas::BackingStore,
-                             false);  // anew with every line of telemetry
-    setCanvas(frame);
-    plotLayout()->setAlignCanvasToScales(true);
-    plotLayout()->setCanvasMargin(0);
+    makePlain(*this);
     elementScale_ = new ElementScale;
     setAxisScaleDraw(QwtPlot::xBottom, elementScale_);
     unitScale_ = new UnitScale;

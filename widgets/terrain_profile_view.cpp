@@ -2,11 +2,9 @@
 
 #include <qwt_interval_symbol.h>
 #include <qwt_legend_label.h>
-#include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_intervalcurve.h>
-#include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
 #include <qwt_plot_shapeitem.h>
 #include <qwt_plot_textlabel.h>
@@ -24,6 +22,7 @@
 #include "widgets/bin_inspector.h"
 #include "widgets/drawable.h"
 #include "widgets/palette.h"
+#include "widgets/plain_plot.h"
 #include "widgets/profile_layers.h"
 #include "widgets/provenance_marks.h"
 #include "widgets/provenance_words.h"
@@ -80,19 +79,9 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
     : QwtPlot(parent), axes_(*this), robot_(*this)
 {
     setAccessibleName(tr("Terrain profile"));
-    setAutoReplot(false);
-    setSizePolicy(QSizePolicy::Expanding,
-                  QSizePolicy::Expanding);  // Qwt's would take sizeHint() for the least
-    auto* frame = new QwtPlotCanvas(this);
-    frame->setFrameStyle(QFrame::NoFrame);
-    frame->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
-    frame->setPaintAttribute(QwtPlotCanvas::BackingStore,
-                             false);  // anew with every line of telemetry
-    setCanvas(frame);
-    frame->installEventFilter(this);
+    makePlain(*this);
+    canvas()->installEventFilter(this);
     setAutoFillBackground(false);
-    plotLayout()->setAlignCanvasToScales(true);
-    plotLayout()->setCanvasMargin(0);
 
     auto* key = new Key(*this);
     key->setFrameStyle(QFrame::NoFrame);
@@ -167,7 +156,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
         layer->setItemAttribute(QwtPlotItem::Legend, false);  // until there is something to see
     inspector_ = new BinInspector(this);
     setFocusPolicy(Qt::TabFocus);
-    frame->setMouseTracking(true);
+    canvas()->setMouseTracking(true);
 
     const auto label = [this] {
         auto* item = new Note;

@@ -1,16 +1,14 @@
 #include "core/learn/bin_set.h"
 
-#include <charconv>
+#include "core/text.h"
 
 namespace terratact {
 namespace {
 
 std::optional<int> binFrom(std::string_view text)
 {
-    int bin = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bin);
-    const bool whole = error == std::errc{} && end == text.data() + text.size();
-    return whole && bin >= 0 && bin < kBins ? std::optional(bin) : std::nullopt;
+    const auto bin = integerFrom<int>(text);
+    return bin && *bin >= 0 && *bin < kBins ? bin : std::nullopt;
 }
 
 /// Adds the bins of "4" or "4-6"; false where that is not possible.

@@ -15,7 +15,7 @@ std::size_t inputs(FeatureSet set)
 namespace {
 
 /// A table of numbered rows: `more` columns, then one number for each of the first `columns` inputs.
-Table rowTable(const std::string& name, std::size_t columns, const std::string& more = {})
+SqliteTable rowTable(const std::string& name, std::size_t columns, const std::string& more = {})
 {
     std::string sql = "CREATE TABLE " + name + "(row INTEGER PRIMARY KEY" + more;
     for (std::size_t i = 0; i < columns; ++i)
@@ -25,7 +25,7 @@ Table rowTable(const std::string& name, std::size_t columns, const std::string& 
 
 }  // namespace
 
-std::vector<Table> schema()
+std::vector<SqliteTable> schema()
 {
     const std::string ofSurface = "bin INTEGER NOT NULL, covered INTEGER NOT NULL, ";
     return {

@@ -9,6 +9,7 @@
 
 #include "core/learn/columns.h"
 #include "core/learn/model.h"
+#include "core/sqlite_tables.h"
 
 namespace terratact::model_file {
 
@@ -28,13 +29,8 @@ const Column& inputColumn(std::size_t position);
 /// How many inputs a set has, the heights included.
 std::size_t inputs(FeatureSet set);
 
-struct Table {
-    std::string name;
-    std::string sql;  ///< that makes it
-};
-
 /// Every table of a model, sorted by name.
-std::vector<Table> schema();
+std::vector<SqliteTable> schema();
 
 /// Rows of the table meta in every file: what the file says of itself, for people who open it with other tools.
 const std::map<std::string, std::string>& explanations();

@@ -1,6 +1,5 @@
 #include "core/learn/model_reading.h"
 
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -46,34 +45,21 @@ void checkVersion(SqliteFile& file)
 
 void checkSchema(SqliteFile& file)
 {
-    const std::string other = "its tables are not those of a Terratact model";
-    SqliteStatement found =
-        file.prepare("SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY name");
-    for (const Table& table : schema()) {
-        require(found.step(), other);
-        require(found.text(0) == "table" && found.text(1) == table.name
-                    && found.text(2) == table.name && found.text(3) == table.sql,
-                other);
-    }
-    require(!found.step(), other);
+    require(hasOnlyTables(file, schema()), "its tables are not those of a Terratact model");
 }
 
 std::uint64_t seedFrom(const std::string& text)
 {
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    require(error == std::errc{} && std::to_string(seed) == text,
-            "its seed is not a number: " + shown(text));
-    return seed;
+    const auto seed = writtenIntegerFrom<std::uint64_t>(text);
+    require(seed.has_value(), "its seed is not a number: " + shown(text));
+    return *seed;
 }
 
 int inducingFrom(const std::string& text)
 {
-    int rows = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rows);
-    require(error == std::errc{} && std::to_string(rows) == text && rows > 0,
-            "its number of inducing rows is not one: " + shown(text));
-    return rows;
+    const auto rows = writtenIntegerFrom<int>(text);
+    require(rows && *rows > 0, "its number of inducing rows is not one: " + shown(text));
+    return *rows;
 }
 
 BinSet binsFrom(const std::string& list)

@@ -25,7 +25,7 @@ void createTables(SqliteFile& file, std::int64_t applicationId)
     file.run("PRAGMA page_size = 4096");
     file.run("PRAGMA application_id = " + std::to_string(applicationId));
     file.run("PRAGMA user_version = " + std::to_string(kUserVersion));
-    for (const Table& table : schema()) file.run(table.sql);
+    for (const SqliteTable& table : schema()) file.run(table.sql);
 }
 
 void writeMeta(SqliteFile& file, const ModelData& model, const Portion* portion)

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -48,12 +47,10 @@ std::string hashOf(const SessionStart& start)
 
 std::int64_t wallTimeFrom(const std::string& text)
 {
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto value = writtenIntegerFrom<std::int64_t>(text);
     constexpr std::int64_t kMost = std::int64_t{1} << 62U;  // the year 2116; times are added to it
-    require(error == std::errc{} && std::to_string(value) == text && value >= 0 && value <= kMost,
-            "its start is no time: " + shown(text));
-    return value;
+    require(value && *value >= 0 && *value <= kMost, "its start is no time: " + shown(text));
+    return *value;
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -62,16 +61,6 @@ private:
     std::string_view rest_;
 };
 
-template <class Number>
-std::optional<Number> whole(std::string_view text, int base)
-{
-    Number value{};
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value, base);
-    if (error != std::errc{} || rest != end) return std::nullopt;
-    return value;
-}
-
 bool isDigits(std::string_view text)
 {
     return !text.empty()
@@ -103,7 +92,7 @@ bool isName(std::string_view text)
 Result<CanFrame> frameWithId(std::string_view digits)
 {
     CanFrame frame;
-    const std::optional<std::uint32_t> id = whole<std::uint32_t>(digits, 16);
+    const std::optional<std::uint32_t> id = integerFrom<std::uint32_t>(digits, 16);
     if (!id || (digits.size() != 3 && digits.size() != 8))
         return expected("an identifier of 3 or 8 hexadecimal digits", digits);
     frame.error = digits.size() == 8 && (*id & kErrorBit) != 0;
@@ -133,7 +122,7 @@ Status setLength(CanFrame& frame, std::size_t length, std::string_view found)
 
 Status setByte(CanFrame& frame, std::size_t i, std::string_view digits)
 {
-    const auto byte = digits.size() == 2 ? whole<std::uint8_t>(digits, 16) : std::nullopt;
+    const auto byte = digits.size() == 2 ? integerFrom<std::uint8_t>(digits, 16) : std::nullopt;
     if (!byte) return expected("a byte of two hexadecimal digits", digits);
     if (i < frame.data.size()) frame.data[i] = *byte;
     return Done{};
@@ -173,7 +162,7 @@ Result<CanFrame> compactFrame(std::string_view word)
     }
     if (content.starts_with('#')) {
         frame->fd = true;
-        if (content.size() < 2 || !whole<unsigned>(content.substr(1, 1), 16))
+        if (content.size() < 2 || !integerFrom<unsigned>(content.substr(1, 1), 16))
             return expected("a digit of flags after ##", content.substr(1, 1));
         content.remove_prefix(2);
         if (frame->error) return Error{"an error frame cannot be a CAN FD frame"};
@@ -190,7 +179,7 @@ Status takeLength(CanFrame& frame, std::string_view word)
     if (!isDigits(digits) || digits.size() > 2) return expected("a length like [5]", word);
     frame.fd = digits.size() == 2;
     if (frame.fd && frame.error) return Error{"an error frame cannot be a CAN FD frame"};
-    return setLength(frame, *whole<unsigned>(digits, 10), word);
+    return setLength(frame, *integerFrom<unsigned>(digits, 10), word);
 }
 
 Status takeLongBytes(CanFrame& frame, Words& words)
@@ -356,7 +345,7 @@ bool CandumpReader::countsDrops()
 {
     Words words(text_);
     if (words.next() != "DROPCOUNT:" || words.next() != "dropped") return false;
-    const auto count = whole<std::uint32_t>(words.next(), 10);
+    const auto count = integerFrom<std::uint32_t>(words.next(), 10);
     if (!count || words.next() != "CAN") return false;
     dropped_ += *count;
     return true;

@@ -667,6 +667,33 @@ značka K</translation>
     </message>
 </context>
 <context>
+    <name>ReviewDisplay</name>
+    <message>
+        <source>link %1 Hz</source>
+        <translation>spojení %1 Hz</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>žádná telemetrie</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>model %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>bez modelu</translation>
+    </message>
+    <message>
+        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <translation>POŠKOZENO od %1 do %2, nic z toho se nezobrazuje: %3</translation>
+    </message>
+</context>
+<context>
     <name>ReviewExport</name>
     <message>
         <source>%1: a picture is a .png, .svg or .pdf</source>
@@ -707,6 +734,21 @@ značka K</translation>
     <message>
         <source>Frames, signals, estimates and events</source>
         <translation>Rámce, signály, odhady a události</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSights</name>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Přehrávání neřídí žádného robota</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>co kdyby: %1</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>V tomto čase neplatil žádný odhad</translation>
     </message>
 </context>
 <context>
@@ -3920,6 +3962,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewNoteField</name>
+    <message>
+        <source>note (M)</source>
+        <translation>poznámka (M)</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Poznámka k tomuto času</translation>
+    </message>
+    <message>
+        <source>Kept beside the session, in %1; Enter saves it</source>
+        <translation>Ukládá se vedle relace, do %1; Enter ji uloží</translation>
+    </message>
+    <message>
+        <source>NOTE NOT SAVED: %1</source>
+        <translation>POZNÁMKA NEULOŽENA: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewPlayerBar</name>
     <message>
         <source>From A to B</source>
@@ -4225,50 +4286,6 @@ F1</translation>
         <translation>Vzhled</translation>
     </message>
     <message>
-        <source>note (M)</source>
-        <translation>poznámka (M)</translation>
-    </message>
-    <message>
-        <source>Note at this time</source>
-        <translation>Poznámka k tomuto času</translation>
-    </message>
-    <message>
-        <source>Kept beside the session, in %1; Enter saves it</source>
-        <translation>Ukládá se vedle relace, do %1; Enter ji uloží</translation>
-    </message>
-    <message>
-        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
-        <translation>POŠKOZENO od %1 do %2, nic z toho se nezobrazuje: %3</translation>
-    </message>
-    <message>
-        <source>link %1 Hz</source>
-        <translation>spojení %1 Hz</translation>
-    </message>
-    <message>
-        <source>no telemetry</source>
-        <translation>žádná telemetrie</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>robot: --</translation>
-    </message>
-    <message>
-        <source>model %1</source>
-        <translation>model %1</translation>
-    </message>
-    <message>
-        <source>no model</source>
-        <translation>bez modelu</translation>
-    </message>
-    <message>
-        <source>what if: %1</source>
-        <translation>co kdyby: %1</translation>
-    </message>
-    <message>
-        <source>A review commands no robot</source>
-        <translation>Přehrávání neřídí žádného robota</translation>
-    </message>
-    <message>
         <source>recorded %1</source>
         <translation>zaznamenáno %1</translation>
     </message>
@@ -4295,10 +4312,6 @@ F1</translation>
     <message>
         <source>no command can be sent</source>
         <translation>nelze odeslat žádný povel</translation>
-    </message>
-    <message>
-        <source>NOTE NOT SAVED: %1</source>
-        <translation>POZNÁMKA NEULOŽENA: %1</translation>
     </message>
     <message>
         <source>Pages</source>

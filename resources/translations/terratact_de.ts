@@ -667,6 +667,33 @@ Marke K</translation>
     </message>
 </context>
 <context>
+    <name>ReviewDisplay</name>
+    <message>
+        <source>link %1 Hz</source>
+        <translation>Verbindung %1 Hz</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>Modell %1</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
+    </message>
+</context>
+<context>
     <name>ReviewExport</name>
     <message>
         <source>%1: a picture is a .png, .svg or .pdf</source>
@@ -707,6 +734,21 @@ Marke K</translation>
     <message>
         <source>Frames, signals, estimates and events</source>
         <translation>Frames, Signale, Schätzungen und Ereignisse</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSights</name>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>was wäre: %1</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>Zu dieser Zeit galt keine Schätzung</translation>
     </message>
 </context>
 <context>
@@ -3920,6 +3962,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewNoteField</name>
+    <message>
+        <source>note (M)</source>
+        <translation>Notiz (M)</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Notiz zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>Kept beside the session, in %1; Enter saves it</source>
+        <translation>Steht neben der Sitzung, in %1; Enter speichert sie</translation>
+    </message>
+    <message>
+        <source>NOTE NOT SAVED: %1</source>
+        <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewPlayerBar</name>
     <message>
         <source>From A to B</source>
@@ -4225,50 +4286,6 @@ F1</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>note (M)</source>
-        <translation>Notiz (M)</translation>
-    </message>
-    <message>
-        <source>Note at this time</source>
-        <translation>Notiz zu dieser Zeit</translation>
-    </message>
-    <message>
-        <source>Kept beside the session, in %1; Enter saves it</source>
-        <translation>Steht neben der Sitzung, in %1; Enter speichert sie</translation>
-    </message>
-    <message>
-        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
-        <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
-    </message>
-    <message>
-        <source>link %1 Hz</source>
-        <translation>Verbindung %1 Hz</translation>
-    </message>
-    <message>
-        <source>no telemetry</source>
-        <translation>keine Telemetrie</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>Roboter: --</translation>
-    </message>
-    <message>
-        <source>model %1</source>
-        <translation>Modell %1</translation>
-    </message>
-    <message>
-        <source>no model</source>
-        <translation>kein Modell</translation>
-    </message>
-    <message>
-        <source>what if: %1</source>
-        <translation>was wäre: %1</translation>
-    </message>
-    <message>
-        <source>A review commands no robot</source>
-        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
-    </message>
-    <message>
         <source>recorded %1</source>
         <translation>aufgezeichnet %1</translation>
     </message>
@@ -4295,10 +4312,6 @@ F1</translation>
     <message>
         <source>no command can be sent</source>
         <translation>kein Befehl kann gesendet werden</translation>
-    </message>
-    <message>
-        <source>NOTE NOT SAVED: %1</source>
-        <translation>NOTIZ NICHT GESPEICHERT: %1</translation>
     </message>
     <message>
         <source>Pages</source>

@@ -1,11 +1,15 @@
 #include "app/sounder.h"
 
+#include <alsa/asoundlib.h>
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <QPushButton>
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "app/alarms_page.h"
@@ -16,6 +20,25 @@
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/alarm_table.h"
+
+namespace {
+
+/// As many samples as a card takes at once, and before it took any, it was full.
+std::optional<snd_pcm_uframes_t> mostAtOnce;
+bool isFull = false;
+
+}  // namespace
+
+/// The library's own, which the card above stands before.
+extern "C" snd_pcm_sframes_t snd_pcm_writei(snd_pcm_t* pcm, const void* samples,
+                                            snd_pcm_uframes_t count)
+{
+    static const auto write =
+        reinterpret_cast<decltype(&snd_pcm_writei)>(dlsym(RTLD_NEXT, "snd_pcm_writei"));
+    if (!mostAtOnce) return write(pcm, samples, count);
+    isFull = !isFull;
+    return isFull ? -EAGAIN : write(pcm, samples, std::min(count, *mostAtOnce));
+}
 
 namespace terratact {
 namespace {
@@ -72,6 +95,16 @@ TEST_F(SoundCard, isGivenEverySampleOfTheTone)
     ASSERT_TRUE(gui::eventually([&] { return heard().size() >= wanted.size(); }));
     EXPECT_EQ(heard(), wanted);
     EXPECT_EQ(tone->trouble(), "");
+}
+
+TEST_F(SoundCard, isGivenEverySampleWhereItTakesAFewAtATime)
+{
+    mostAtOnce = 1000;
+    const std::vector<std::int16_t> wanted = alarmSamples(kRate);
+    const Status done = playAudio("default", wanted, kRate);
+    mostAtOnce.reset();
+    EXPECT_TRUE(done) << done.error().text;
+    EXPECT_EQ(heard(), wanted);
 }
 
 TEST_F(SoundCard, takesASoundThatIsShorterThanItsBuffer)

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -53,6 +54,25 @@ TEST(NumberFrom, takesTheWholeTextOrNothing)
     for (const char* text :
          {"", " 1", "1 ", "1,5", "0x10", "1.5m", "--1", "+1", "1e999", "e5", "."})
         EXPECT_FALSE(numberFrom(text)) << text;
+}
+
+TEST(IntegerFrom, takesTheWholeTextOrNothing)
+{
+    EXPECT_EQ(integerFrom<int>("-12"), -12);
+    EXPECT_EQ(integerFrom<int>("007"), 7);
+    EXPECT_EQ(integerFrom<unsigned>("ff", 16), 255U);
+    EXPECT_EQ(integerFrom<std::uint8_t>("255"), 255);
+    for (const char* text : {"", " 1", "1 ", "1.0", "0x10", "+1", "--1", "2147483648"})
+        EXPECT_FALSE(integerFrom<int>(text)) << text;
+    for (const char* text : {"256", "-1"}) EXPECT_FALSE(integerFrom<std::uint8_t>(text)) << text;
+}
+
+TEST(WrittenIntegerFrom, takesOnlyWhatWeWouldHaveWritten)
+{
+    EXPECT_EQ(writtenIntegerFrom<std::uint64_t>("18446744073709551615"), UINT64_MAX);
+    EXPECT_EQ(writtenIntegerFrom<int>("-5"), -5);
+    for (const char* text : {"", "007", "-0", "1 ", "1.0"})
+        EXPECT_FALSE(writtenIntegerFrom<int>(text)) << text;
 }
 
 TEST(IsControl, knowsWhatWouldMoveATerminalsCursor)

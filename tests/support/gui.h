@@ -335,6 +335,15 @@ inline void settle(QWidget& widget)
     });
 }
 
+/// How many pixels of an image have exactly this colour.
+inline int pixelsOf(const QImage& image, const QColor& colour)
+{
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == colour ? 1 : 0;
+    return count;
+}
+
 /// How many different colours an image has: more than a handful when something was drawn.
 inline int colours(const QImage& image)
 {

@@ -179,11 +179,9 @@ TEST_F(Forces, ofFourArraysShareTheRoomOfTheElementsThatTheyHave)
     const auto ink = [&](int element, int array) {
         const QRectF rect = bars.barRect(element, array).adjusted(4, 4, -4, -4);
         const QImage image = gui::painted(*bars.canvas()).copy(rect.toRect());
-        int count = 0;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 0; x < image.width(); ++x)
-                count += image.pixelColor(x, y) == theme().card ? 0 : 1;
-        return static_cast<double>(count) / (image.width() * image.height());
+        return 1.0
+             - static_cast<double>(gui::pixelsOf(image, theme().card))
+                   / (image.width() * image.height());
     };
     EXPECT_GT(ink(2, 0), ink(2, 2) + 0.2) << "solid against crossed";
     bars.clearForces();
@@ -247,14 +245,7 @@ TEST_F(Forces, rawIsTheSameInVolts)
     EXPECT_TRUE(bars.touching(4)) << "volts do not change what touches";
     EXPECT_EQ(bars.peak(0), 1.672);
     EXPECT_TRUE(bars.accessibleDescription().contains("element 5: 4.50 V, contact"));
-    const auto reds = [this] {
-        const QImage image = gui::painted(*bars.canvas());
-        int count = 0;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 0; x < image.width(); ++x)
-                count += image.pixelColor(x, y) == theme().bad ? 1 : 0;
-        return count;
-    };
+    const auto reds = [this] { return gui::pixelsOf(gui::painted(*bars.canvas()), theme().bad); };
     EXPECT_EQ(reds(), 0) << "no threshold in volts";
     bars.setUnit(ForceBars::Unit::Newtons);
     EXPECT_GT(reds(), 50);
@@ -273,14 +264,7 @@ TEST_F(Forces, aDriftedBiasStandsBelowItsElement)
     EXPECT_EQ(bars.driftText(1), "") << "too small";
     EXPECT_EQ(bars.driftText(2), "bias −0.7 N") << "the larger one";
     EXPECT_TRUE(bars.accessibleDescription().contains("element 3: L 0.4 N, R 0.4 N, bias −0.7 N"));
-    const auto amber = [this] {
-        const QImage image = gui::painted(bars);
-        int count = 0;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 0; x < image.width(); ++x)
-                count += image.pixelColor(x, y) == theme().doubt ? 1 : 0;
-        return count;
-    };
+    const auto amber = [this] { return gui::pixelsOf(gui::painted(bars), theme().doubt); };
     EXPECT_GT(amber(), 5);
     bars.clearForces();
     EXPECT_EQ(amber(), 0);

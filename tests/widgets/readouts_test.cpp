@@ -6,13 +6,16 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "widgets/estimate_strip.h"
 #include "widgets/event_list.h"
 #include "widgets/look.h"
+#include "widgets/palette.h"
 #include "widgets/probe_card.h"
 #include "widgets/robot_readout.h"
 #include "widgets/spoken.h"
@@ -134,6 +137,29 @@ TEST(Header, theSourcesNameIsAlwaysThere)
     header.setSource("REPLAY demo.log");
     header.setLink("LINK LOST", Tone::Bad);
     EXPECT_EQ(header.sourceName(), "REPLAY demo.log");
+}
+
+TEST(Header, aBadgeHasTheColoursOfItsTone)
+{
+    applyLook(*qApp);
+    StatusHeader header;
+    header.resize(1400, 60);
+    gui::showActive(header);
+    const std::pair<Tone, Fill> badges[]{{Tone::Plain, theme().chip},
+                                         {Tone::Good, theme().chipGood},
+                                         {Tone::Doubt, theme().chipDoubt},
+                                         {Tone::Bad, theme().chipBad}};
+    for (const auto& [tone, fill] : badges) {
+        header.setLink("link 20 Hz", tone);
+        const auto labels = header.findChildren<QLabel*>();
+        const auto badge = std::ranges::find(labels, header.linkText(), &QLabel::text);
+        ASSERT_NE(badge, labels.end());
+        gui::settle(header);
+        const QImage image = gui::painted(**badge);
+        EXPECT_GT(gui::pixelsOf(image, fill.area), image.width() * image.height() / 2)
+            << static_cast<int>(tone);
+        EXPECT_GT(gui::pixelsOf(image, fill.text), 20) << static_cast<int>(tone);
+    }
 }
 
 TEST(Header, theBusAndTheModelLeaveForWhatMattersMore)

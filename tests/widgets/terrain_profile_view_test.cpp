@@ -1,52 +1,18 @@
 #include "widgets/terrain_profile_view.h"
 
 #include <gtest/gtest.h>
-#include <qwt_abstract_legend.h>
-#include <qwt_plot_curve.h>
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/terrain_bench.h"
 #include "widgets/bin_inspector.h"
-#include "widgets/drawable.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
-#include "widgets/provenance_marks.h"
-#include "widgets/provenance_words.h"
 
 namespace terratact {
 namespace {
 
 using gui::painted;
-using gui::PaintWatch;
-
-Outline square(double left, double bottom, double right, double top)
-{
-    return {{.kind = OutlinePart::Kind::Body,
-             .points = {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}};
-}
-
-/// Colour of the canvas at a point of the DEM frame.
-QColor colourAt(TerrainProfileView& view, double x, double z)
-{
-    const QImage image = painted(*view.canvas());
-    return image.pixelColor(view.pixelOf(x, z).toPoint());
-}
-
-bool alike(const QColor& a, const QColor& b)
-{
-    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green())
-             + std::abs(a.blue() - b.blue())
-         < 40;
-}
-
-struct TerrainView : testing::Test {
-    TerrainView()
-    {
-        view.resize(900, 480);
-        gui::showActive(view);
-    }
-    TerrainProfileView view;
-};
 
 TEST_F(TerrainView, aMetreIsAsLongUpwardsAsForwardsAtEverySize)
 {
@@ -108,102 +74,6 @@ TEST_F(TerrainView, pixelsAndMetresMapBothWays)
     }
 }
 
-/// Bins 3 to 7 in the order of kProvenances, each with a band of 0.3 m.
-TerrainEstimate oneOfEachKind()
-{
-    TerrainEstimate e = stepEstimate();
-    for (std::size_t kind = 0; kind < kProvenances.size(); ++kind) {
-        const std::size_t i = 3 + kind;
-        e.height[i] = -0.1;
-        e.q10[i] = -0.25;
-        e.q90[i] = 0.05;
-        e.origin[i] = Origin::Sampled;
-        e.ceiling[i] = 0.15;
-        switch (kProvenances[kind]) {
-        case Provenance::Arm: e.origin[i] = Origin::Arm; break;
-        case Provenance::Contact: e.origin[i] = Origin::Contact; break;
-        case Provenance::Constrained: e.ceiling[i] = e.q90[i]; break;
-        case Provenance::Sampled: break;
-        case Provenance::PriorOnly: e.ceiling[i] = std::numeric_limits<double>::infinity(); break;
-        }
-    }
-    return e;
-}
-
-/// Of the upper half of a bin's bar in greys: how many pieces of ink lie one below the other, how long they are in all
-/// [% of the bar] and how wide [px].
-std::array<int, 3> inkOfBar(const TerrainProfileView& view, const QImage& image, int bin)
-{
-    const QPointF top = view.pixelOf(binCentre(bin), 0.04), bottom = view.pixelOf(0.0, -0.06);
-    const int x = qRound(top.x()), height = qRound(bottom.y() - top.y());
-    const auto isInk = [&](int dx, int y) {
-        const int ground = qGray(image.pixel(x + 14, y));
-        return std::abs(qGray(image.pixel(x + dx, y)) - ground) > 40;
-    };
-    int pieces = 0, length = 0, width = 0;
-    for (int y = qRound(top.y()); y < qRound(bottom.y()); ++y) {
-        const bool ink = isInk(0, y) || isInk(-1, y);
-        const bool before = isInk(0, y - 1) || isInk(-1, y - 1);
-        pieces += ink && !before ? 1 : 0;
-        length += ink ? 1 : 0;
-        int across = 0;
-        for (int dx = -7; dx <= 7; ++dx) across += isInk(dx, y) ? 1 : 0;
-        width = std::max(width, across);
-    }
-    return {pieces, 100 * length / height, width};
-}
-
-/// Of the strip below `top`, around x: how many pixels stand out from the card.
-int inkIn(const QImage& image, double x, double top)
-{
-    int ink = 0;
-    for (int y = qCeil(top); y < image.height(); ++y)
-        for (int dx = -6; dx <= 6; ++dx) {
-            const QRgb pixel = image.pixel(qRound(x) + dx, y);
-            ink += std::abs(qGray(pixel) - qGray(theme().card.rgb())) > 50 ? 1 : 0;
-        }
-    return ink;
-}
-
-TEST_F(TerrainView, aLetterSaysOfEveryBinWhatSpeaksForItAndCoversNothing)
-{
-    const MarkLetters* letters = nullptr;
-    for (const QwtPlotItem* item : view.itemList())
-        if (const auto* found = dynamic_cast<const MarkLetters*>(item)) letters = found;
-    ASSERT_TRUE(letters);
-    TerrainEstimate deep = oneOfEachKind();
-    deep.q10[1] = -0.9;
-    for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast})
-        for (const int percent : {80, 100, 200})
-            for (const QSize size : {QSize(900, 480), QSize(500, 150)}) {
-                applyLook(*qApp, name, percent);
-                view.resize(size);
-                for (const TerrainEstimate& e : {oneOfEachKind(), deep}) {
-                    view.setEstimate(e);
-                    gui::settle(view);
-                    const std::string where = std::to_string(static_cast<int>(name)) + ", "
-                                            + std::to_string(percent) + " %, "
-                                            + std::to_string(size.width());
-                    const QImage image = painted(*view.canvas());
-                    const double strip = image.height() - MarkLetters::height(view.font());
-                    for (int bin = 0; bin < kBins; ++bin) {
-                        const auto k = static_cast<std::size_t>(bin);
-                        EXPECT_EQ(letters->shown[k], provenance(e, bin));
-                        EXPECT_GE(inkIn(image, view.pixelOf(binCentre(bin), 0.0).x(), strip), 8)
-                            << where << ", bin " << bin;
-                        EXPECT_LE(view.pixelOf(0.0, e.q10[k]).y(),
-                                  image.height()
-                                      - MarkLetters::reserved(view.font(), image.height()))
-                            << where;
-                    }
-                }
-            }
-    applyLook(*qApp);
-    EXPECT_GT(MarkLetters::reserved(view.font(), 480.0), 0.0);
-    view.clearEstimate("none");
-    for (const auto& shown : letters->shown) EXPECT_FALSE(shown);
-}
-
 TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
 {
     TerrainEstimate high = stepEstimate();
@@ -220,46 +90,6 @@ TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
     }
 }
 
-TEST_F(TerrainView, marksStandWhereTheMeansAre)
-{
-    TerrainEstimate e = probedEstimate();
-    view.setEstimate(e);
-    EXPECT_TRUE(alike(colourAt(view, 0.0, e.height[3]), theme().sampled));
-    EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), theme().contact));
-    EXPECT_TRUE(alike(colourAt(view, 0.6, e.height[9]), theme().arm));
-    EXPECT_TRUE(alike(colourAt(view, 0.7, e.height[10]), theme().card))
-        << "an open mark: nothing but the prior";
-}
-
-TEST_F(TerrainView, kindsDifferInShapeAndNotOnlyInColour)
-{
-    // A square fills its corner; a circle and a triangle of that size do not fill their upper left one.
-    TerrainEstimate e = probedEstimate();
-    e.q10 = e.q90 = e.height;  // no bars in the way
-    view.setEstimate(e);
-    const QImage image = painted(*view.canvas());
-    const auto upperLeft = [&](int bin) {
-        const QPointF centre =
-            view.pixelOf(binCentre(bin), e.height[static_cast<std::size_t>(bin)]);
-        return image.pixelColor((centre + QPointF(-4.5, -4.5)).toPoint());
-    };
-    EXPECT_TRUE(alike(upperLeft(8), theme().contact));
-    EXPECT_FALSE(alike(upperLeft(3), theme().sampled));
-    EXPECT_FALSE(alike(upperLeft(9), theme().arm));
-}
-
-TEST_F(TerrainView, onlyPriorOnlyBinsLieInTheAmberZone)
-{
-    view.setEstimate(stepEstimate());
-    const auto amber = [&](double x) { return colourAt(view, x, -0.37).blue() < 225; };
-    EXPECT_TRUE(amber(0.57));
-    EXPECT_TRUE(amber(0.73));
-    EXPECT_FALSE(amber(0.53));
-    EXPECT_FALSE(amber(0.77));
-    view.clearEstimate("none");
-    EXPECT_FALSE(amber(0.57));
-}
-
 TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
 {
     view.setEstimate(stepEstimate());
@@ -272,18 +102,6 @@ TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
     EXPECT_EQ(strip(0, words), zones);
     EXPECT_NE(strip(words, words + scaled(40)), below);
     EXPECT_TRUE(view.accessibleDescription().startsWith("nnnn"));
-}
-
-/// Half of the draws up on the step at +0.6 and +0.7 m, half down.
-TerrainEstimate divided()
-{
-    TerrainEstimate e = stepEstimate();
-    for (int d = 0; d < 200; ++d) {
-        Heights h = e.height;
-        if (d % 2 == 0) h[9] = h[10] = -0.25;
-        e.draws.push_back(h);
-    }
-    return e;
 }
 
 TEST_F(TerrainView, aBinWithTwoHeightsShowsBoth)
@@ -311,12 +129,6 @@ TEST_F(TerrainView, drawsAndASecondMethodAreLayersOnDemand)
     EXPECT_TRUE(alike(colourAt(view, 0.118, -0.35), theme().card));  // an open circle
     view.setSecond(std::nullopt, {});
     EXPECT_EQ(painted(*view.canvas()), plain);
-}
-
-/// What is left of stepEstimate() after 0.2 m.
-Ghost ghost()
-{
-    return ghostOf(stepEstimate(), {.forward = 0.2, .way = 0.2, .upSd = 0.03});
 }
 
 TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
@@ -348,25 +160,6 @@ TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
     EXPECT_TRUE(view.accessibleDescription().contains("has turned"));
     view.setGhost(std::nullopt);
     EXPECT_EQ(painted(*view.canvas()), without);
-}
-
-TEST_F(TerrainView, aGhostThatIsNotFiniteOrHasHolesIsDrawnWhereItCanBe)
-{
-    Ghost broken = ghost();
-    broken.bin[1]->height = std::numeric_limits<double>::quiet_NaN();
-    broken.bin[3]->q90 = std::numeric_limits<double>::infinity();
-    broken.bin[4].reset();
-    view.setGhost(broken);
-    const QImage image = painted(*view.canvas());
-    ASSERT_FALSE(image.isNull());
-    int drawn = 0;  // of a thin line of dashes
-    for (int dy = -5; dy <= 5; ++dy)
-        for (const int dx : {-1, 0, 1})
-            drawn += image.pixelColor(view.pixelOf(-0.1, -0.22).toPoint() + QPoint(dx, dy))
-                          != theme().card
-                       ? 1
-                       : 0;
-    EXPECT_GT(drawn, 0) << "a bin alone, too";
 }
 
 TEST_F(TerrainView, theBinUnderTheMouseOrTheArrowKeysIsShownUpClose)
@@ -475,143 +268,6 @@ TEST_F(TerrainView, saysEachBinInWords)
     view.clearEstimate("explore first");
     EXPECT_EQ(view.accessibleDescription(), QStringLiteral("explore first"));
     EXPECT_TRUE(view.binText(8).isEmpty());
-}
-
-TEST(Painted, isNothingWhereItTakesSeconds)
-{
-    class Slow final : public QWidget {
-        void paintEvent(QPaintEvent* /*event*/) override
-        {
-            for (const double began = threadMilliseconds(); threadMilliseconds() - began < 1200.0;)
-                continue;
-        }
-    };
-    Slow slow;
-    slow.resize(20, 20);
-    EXPECT_TRUE(gui::painted(slow).isNull());
-}
-
-TEST_F(TerrainView, hostileNumbersAreLeftOutAndTheRestIsDrawnAtOnce)
-{
-    for (const double bad : gui::kHostile) {
-        TerrainEstimate e = stepEstimate();
-        e.height[5] = e.q10[6] = e.q90[7] = e.ceiling[2] = bad;
-        Heights truth = e.height;
-        Outline outline = square(-0.2, 0.0, 0.2, 0.1);
-        outline.front().points.push_back({bad, 0.05});
-        outline.front().points.push_back({0.0, bad});
-        view.setOutline(outline);
-        view.setTruth(truth);
-        view.setEstimate(e);
-        view.setArmTip(ArmTip{.bin = 5});
-        const QImage image = painted(view);
-        ASSERT_FALSE(image.isNull()) << "a painter gets " << bad;
-        EXPECT_GT(gui::colours(image), 20);
-        EXPECT_TRUE(alike(colourAt(view, 0.5, e.height[8]), theme().contact)) << bad;
-        (void)view.binText(5);
-    }
-}
-
-TEST_F(TerrainView, hostileNumbersInItsLayersAreLeftOut)
-{
-    for (const double bad : gui::kHostile) {
-        TerrainEstimate e = divided();
-        e.draws[0][3] = e.draws[1][9] = bad;
-        view.setEstimate(e);
-        view.setDrawsShown(true);
-        TerrainEstimate second = stepEstimate();
-        second.height[2] = second.q10[4] = second.q90[5] = bad;
-        view.setSecond(second, "pafc");
-        view.inspect(3);
-        ASSERT_FALSE(painted(view).isNull()) << bad;
-        Ghost moved = ghost();
-        moved.bin[1]->height = moved.bin[2]->q10 = moved.bin[3]->q90 = bad;
-        moved.motion = {.forward = bad, .up = bad, .way = bad};
-        view.clearEstimate("moved");
-        view.setGhost(moved);
-        view.setStale(bad);
-        ASSERT_FALSE(painted(view).isNull()) << bad;
-        view.setStale(std::nullopt);
-        view.setGhost(std::nullopt);
-    }
-}
-
-TEST_F(TerrainView, nothingButHostileNumbersLeavesAPicture)
-{
-    for (const double bad : gui::kHostile) {
-        TerrainEstimate e;
-        for (Heights* h : {&e.height, &e.sd, &e.q10, &e.q90, &e.ceiling}) h->fill(bad);
-        view.setEstimate(e);
-        ASSERT_FALSE(painted(view).isNull());
-    }
-}
-
-TEST(PaintWatch, seesANumberThatACurveOfQwtPassesOn)
-{
-    QwtPlot plot;
-    plot.resize(400, 300);
-    plot.setAutoReplot(false);
-    plot.setAxisScale(QwtPlot::xBottom, 0.0, 4.0);
-    plot.setAxisScale(QwtPlot::yLeft, 0.0, 4.0);
-    auto* curve = new QwtPlotCurve;
-    curve->attach(&plot);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const double y : {2.0, nan}) {
-        curve->setSamples(QPolygonF{{0, 1}, {1, 2}, {2, y}, {3, 3}});
-        plot.replot();
-        PaintWatch watch(plot.size());
-        QPainter painter(&watch);
-        plot.drawCanvas(&painter);
-        painter.end();
-        EXPECT_EQ(watch.hostile() > 0, y != 2.0) << y;
-    }
-}
-
-TEST(Drawable, aPathBreaksWhereANumberIsMissing)
-{
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const QPainterPath path = pathThrough({{0, 0}, {1, 1}, {2, nan}, {3, 3}, {4, 4}, {5, 1e9}});
-    ASSERT_EQ(path.elementCount(), 4);
-    EXPECT_TRUE(path.elementAt(2).isMoveTo());
-    EXPECT_EQ(path.boundingRect(), QRectF(0, 0, 4, 4));
-}
-
-TEST_F(TerrainView, noTwoKindsOfBinsHaveAShapeAPatternOrAWordInCommon)
-{
-    view.resize(1200, 800);
-    for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
-        applyLook(*qApp, name);
-        view.restyle();
-        view.setEstimate(oneOfEachKind());
-        QApplication::processEvents();
-        const QImage image = painted(*view.canvas());
-        std::set<QString> words, letters;
-        std::set<int> shapes;
-        for (std::size_t a = 0; a < kProvenances.size(); ++a) {
-            const Provenance one = kProvenances[a];
-            ASSERT_EQ(provenance(oneOfEachKind(), 3 + static_cast<int>(a)), one);
-            words.insert(provenanceWord(one));
-            letters.insert(provenanceLetter(one));
-            shapes.insert(markOf(one).shape);
-            const auto inkOfOne = inkOfBar(view, image, 3 + static_cast<int>(a));
-            EXPECT_GT(inkOfOne[1], 0) << terratact::name(one);
-            for (std::size_t b = 0; b < a; ++b) {
-                const auto other = inkOfBar(view, image, 3 + static_cast<int>(b));
-                const bool differ = std::abs(inkOfOne[0] - other[0]) >= 2
-                                 || std::abs(inkOfOne[1] - other[1]) >= 15
-                                 || std::abs(inkOfOne[2] - other[2]) >= 2;
-                EXPECT_TRUE(differ)
-                    << "theme " << static_cast<int>(name) << ": " << terratact::name(one) << " ("
-                    << inkOfOne[0] << " pieces, " << inkOfOne[1] << " %, " << inkOfOne[2]
-                    << " px) and " << terratact::name(kProvenances[b]) << " (" << other[0] << ", "
-                    << other[1] << " %, " << other[2] << " px)";
-            }
-        }
-        EXPECT_EQ(words.size(), kProvenances.size());
-        EXPECT_EQ(letters.size(), kProvenances.size());
-        EXPECT_EQ(shapes.size(), kProvenances.size());
-    }
-    applyLook(*qApp);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "tests/support/gui.h"
 #include "widgets/look.h"
+#include "widgets/palette.h"
 #include "widgets/spoken.h"
 
 namespace terratact {
@@ -78,6 +79,30 @@ TEST_F(Strip, theNumberOfAVerdictThatIsWithheldDoesNotComeFirst)
     EXPECT_FALSE(strip.reason().contains("probe")) << "what does not count asks for no arm";
     strip.setNothing({});
     EXPECT_TRUE(isBold());
+}
+
+TEST_F(Strip, theBadgeHasTheColoursOfItsAnswerInEveryTheme)
+{
+    auto* const badge = strip.findChild<QLabel*>(QStringLiteral("verdictBadge"));
+    ASSERT_TRUE(badge);
+    const auto expectColours = [badge](const Fill& fill) {
+        const QImage image = gui::painted(*badge);
+        const int pixels = image.width() * image.height();
+        EXPECT_GT(gui::pixelsOf(image, fill.area), pixels / 2) << badge->text().toStdString();
+        EXPECT_GT(gui::pixelsOf(image, fill.text), pixels / 200) << badge->text().toStdString();
+    };
+    for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
+        applyLook(*qApp, name);
+        strip.setVerdict(verdict(Outlook::Clear, 0.01));
+        expectColours(theme().clear);
+        strip.setVerdict(verdict(Outlook::Blocked, 0.99));
+        expectColours(theme().blocked);
+        strip.setVerdict(verdict(Outlook::CannotTell, 0.5));
+        expectColours(theme().open);
+        strip.setNothing("the robot has moved");
+        expectColours(theme().off);
+    }
+    applyLook(*qApp);
 }
 
 TEST_F(Strip, saysWhatIsMissingForAnAnswer)

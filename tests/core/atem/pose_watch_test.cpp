@@ -81,6 +81,24 @@ INSTANTIATE_TEST_SUITE_P(
                PoseWatch::kTurned}),
     [](const auto& change) { return change.param.name; });
 
+TEST(PoseWatch, seesALittleMoreThanWhatGivesWithoutAMove)
+{
+    const std::pair<const char*, std::function<void(Measurement&)>> moves[]{
+        {"4 degrees of pitch", [](Measurement& m) { m.pitch += 0.07; }},
+        {"4 degrees of roll", [](Measurement& m) { m.roll -= 0.07; }},
+        {"3.5 degrees of a flipper", [](Measurement& m) { m.rearLeft += 0.06; }},
+        {"3 cm", [](Measurement& m) { *m.travelled -= 0.03; }},
+        {"3.5 degrees on the spot", [](Measurement& m) { *m.turned -= 0.06; }}};
+    for (const auto& [name, move] : moves) {
+        PoseWatch watch(scene());
+        Measurement m = scene();
+        move(m);
+        watch.look(m, 1);
+        watch.look(m, 2);
+        EXPECT_TRUE(watch.hasMoved()) << name;
+    }
+}
+
 TEST(PoseWatch, comparesTheTracksOnlyWhereBothLinesTellOfThem)
 {
     Measurement without = scene();

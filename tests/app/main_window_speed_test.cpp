@@ -1,0 +1,139 @@
+// From the scene to the picture with a real model, while the window stays alive.
+#include "app/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QEventLoop>
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/resources.h"
+#include "app/steady_now.h"
+#include "core/learn/model_file.h"
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/console_bench.h"
+#include "tests/support/gui.h"
+#include "tests/support/loop_beat.h"
+#include "tests/support/scripted_source.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/support/toy_model.h"
+#include "widgets/terrain_profile_view.h"
+
+namespace terratact {
+namespace {
+
+using gui::eventually;
+
+TEST_F(Console, theRealChainRunsAndTheWindowStaysAlive)
+{
+    const TemporaryDirectory directory;
+    const std::string model = directory.file("small.ttm");
+    ASSERT_TRUE(writeModel(model, toyModel()));
+    MainWindow::Options options;
+    options.robot = robot;
+    options.source = fastRobot(robot, 2.0);
+    options.model = modelFileLoader(model, robot);
+    options.exploration.linkLostAfter = 3.0;
+    options.exploration.settings.draws = 4000;
+
+    QElapsedTimer opening;
+    opening.start();
+    window = std::make_unique<MainWindow>(std::move(options));
+    window->resize(1440, 900);
+    gui::showActive(*window);
+    const qint64 up = opening.elapsed();
+
+    LoopBeat beat;
+    ASSERT_TRUE(readyToExplore());
+    QTest::keyPress(window.get(), Qt::Key_W);
+    ASSERT_TRUE(robotIs(RobotActivity::Driving));
+    QTest::keyRelease(window.get(), Qt::Key_W);
+    QTest::keyClick(window.get(), Qt::Key_A);
+    ASSERT_TRUE(eventually([&] { return window->showsEstimate(); }, 60000));
+    beat.stop();
+    for (int bin = 0; bin < kBins; ++bin)
+        EXPECT_FALSE(window->terrain()->binText(bin).contains("--"));
+    RecordProperty("window_up_ms", static_cast<int>(up));
+    RecordProperty("longest_block_ms", static_cast<int>(beat.late()));
+    std::printf("window up after %lld ms; event loop late by %lld ms at most, busy for %.1f ms\n",
+                static_cast<long long>(up), static_cast<long long>(beat.late()), beat.own(1.0));
+    EXPECT_LT(beat.own(1.0), 50.0);
+    EXPECT_LT(beat.late(), 1000) << "far beyond what a busy machine explains";
+    window.reset();
+}
+
+/// When a widget was first painted while the condition held [s].
+class FirstPaint final : public QObject {
+public:
+    FirstPaint(QWidget* widget, std::function<bool()> condition) : condition_(std::move(condition))
+    {
+        widget->installEventFilter(this);
+    }
+    /// Runs the event loop without a pause until then; empty after 5 s.
+    std::optional<double> wait()
+    {
+        at_.reset();
+        QTimer::singleShot(5000, &loop_, &QEventLoop::quit);
+        loop_.exec();
+        return at_;
+    }
+
+private:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() != QEvent::Paint || at_ || !condition_()) return false;
+        at_ = steadyNow();
+        loop_.quit();
+        return false;
+    }
+    std::function<bool()> condition_;
+    std::optional<double> at_;
+    QEventLoop loop_;
+};
+
+/// Prints the whole way from the telemetry that completes a scene to the picture of its estimate.
+TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
+{
+    SimulatedRobot::Options options;
+    options.startX = 2.1;
+    SimulatedRobot simulated(robot, demoTerrain(), options);
+    Measurement halted = simulated.measure();
+    simulated.command(PressCommand{18.0});
+    for (int i = 0; i < 400 && simulated.activity() != RobotActivity::Pressed; ++i)
+        simulated.step(0.05);
+    const Measurement pressed = simulated.measure();
+    ASSERT_EQ(pressed.activity, RobotActivity::Pressed);
+
+    auto source = std::make_unique<ScriptedSource>();
+    ScriptedSource* script = source.get();
+    script->pressWhenTold();
+    open(std::move(source), modelFileLoader(resourcePath("models/default.ttm"), robot));
+    FirstPaint paint(window->terrain()->canvas(), [&] { return window->showsEstimate(); });
+    std::vector<double> seconds;
+    for (int i = 0; i < 9; ++i) {
+        script->setMeasurement(halted);
+        QTest::keyClick(window.get(), Qt::Key_Escape);
+        ASSERT_TRUE(reaches(AtemPhase::Idle));
+        ASSERT_TRUE(readyToExplore());
+        QTest::keyClick(window.get(), Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::Pressing));
+        QTest::qWait(100 + 7 * i);  // not in step with the window's own beat
+        const double complete = steadyNow();
+        script->setMeasurement(pressed);
+        const auto painted = paint.wait();
+        ASSERT_TRUE(painted);
+        seconds.push_back(*painted - complete);
+        QTest::keyClick(window.get(), Qt::Key_N);
+        QTest::qWait(50);
+    }
+    std::sort(seconds.begin(), seconds.end());
+    std::printf("scene complete to estimate painted: median %.0f ms, worst %.0f ms of %zu\n",
+                1e3 * seconds[seconds.size() / 2], 1e3 * seconds.back(), seconds.size());
+    EXPECT_LT(seconds.back(), 2.0) << "a hang";
+}
+
+}  // namespace
+}  // namespace terratact

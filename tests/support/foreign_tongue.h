@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QApplication>
+#include <QTranslator>
+
+namespace terratact {
+
+/// A language into which every text is translated, as long as this lives: its Latin letters are Cyrillic ones.  What is
+/// English all the same was never given to be translated.
+class ForeignTongue final : public QTranslator {
+public:
+    ForeignTongue() { QApplication::installTranslator(this); }
+    ~ForeignTongue() override { QApplication::removeTranslator(this); }
+    ForeignTongue(const ForeignTongue&) = delete;
+    ForeignTongue& operator=(const ForeignTongue&) = delete;
+
+    bool isEmpty() const override { return false; }
+    QString translate(const char* /*context*/, const char* english, const char* /*note*/,
+                      int /*n*/) const override
+    {
+        QString text = QString::fromUtf8(english);
+        for (QChar& c : text)
+            if (c.isLetter()) c = QChar(0x0436);
+        return text;
+    }
+};
+
+}  // namespace terratact

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "widgets/look.h"
+#include "widgets/palette.h"
+#include "widgets/terrain_profile_view.h"
+
+namespace terratact {
+
+inline Outline square(double left, double bottom, double right, double top)
+{
+    return {{.kind = OutlinePart::Kind::Body,
+             .points = {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}};
+}
+
+/// Colour of the canvas at a point of the DEM frame.
+inline QColor colourAt(TerrainProfileView& view, double x, double z)
+{
+    const QImage image = gui::painted(*view.canvas());
+    return image.pixelColor(view.pixelOf(x, z).toPoint());
+}
+
+inline bool alike(const QColor& a, const QColor& b)
+{
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green())
+             + std::abs(a.blue() - b.blue())
+         < 40;
+}
+
+struct TerrainView : testing::Test {
+    TerrainView()
+    {
+        view.resize(900, 480);
+        gui::showActive(view);
+    }
+    TerrainProfileView view;
+};
+
+/// Half of the draws up on the step at +0.6 and +0.7 m, half down.
+inline TerrainEstimate divided()
+{
+    TerrainEstimate e = stepEstimate();
+    for (int d = 0; d < 200; ++d) {
+        Heights h = e.height;
+        if (d % 2 == 0) h[9] = h[10] = -0.25;
+        e.draws.push_back(h);
+    }
+    return e;
+}
+
+/// What is left of stepEstimate() after 0.2 m.
+inline Ghost ghost()
+{
+    return ghostOf(stepEstimate(), {.forward = 0.2, .way = 0.2, .upSd = 0.03});
+}
+
+}  // namespace terratact
