@@ -69,7 +69,7 @@ MainWindow::MainWindow(Options options)
         std::make_unique<ConsoleSights>(ConsoleSights::Parts{*acquisition_, *exploration_, *worker_,
                                                              link_, panel_.get(), recorder_.get()},
                                         robot_);
-    setWindowTitle(tr("Terratact — %1").arg(words::sentence(source_->name())));
+    setWindowTitle(tr("Terratact — %1").arg(words::sourceName(source_->name())));
     build(options);
     connectAll();
     if (recorder_) {
@@ -102,7 +102,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::build(const Options& options)
 {
-    header()->setSource(words::sentence(source_->name()));
+    header()->setSource(words::sourceName(source_->name()));
     header()->setModel(tr("model loading …"), Tone::Doubt);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());
@@ -510,7 +510,7 @@ QList<DiagnosticsSection> MainWindow::diagnostics() const
     const auto latest = acquisition_->latest();
     ConsoleFacts facts{.telemetryRate = acquisition_->rate(),
                        .estimating = worker_->progress().has_value(),
-                       .source = words::sentence(source_->name()),
+                       .source = words::sourceName(source_->name()),
                        .robot = QString::fromStdString(robot_.name),
                        .robotDetails = robotDetails_,
                        .model = exploration_->estimation().model(),

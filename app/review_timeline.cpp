@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/bus_words.h"
 #include "app/session_text.h"
 #include "core/log/review_moment.h"
 #include "widgets/words.h"
@@ -173,12 +174,30 @@ void addSurvey(Timeline& timeline, const Surveyed& surveyed)
 QString alarmSentence(const EventRow& event)
 {
     const QString text =
-        event.text.empty() ? words::text(event.subject) : words::sentence(event.text);
+        event.text.empty() ? words::eventWord(event.subject) : words::sentence(event.text);
     const double state = event.number.value_or(0.0);
     if (state == 3.0) return ReviewWords::tr("alarm: %1").arg(text);
     if (state == 2.0) return ReviewWords::tr("alarm seen: %1").arg(text);
     if (state == 1.0) return ReviewWords::tr("alarm returned: %1").arg(text);
     return ReviewWords::tr("alarm gone: %1").arg(text);
+}
+
+QString subjectOf(const EventRow& event)
+{
+    return event.kind == EventKind::Phase ? words::sentence(event.subject)
+                                          : words::eventWord(event.subject);
+}
+
+QString textOf(const EventRow& event)
+{
+    if (event.kind == EventKind::Marker) return words::text(event.text);  // somebody's own
+    if (event.kind == EventKind::Decision)
+        if (const QString word = words::eventWord(event.text); word != words::text(event.text))
+            return word;
+    if (event.kind == EventKind::Link)
+        for (const BusState state : kBusStates)
+            if (event.text == describe(state, "bus")) return busWords(state, "bus");
+    return words::sentence(event.text);
 }
 
 }  // namespace
@@ -224,17 +243,17 @@ QString sentenceOf(const EventRow& event)
     if (event.kind == EventKind::Word) return words::sentence(event.text);
     if (event.kind == EventKind::Panel)
         return event.number.value_or(0.0) > 0.0
-                 ? ReviewWords::tr("contact closed: %1").arg(words::text(event.subject))
-                 : ReviewWords::tr("contact open: %1").arg(words::text(event.subject));
+                 ? ReviewWords::tr("contact closed: %1").arg(words::eventWord(event.subject))
+                 : ReviewWords::tr("contact open: %1").arg(words::eventWord(event.subject));
     if (event.kind == EventKind::Unheard)
         return ReviewWords::tr("the robot was not heard for a while since the scene");
     if (event.kind == EventKind::Override)
         return event.text.empty() ? ReviewWords::tr("nothing is overridden")
                                   : ReviewWords::tr("overridden: %1").arg(words::text(event.text));
     QStringList parts;
-    for (const std::string& part : {event.subject, event.text})
-        if (!part.empty()) parts << words::sentence(part);
-    if (event.kind == EventKind::Link) parts.prepend(ReviewWords::tr("link"));
+    if (event.kind == EventKind::Link) parts << ReviewWords::tr("link");
+    if (!event.subject.empty()) parts << subjectOf(event);
+    if (!event.text.empty()) parts << textOf(event);
     return parts.join(QStringLiteral(": "));
 }
 

@@ -77,7 +77,7 @@ ReviewWindow::~ReviewWindow() = default;
 
 void ReviewWindow::buildHeader()
 {
-    header()->setSource(tr("REVIEW · %1").arg(words::sentence(session_.start().source)));
+    header()->setSource(tr("REVIEW · %1").arg(words::sourceName(session_.start().source)));
     header()->arming()->hide();
     header()->qualityButton()->hide();
     state_ = addStrip(QStringLiteral("reviewStrip"));

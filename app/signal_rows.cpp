@@ -13,14 +13,23 @@ struct SignalSays {
     Q_DECLARE_TR_FUNCTIONS(terratact::SignalsPage)
 };
 
-/// As wordsOf() says it; names are those of the DBC in every language.
-QString contentOf(const std::vector<NamedValue>& values)
+/// Of the robot's protocol; empty: of no frame of it.
+std::optional<FrameKind> kindOf(const CanFrame& frame)
+{
+    const bool mayBeOurs = !frame.error && !frame.extended && !frame.remote && !frame.fd;
+    return mayBeOurs ? kindOfId(frame.id) : std::nullopt;
+}
+
+/// As wordsOf() says it; names are those of the DBC in every language, and so are the words of others' DBC files.
+QString contentOf(const CanFrame& frame, const std::vector<NamedValue>& values)
 {
     if (isNotMeasured(values)) return words::sentence("not measured");
+    const bool isOurs = kindOf(frame).has_value();
     QStringList parts;
     for (const NamedValue& value : values)
         parts << QStringLiteral("%1 %2 %3")
-                     .arg(words::text(value.name), words::sentence(value.value),
+                     .arg(words::text(value.name),
+                          isOurs ? words::sentence(value.value) : words::text(value.value),
                           words::text(value.unit))
                      .trimmed();
     return parts.join(QStringLiteral(", "));
@@ -172,9 +181,7 @@ std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
 QString frameName(const CanFrame& frame, const DbcBook* book)
 {
     if (frame.error) return SignalSays::tr("error frame");
-    const bool mayBeOurs = !frame.extended && !frame.remote && !frame.fd;
-    if (const auto kind = mayBeOurs ? kindOfId(frame.id) : std::nullopt)
-        return words::text(layoutOf(*kind).name);
+    if (const auto kind = kindOf(frame)) return words::text(layoutOf(*kind).name);
     const auto described = book ? book->find(frame) : nullptr;
     return described ? words::text(described->message.name) : SignalSays::tr("unknown");
 }
@@ -187,7 +194,7 @@ TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook
             .name = frameName(frame, book.get()),
             .bytes = words::text(bytesText(frame)),
             .content = said.values.empty() && frame.error ? words::text(said.verdict)
-                                                          : contentOf(said.values)};
+                                                          : contentOf(frame, said.values)};
 }
 
 }  // namespace terratact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,10 @@ enum class BusState : std::uint8_t {
     Absent,        ///< there is no such interface (any more)
     Ended,         ///< a recording of which all has been handed out
 };
+
+inline constexpr std::array kBusStates{
+    BusState::Up,     BusState::Stalled, BusState::ErrorWarning, BusState::ErrorPassive,
+    BusState::BusOff, BusState::Down,    BusState::Absent,       BusState::Ended};
 
 /// The command that mends it; empty where none does.
 std::string cureOf(BusState state, const std::string& bus);

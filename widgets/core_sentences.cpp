@@ -3,6 +3,7 @@
 #include <QStringList>
 #include <vector>
 
+#include "widgets/file_sentences.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -210,7 +211,6 @@ namespace {
     QT_TRANSLATE_NOOP("core", "run it outside of the sandbox or container that forbids it, or as "
                               "another user"),
     // What a session tells, and what is told of sessions.
-    QT_TRANSLATE_NOOP("core", "SIMULATED ROBOT"),
     QT_TRANSLATE_NOOP("core", "session recovered, whose program had ended without closing it"),
     QT_TRANSLATE_NOOP("core", "session not recovered"),
     QT_TRANSLATE_NOOP("core", "session deleted, since it is older than you have set"),
@@ -223,23 +223,60 @@ namespace {
     QT_TRANSLATE_NOOP("core", "telemetry unsteady"),
     QT_TRANSLATE_NOOP("core", "end of the log"),
     QT_TRANSLATE_NOOP("core", "gaps before: %1, the longest %2 s"),
-    QT_TRANSLATE_NOOP("core", "up"),
-    QT_TRANSLATE_NOOP("core", "lost"),
-    QT_TRANSLATE_NOOP("core", "approve"),
-    QT_TRANSLATE_NOOP("core", "choose"),
-    QT_TRANSLATE_NOOP("core", "drive"),
-    QT_TRANSLATE_NOOP("core", "explore"),
-    QT_TRANSLATE_NOOP("core", "abort"),
-    QT_TRANSLATE_NOOP("core", "halt"),
-    QT_TRANSLATE_NOOP("core", "override"),
-    QT_TRANSLATE_NOOP("core", "refuse"),
-    QT_TRANSLATE_NOOP("core", "release stop"),
-    QT_TRANSLATE_NOOP("core", "second method"),
-    QT_TRANSLATE_NOOP("core", "stop"),
-    QT_TRANSLATE_NOOP("core", "settings"),
-    QT_TRANSLATE_NOOP("core", "forward"),
-    QT_TRANSLATE_NOOP("core", "back"),
 };
+
+// Of events as sessions have them, apart from the sentences: files, sources and signals may have such names.
+[[maybe_unused]] constexpr const char* kEventWords[] = {
+    // What the link did, and what the operator decided.
+    QT_TRANSLATE_NOOP("event", "up"),
+    QT_TRANSLATE_NOOP("event", "lost"),
+    QT_TRANSLATE_NOOP("event", "telemetry lost"),
+    QT_TRANSLATE_NOOP("event", "approve"),
+    QT_TRANSLATE_NOOP("event", "choose"),
+    QT_TRANSLATE_NOOP("event", "drive"),
+    QT_TRANSLATE_NOOP("event", "explore"),
+    QT_TRANSLATE_NOOP("event", "abort"),
+    QT_TRANSLATE_NOOP("event", "halt"),
+    QT_TRANSLATE_NOOP("event", "override"),
+    QT_TRANSLATE_NOOP("event", "refuse"),
+    QT_TRANSLATE_NOOP("event", "release stop"),
+    QT_TRANSLATE_NOOP("event", "second method"),
+    QT_TRANSLATE_NOOP("event", "stop"),
+    QT_TRANSLATE_NOOP("event", "settings"),
+    QT_TRANSLATE_NOOP("event", "forward"),
+    QT_TRANSLATE_NOOP("event", "back"),
+    QT_TRANSLATE_NOOP("event", "none"),
+    QT_TRANSLATE_NOOP("event", "confirm to arm"),
+    QT_TRANSLATE_NOOP("event", "waiting for the robot to arm"),
+    QT_TRANSLATE_NOOP("event", "armed"),
+    // Of the session itself, and of marks in it.
+    QT_TRANSLATE_NOOP("event", "begun"),
+    QT_TRANSLATE_NOOP("event", "continued"),
+    QT_TRANSLATE_NOOP("event", "ended"),
+    QT_TRANSLATE_NOOP("event", "recovered"),
+    QT_TRANSLATE_NOOP("event", "merged"),
+    QT_TRANSLATE_NOOP("event", "missing"),
+    QT_TRANSLATE_NOOP("event", "log"),
+    QT_TRANSLATE_NOOP("event", "operator"),
+    // Alarms, by what they are about; "disarmed" is what arming comes to, too.
+    QT_TRANSLATE_NOOP("event", "silence"),
+    QT_TRANSLATE_NOOP("event", "link"),
+    QT_TRANSLATE_NOOP("event", "bus"),
+    QT_TRANSLATE_NOOP("event", "foreign"),
+    QT_TRANSLATE_NOOP("event", "dropped"),
+    QT_TRANSLATE_NOOP("event", "checksum"),
+    QT_TRANSLATE_NOOP("event", "disarmed"),
+    QT_TRANSLATE_NOOP("event", "sensors"),
+    QT_TRANSLATE_NOOP("event", "model"),
+    QT_TRANSLATE_NOOP("event", "panel"),
+    QT_TRANSLATE_NOOP("event", "exploration"),
+    QT_TRANSLATE_NOOP("event", "recording"),
+    // A button of the panel; the others are decisions, too.
+    QT_TRANSLATE_NOOP("event", "atem"),
+};
+
+constexpr const char* kSimulated = QT_TRANSLATE_NOOP("source", "SIMULATED ROBOT");
+constexpr const char* kReplay = QT_TRANSLATE_NOOP("source", "REPLAY %1");
 
 /// What a text has %1, %2 … for, in their places.
 template <class Value>
@@ -264,24 +301,6 @@ const char* const kOpenSentences[]{
     // NOLINTNEXTLINE(bugprone-suspicious-missing-comma)
     QT_TRANSLATE_NOOP("core", "chains not converged when time was out: R-hat %1 (limit %2), "
                               "effective draws %3 (limit %4)"),
-    QT_TRANSLATE_NOOP("core", "REPLAY %1"),
-    // Of files: of a robot, of a model, of scenes.
-    QT_TRANSLATE_NOOP("core", "the key %1 is missing"),
-    QT_TRANSLATE_NOOP("core", "%1 is not a number, expected a number from %2 to %3"),
-    QT_TRANSLATE_NOOP("core", "%1 is %2, expected a number from %3 to %4"),
-    QT_TRANSLATE_NOOP("core", "%1 is not an array of %2 elements"),
-    QT_TRANSLATE_NOOP("core", "%1 is not a table"),
-    QT_TRANSLATE_NOOP("core", "%1 is not a known key"),
-    QT_TRANSLATE_NOOP("core",
-                      "%1 is not a text of 1 to 100 characters, none of them a control character"),
-    QT_TRANSLATE_NOOP("core", "%1 holds a polygon that is not convex"),
-    QT_TRANSLATE_NOOP("core", "%1 does not increase from pivot to tip"),
-    QT_TRANSLATE_NOOP("core", "is a model of other features: %1 stands where %2 is expected"),
-    QT_TRANSLATE_NOOP("core", "is a model of other bins: %1 stands where %2 is expected"),
-    QT_TRANSLATE_NOOP("core", "its table %1 ends too early"),
-    QT_TRANSLATE_NOOP("core", "its table %1 has too many rows"),
-    QT_TRANSLATE_NOOP("core", "%1 is out of range"),
-    QT_TRANSLATE_NOOP("core", "the column %1 is not known and was left out"),
     // Of a kernel without CAN, or one that forbids it.
     QT_TRANSLATE_NOOP("core", "the kernel has no CAN sockets (%1)"),
     QT_TRANSLATE_NOOP("core", "this user may not open CAN sockets (%1)"),
@@ -317,27 +336,55 @@ const char* const kOpenSentences[]{
                               "holds it, its contact sticks or its wires touch"),
 };
 
+/// One with places for more than numbers.
+struct OpenSentence {
+    explicit OpenSentence(const char* said) : source(said)
+    {
+        static const QRegularExpression kPlace(QStringLiteral("%[1-9]"));
+        static const QRegularExpression kEscapedPlace(QStringLiteral("\\\\%[1-9]"));
+        const QString text = QString::fromUtf8(source);
+        for (const QString& between : text.split(kPlace))
+            if (between.size() > literal.size()) literal = between;
+        QString pattern =
+            QRegularExpression::escape(text).replace(kEscapedPlace, QStringLiteral("(.+?)"));
+        // What it begins with is one part: the file's name before it is another.
+        if (text.startsWith(QLatin1Char('%')))
+            pattern.replace(0, 5, QStringLiteral("((?:(?!: ).)+?)"));
+        form.setPattern(QRegularExpression::anchoredPattern(pattern));
+    }
+
+    const char* source;
+    QString literal;  ///< the longest piece between its places: quickly looked for
+    QRegularExpression form;
+};
+
+const std::vector<OpenSentence>& openSentences()
+{
+    static const auto kAll = [] {
+        std::vector<OpenSentence> all;
+        for (const char* source : kOpenSentences) all.emplace_back(source);
+        for (const char* source : kOpenFileSentences) all.emplace_back(source);
+        return all;
+    }();
+    return kAll;
+}
+
+/// What stands in a sentence's place, or before or behind ": ".
+QString part(const QString& said)
+{
+    return said.contains(QLatin1Char(' ')) ? words::sentence(said.toStdString()) : said;
+}
+
 /// As it is among those; empty: it is not.
 QString translatedOpen(const QString& whole)
 {
-    static const QRegularExpression kPlaces(QStringLiteral("\\\\%[1-9]"));
-    static const auto kPatterns = [] {
-        std::vector<QRegularExpression> patterns;
-        for (const char* source : kOpenSentences) {
-            QString pattern = QRegularExpression::escape(QString::fromUtf8(source));
-            patterns.emplace_back(QRegularExpression::anchoredPattern(
-                pattern.replace(kPlaces, QStringLiteral("(.+?)"))));
-        }
-        return patterns;
-    }();
-    for (std::size_t i = 0; i < kPatterns.size(); ++i) {
-        const QRegularExpressionMatch match = kPatterns[i].match(whole);
+    for (const OpenSentence& open : openSentences()) {
+        if (!whole.contains(open.literal)) continue;
+        const QRegularExpressionMatch match = open.form.match(whole);
         if (!match.hasMatch()) continue;
-        const QString found = QCoreApplication::translate("core", kOpenSentences[i]);
-        if (found == QString::fromUtf8(kOpenSentences[i])) return {};
-        return filled(found, [&match](int place) {
-            return words::sentence(match.captured(place).toStdString());
-        });
+        const QString found = QCoreApplication::translate("core", open.source);
+        if (found == QString::fromUtf8(open.source)) return {};
+        return filled(found, [&match](int place) { return part(match.captured(place)); });
     }
     return {};
 }
@@ -367,16 +414,29 @@ QString translated(const QString& whole)
 
 QString words::sentence(std::string_view english)
 {
-    QString whole = text(english);
+    const QString whole = text(english);
     if (QString known = translated(whole); !known.isEmpty()) return known;
     if (QString known = translatedOpen(whole); !known.isEmpty()) return known;
     // "models/mine.ttm: cannot be opened: No such file or directory"
     const QString kJoint = QStringLiteral(": ");
     const qsizetype at = whole.indexOf(kJoint);
     if (at < 0) return whole;
-    const QString first = whole.left(at), known = translated(first);
-    return (known.isEmpty() ? first : known) + kJoint
-         + sentence(whole.mid(at + kJoint.size()).toStdString());
+    return part(whole.left(at)) + kJoint + part(whole.mid(at + kJoint.size()));
+}
+
+QString words::eventWord(std::string_view english)
+{
+    return QCoreApplication::translate("event", std::string(english).c_str());
+}
+
+QString words::sourceName(std::string_view english)
+{
+    static const std::string kReplayed =
+        std::string(kReplay).substr(0, std::string(kReplay).find('%'));
+    if (english == kSimulated) return QCoreApplication::translate("source", kSimulated);
+    if (!english.starts_with(kReplayed)) return text(english);
+    return QCoreApplication::translate("source", kReplay)
+        .arg(text(english.substr(kReplayed.size())));
 }
 
 }  // namespace terratact

@@ -20,8 +20,14 @@ inline QString text(std::string_view utf8)
 }
 
 /// A sentence of the core, in the operator's language where it is among those of core_sentences.cpp; else what of it
-/// is, of the parts that ": " joins.  Its numbers are carried over.
+/// is, of the parts that ": " joins.  Its numbers are carried over.  A part of one word is a name, and stays.
 QString sentence(std::string_view english);
+
+/// A word of a session's event (EventRow), in the operator's language where it is among those that are recorded.
+QString eventWord(std::string_view english);
+
+/// A source's name, of which only what is no name of a file, a bus or an interface is in the operator's language.
+QString sourceName(std::string_view english);
 
 inline QString number(double value, int decimals)
 {

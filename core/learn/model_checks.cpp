@@ -40,7 +40,8 @@ void requireRows(const ModelData& model)
 
 void requireSurface(const SurfaceProcess& p, std::size_t rows, const std::string& what)
 {
-    require(std::isfinite(p.mean) && std::abs(p.mean) <= kMostScale, "mean of " + what);
+    require(std::isfinite(p.mean) && std::abs(p.mean) <= kMostScale,
+            "mean of " + what + " is out of range");
     requireScale(p.residualSd, "residual_sd of " + what);
     if (p.weights.size() == 0) return;
     requireScale(p.hyper.signalSd, "signal_sd of " + what);

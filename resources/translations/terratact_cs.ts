@@ -1720,10 +1720,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>adresa se již používá</translation>
     </message>
     <message>
-        <source>SIMULATED ROBOT</source>
-        <translation>SIMULOVANÝ ROBOT</translation>
-    </message>
-    <message>
         <source>session recovered, whose program had ended without closing it</source>
         <translation>relace obnovena; její program skončil, aniž ji uzavřel</translation>
     </message>
@@ -1738,74 +1734,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>session deleted, since all together are larger than you have set</source>
         <translation>relace smazána, neboť všechny dohromady jsou větší, než jste nastavili</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>funguje</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>ztraceno</translation>
-    </message>
-    <message>
-        <source>approve</source>
-        <translation>schválit</translation>
-    </message>
-    <message>
-        <source>choose</source>
-        <translation>zvolit</translation>
-    </message>
-    <message>
-        <source>drive</source>
-        <translation>jet</translation>
-    </message>
-    <message>
-        <source>explore</source>
-        <translation>prozkoumat</translation>
-    </message>
-    <message>
-        <source>abort</source>
-        <translation>přerušit</translation>
-    </message>
-    <message>
-        <source>halt</source>
-        <translation>zastavit jízdu</translation>
-    </message>
-    <message>
-        <source>override</source>
-        <translation>přes pochybnost</translation>
-    </message>
-    <message>
-        <source>refuse</source>
-        <translation>odmítnout</translation>
-    </message>
-    <message>
-        <source>release stop</source>
-        <translation>uvolnit STOP</translation>
-    </message>
-    <message>
-        <source>second method</source>
-        <translation>druhá metoda</translation>
-    </message>
-    <message>
-        <source>stop</source>
-        <translation>STOP</translation>
-    </message>
-    <message>
-        <source>settings</source>
-        <translation>nastavení</translation>
-    </message>
-    <message>
-        <source>forward</source>
-        <translation>vpřed</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>zpět</translation>
-    </message>
-    <message>
-        <source>REPLAY %1</source>
-        <translation>PŘEHRÁVÁNÍ %1</translation>
     </message>
     <message>
         <source>the key %1 is missing</source>
@@ -1926,6 +1854,1092 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>a CAN socket cannot be opened (%1)</source>
         <translation>CAN socket nelze otevřít (%1)</translation>
+    </message>
+    <message>
+        <source>has %1 training rows, expected %2 to %3</source>
+        <translation>má %1 trénovacích řádků, očekává se %2 až %3</translation>
+    </message>
+    <message>
+        <source>training row %1</source>
+        <translation>trénovací řádek %1</translation>
+    </message>
+    <message>
+        <source>scanned row</source>
+        <translation>skenovaný řádek</translation>
+    </message>
+    <message>
+        <source>is it in degrees?</source>
+        <translation>není ve stupních?</translation>
+    </message>
+    <message>
+        <source>is it in mA?</source>
+        <translation>není v mA?</translation>
+    </message>
+    <message>
+        <source>is it in mm?</source>
+        <translation>není v mm?</translation>
+    </message>
+    <message>
+        <source>is it raw or without its bias taken off?</source>
+        <translation>není surová, bez odečteného posunu?</translation>
+    </message>
+    <message>
+        <source>a standard deviation of clearances</source>
+        <translation>směrodatná odchylka mezer</translation>
+    </message>
+    <message>
+        <source>the surface of bin %1</source>
+        <translation>povrch bodu %1</translation>
+    </message>
+    <message>
+        <source>the clearance conditional of bin %1</source>
+        <translation>podmíněné rozdělení mezer bodu %1</translation>
+    </message>
+    <message>
+        <source>its clearances lack the features&apos; standardisation</source>
+        <translation>jeho mezerám chybí normování příznaků</translation>
+    </message>
+    <message>
+        <source>it has not one residual per training row and bin</source>
+        <translation>nemá jedno reziduum na každý trénovací řádek a bod</translation>
+    </message>
+    <message>
+        <source>its scanned rows do not fit its training rows</source>
+        <translation>jeho skenované řádky neodpovídají trénovacím</translation>
+    </message>
+    <message>
+        <source>its number of inducing rows is out of range</source>
+        <translation>jeho počet indukujících řádků je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its number of inducing rows is not one</source>
+        <translation>jeho počet indukujících řádků není číslo</translation>
+    </message>
+    <message>
+        <source>its seed is not a number</source>
+        <translation>jeho semínko není číslo</translation>
+    </message>
+    <message>
+        <source>its table length_scale is not in the order of the inputs</source>
+        <translation>jeho tabulka length_scale není v pořadí vstupů</translation>
+    </message>
+    <message>
+        <source>one [[force_array]] more than the %1 expected at most</source>
+        <translation>o jedno [[force_array]] více než nejvýše očekávaných %1</translation>
+    </message>
+    <message>
+        <source>chip must say its label, or its name: one of both</source>
+        <translation>chip musí uvést label, nebo name: jedno z obou</translation>
+    </message>
+    <message>
+        <source>is torn</source>
+        <translation>je utržený</translation>
+    </message>
+    <message>
+        <source>the file does not end with a line end</source>
+        <translation>soubor nekončí koncem řádku</translation>
+    </message>
+    <message>
+        <source>is blank</source>
+        <translation>je prázdný</translation>
+    </message>
+    <message>
+        <source>has a quoted field, which is not supported</source>
+        <translation>má pole v uvozovkách, což není podporováno</translation>
+    </message>
+    <message>
+        <source>leave the quotes out</source>
+        <translation>uvozovky vynechte</translation>
+    </message>
+    <message>
+        <source>has more than %1 fields</source>
+        <translation>má více než %1 polí</translation>
+    </message>
+    <message>
+        <source>has a field of more than %1 bytes</source>
+        <translation>má pole delší než %1 bajtů</translation>
+    </message>
+    <message>
+        <source>has more than %1 columns</source>
+        <translation>má více než %1 sloupců</translation>
+    </message>
+    <message>
+        <source>has %1 fields where the header has %2</source>
+        <translation>má %1 polí, hlavička jich má %2</translation>
+    </message>
+    <message>
+        <source>run is not a name</source>
+        <translation>run není jméno</translation>
+    </message>
+    <message>
+        <source>is one scene more than the %1 allowed in a file</source>
+        <translation>je o jednu scénu více, než kolik smí být v souboru (%1)</translation>
+    </message>
+    <message>
+        <source>is the header, and no scene follows it</source>
+        <translation>je hlavička a nenásleduje po ní žádná scéna</translation>
+    </message>
+    <message>
+        <source>expected a time and a note</source>
+        <translation>očekává se čas a poznámka</translation>
+    </message>
+    <message>
+        <source>a quote does not end</source>
+        <translation>uvozovka nekončí</translation>
+    </message>
+    <message>
+        <source>no line end</source>
+        <translation>chybí konec řádku</translation>
+    </message>
+    <message>
+        <source>too many notes</source>
+        <translation>příliš mnoho poznámek</translation>
+    </message>
+    <message>
+        <source>is no file of notes</source>
+        <translation>není soubor poznámek</translation>
+    </message>
+    <message>
+        <source>expected the columns t_s,note</source>
+        <translation>očekávají se sloupce t_s,note</translation>
+    </message>
+    <message>
+        <source>t_s is no number</source>
+        <translation>t_s není číslo</translation>
+    </message>
+    <message>
+        <source>its robot</source>
+        <translation>její robot</translation>
+    </message>
+    <message>
+        <source>is an SQLite file of another application, not a session</source>
+        <translation>je soubor SQLite jiné aplikace, ne relace</translation>
+    </message>
+    <message>
+        <source>is a session of format version %1, and this program reads version %2</source>
+        <translation>je relace formátu verze %1, tento program čte verzi %2</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a session</source>
+        <translation>jeho tabulky nejsou tabulky relace</translation>
+    </message>
+    <message>
+        <source>its start is no time</source>
+        <translation>jeho začátek není čas</translation>
+    </message>
+    <message>
+        <source>says more of its start than a session does</source>
+        <translation>říká o svém začátku více než relace</translation>
+    </message>
+    <message>
+        <source>does not say whether it could transmit</source>
+        <translation>neříká, zda mohla vysílat</translation>
+    </message>
+    <message>
+        <source>has draws that are not whole</source>
+        <translation>má neúplné vzorky</translation>
+    </message>
+    <message>
+        <source>has a draw that is not finite</source>
+        <translation>má vzorek, který není konečný</translation>
+    </message>
+    <message>
+        <source>the draws of an estimate are missing</source>
+        <translation>vzorky některého odhadu chybějí</translation>
+    </message>
+    <message>
+        <source>the draws of an estimate were changed</source>
+        <translation>vzorky některého odhadu byly změněny</translation>
+    </message>
+    <message>
+        <source>has more batches than a session can have</source>
+        <translation>má více dávek, než relace může mít</translation>
+    </message>
+    <message>
+        <source>a table has more rows than a session can have</source>
+        <translation>některá tabulka má více řádků, než relace může mít</translation>
+    </message>
+    <message>
+        <source>the chain of hashes is broken here</source>
+        <translation>řetěz otisků je zde přerušen</translation>
+    </message>
+    <message>
+        <source>rows were changed, lost or added</source>
+        <translation>řádky byly změněny, ztraceny nebo přidány</translation>
+    </message>
+    <message>
+        <source>%1 rows belong to no batch</source>
+        <translation>řádků, které nepatří do žádné dávky: %1</translation>
+    </message>
+    <message>
+        <source>frames belong to no batch</source>
+        <translation>rámce nepatří do žádné dávky</translation>
+    </message>
+    <message>
+        <source>frames were changed, lost or added</source>
+        <translation>rámce byly změněny, ztraceny nebo přidány</translation>
+    </message>
+    <message>
+        <source>more than %1 places are damaged</source>
+        <translation>poškozeno více než %1 míst</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>číslo je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>a seed is no number</source>
+        <translation>semínko není číslo</translation>
+    </message>
+    <message>
+        <source>a frame is too long</source>
+        <translation>rámec je příliš dlouhý</translation>
+    </message>
+    <message>
+        <source>a frame has the wrong length</source>
+        <translation>rámec má nesprávnou délku</translation>
+    </message>
+    <message>
+        <source>an identifier is too large</source>
+        <translation>identifikátor je příliš velký</translation>
+    </message>
+    <message>
+        <source>truth of no scene</source>
+        <translation>skutečnost bez scény</translation>
+    </message>
+    <message>
+        <source>a reading of no estimate</source>
+        <translation>měření bez odhadu</translation>
+    </message>
+    <message>
+        <source>an offer of no proposal</source>
+        <translation>nabídka bez návrhu</translation>
+    </message>
+    <message>
+        <source>an estimate of no scene</source>
+        <translation>odhad bez scény</translation>
+    </message>
+    <message>
+        <source>an estimate without settings</source>
+        <translation>odhad bez nastavení</translation>
+    </message>
+    <message>
+        <source>an estimate without a model</source>
+        <translation>odhad bez modelu</translation>
+    </message>
+    <message>
+        <source>a bin of no estimate</source>
+        <translation>bod bez odhadu</translation>
+    </message>
+    <message>
+        <source>a proposal without an estimate</source>
+        <translation>návrh bez odhadu</translation>
+    </message>
+    <message>
+        <source>a batch ends before it begins</source>
+        <translation>dávka končí dříve, než začíná</translation>
+    </message>
+    <message>
+        <source>a hash has the wrong length</source>
+        <translation>otisk má nesprávnou délku</translation>
+    </message>
+    <message>
+        <source>an unknown name</source>
+        <translation>neznámé jméno</translation>
+    </message>
+    <message>
+        <source>its scene is not there</source>
+        <translation>jeho scéna tu není</translation>
+    </message>
+    <message>
+        <source>estimate %1</source>
+        <translation>odhad %1</translation>
+    </message>
+    <message>
+        <source>the model gives no finite estimate of this scene</source>
+        <translation>model nedává pro tuto scénu konečný odhad</translation>
+    </message>
+    <message>
+        <source>has no size</source>
+        <translation>nemá velikost</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>nedostatek paměti</translation>
+    </message>
+    <message>
+        <source>its structure cannot be checked</source>
+        <translation>jeho strukturu nelze ověřit</translation>
+    </message>
+    <message>
+        <source>its structure is damaged</source>
+        <translation>jeho struktura je poškozena</translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>chybí číslo</translation>
+    </message>
+    <message>
+        <source>is there already</source>
+        <translation>už existuje</translation>
+    </message>
+    <message>
+        <source>its file system keeps no write-ahead journal</source>
+        <translation>jeho souborový systém nevede předem psaný žurnál</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>obsah databáze je poškozen</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>soubor není databáze</translation>
+    </message>
+    <message>
+        <source>database is locked</source>
+        <translation>databáze je zamčena</translation>
+    </message>
+    <message>
+        <source>database or disk is full</source>
+        <translation>databáze nebo disk jsou plné</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>chyba čtení nebo zápisu na disk</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>soubor databáze nelze otevřít</translation>
+    </message>
+    <message>
+        <source>attempt to write a readonly database</source>
+        <translation>zápis do databáze jen pro čtení</translation>
+    </message>
+    <message>
+        <source>string or blob too big</source>
+        <translation>příliš velká hodnota</translation>
+    </message>
+    <message>
+        <source>SQL logic error</source>
+        <translation>chyba v SQL</translation>
+    </message>
+    <message>
+        <source>describes no message: expected lines that begin with BO_; is it a DBC file?</source>
+        <translation>nepopisuje žádnou zprávu: očekávají se řádky začínající BO_; je to soubor DBC?</translation>
+    </message>
+    <message>
+        <source>is no regular file, which would be waited for</source>
+        <translation>není běžný soubor, čekalo by se na něj</translation>
+    </message>
+    <message>
+        <source>copy it to one</source>
+        <translation>zkopírujte jej do takového</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s protocol has that identifier and is what counts</source>
+        <translation>tento identifikátor má protokol robota a ten platí</translation>
+    </message>
+    <message>
+        <source>%1 more things are left out</source>
+        <translation>dalších vynechaných věcí: %1</translation>
+    </message>
+    <message>
+        <source>the name of a table of words (VAL_TABLE_) is passed over</source>
+        <translation>jméno tabulky slov (VAL_TABLE_) se přeskakuje</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>konec souboru</translation>
+    </message>
+    <message>
+        <source>a message (BO_) before its signals</source>
+        <translation>zpráva (BO_) před svými signály</translation>
+    </message>
+    <message>
+        <source>the keyword of a section (BO_, CM_ …)</source>
+        <translation>klíčové slovo oddílu (BO_, CM_ …)</translation>
+    </message>
+    <message>
+        <source>the keyword of a section, such as BO_ or CM_</source>
+        <translation>klíčové slovo oddílu, například BO_ nebo CM_</translation>
+    </message>
+    <message>
+        <source>the version</source>
+        <translation>verze</translation>
+    </message>
+    <message>
+        <source>what the comment is about</source>
+        <translation>předmět komentáře</translation>
+    </message>
+    <message>
+        <source>a comment</source>
+        <translation>komentář</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>text</translation>
+    </message>
+    <message>
+        <source>a raw value</source>
+        <translation>surová hodnota</translation>
+    </message>
+    <message>
+        <source>the word of a raw value</source>
+        <translation>slovo surové hodnoty</translation>
+    </message>
+    <message>
+        <source>%1 (integer), %2 (float) or %3 (double)</source>
+        <translation>%1 (celé číslo), %2 (float) nebo %3 (double)</translation>
+    </message>
+    <message>
+        <source>the name of a multiplexor</source>
+        <translation>jméno multiplexoru</translation>
+    </message>
+    <message>
+        <source>the first value of a multiplexor</source>
+        <translation>první hodnota multiplexoru</translation>
+    </message>
+    <message>
+        <source>the last value of a multiplexor</source>
+        <translation>poslední hodnota multiplexoru</translation>
+    </message>
+    <message>
+        <source>an attribute&apos;s name</source>
+        <translation>jméno atributu</translation>
+    </message>
+    <message>
+        <source>the attribute&apos;s value</source>
+        <translation>hodnota atributu</translation>
+    </message>
+    <message>
+        <source>the attribute&apos;s default</source>
+        <translation>výchozí hodnota atributu</translation>
+    </message>
+    <message>
+        <source>the message&apos;s identifier</source>
+        <translation>identifikátor zprávy</translation>
+    </message>
+    <message>
+        <source>the message&apos;s name</source>
+        <translation>jméno zprávy</translation>
+    </message>
+    <message>
+        <source>the message&apos;s length in bytes</source>
+        <translation>délka zprávy v bajtech</translation>
+    </message>
+    <message>
+        <source>the message&apos;s sender</source>
+        <translation>odesílatel zprávy</translation>
+    </message>
+    <message>
+        <source>a message&apos;s identifier</source>
+        <translation>identifikátor některé zprávy</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s name</source>
+        <translation>jméno signálu</translation>
+    </message>
+    <message>
+        <source>a signal&apos;s name</source>
+        <translation>jméno některého signálu</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s first bit</source>
+        <translation>první bit signálu</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s length in bits</source>
+        <translation>délka signálu v bitech</translation>
+    </message>
+    <message>
+        <source>the byte order, %1 (little-endian) or %2</source>
+        <translation>pořadí bajtů, %1 (little-endian) nebo %2</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s scale</source>
+        <translation>měřítko signálu</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s offset</source>
+        <translation>posun signálu</translation>
+    </message>
+    <message>
+        <source>the least of the range</source>
+        <translation>nejmenší hodnota rozsahu</translation>
+    </message>
+    <message>
+        <source>the most of the range</source>
+        <translation>největší hodnota rozsahu</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s unit</source>
+        <translation>jednotka signálu</translation>
+    </message>
+    <message>
+        <source>closed with the console</source>
+        <translation>uzavřena s konzolí</translation>
+    </message>
+    <message>
+        <source>the program that recorded ended without closing the session</source>
+        <translation>zaznamenávající program skončil, aniž relaci uzavřel</translation>
+    </message>
+    <message>
+        <source>from a log of CAN frames</source>
+        <translation>ze záznamu rámců CAN</translation>
+    </message>
+    <message>
+        <source>frames that were lost when the log was recorded</source>
+        <translation>rámce ztracené při pořizování záznamu</translation>
+    </message>
+    <message>
+        <source>%1 frames and %2 other rows are not here: there was no room while the disk was slow or full, or they could not be written</source>
+        <translation>chybí %1 rámců a %2 jiných řádků: nebylo pro ně místo, dokud byl disk pomalý nebo plný, nebo je nešlo zapsat</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8 or ISO 8859-1: expected a DBC file; save it anew as such</source>
+        <translation>není text v UTF-8 nebo ISO 8859-1: očekává se soubor DBC; uložte jej tak znovu</translation>
+    </message>
+    <message>
+        <source>no scene has a known height (columns h_-0.3_m … h_+0.7_m)</source>
+        <translation>žádná scéna nemá známou výšku (sloupce h_-0.3_m … h_+0.7_m)</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected 1e-9 to 1e9</source>
+        <translation>%1 je %2, očekává se 1e-9 až 1e9</translation>
+    </message>
+    <message>
+        <source>%1 is %2, beyond the range from %3 to %4 %5 (%6)</source>
+        <translation>%1 je %2, mimo rozsah od %3 do %4 %5 (%6)</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected at most %3 bytes</source>
+        <translation>%1 je %2, očekává se nejvýše %3 bajtů</translation>
+    </message>
+    <message>
+        <source>%1 is %2 again, expected a name of its own for each array</source>
+        <translation>%1 je znovu %2, očekává se pro každé pole vlastní jméno</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected &quot;%3&quot; or &quot;%4&quot;</source>
+        <translation>%1 je %2, očekává se &quot;%3&quot; nebo &quot;%4&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is not an array of %2 to %3 elements</source>
+        <translation>%1 není pole o %2 až %3 prvcích</translation>
+    </message>
+    <message>
+        <source>%1 must rise in force and fall in resistance from point to point</source>
+        <translation>%1 musí od bodu k bodu růst v síle a klesat v odporu</translation>
+    </message>
+    <message>
+        <source>%1 holds %2, expected whole numbers</source>
+        <translation>%1 obsahuje %2, očekávají se celá čísla</translation>
+    </message>
+    <message>
+        <source>%1 names element %2 of that side again, expected one array for each</source>
+        <translation>%1 uvádí prvek %2 téže strany znovu, očekává se pro každý jedno pole</translation>
+    </message>
+    <message>
+        <source>%1 must say the line&apos;s name, or offset its position: one of both</source>
+        <translation>%1 musí uvést jméno linky, nebo offset její polohu: jedno z obou</translation>
+    </message>
+    <message>
+        <source>%1 names a line that the file has used before</source>
+        <translation>%1 uvádí linku, kterou soubor už použil</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 není celé číslo</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a method</source>
+        <translation>%1 není jméno metody</translation>
+    </message>
+    <message>
+        <source>%1 is not a date such as 2026-11-22T07:05:00Z</source>
+        <translation>%1 není datum jako 2026-11-22T07:05:00Z</translation>
+    </message>
+    <message>
+        <source>%1 is not a SHA-256</source>
+        <translation>%1 není SHA-256</translation>
+    </message>
+    <message>
+        <source>is the card of another model: of content %1, and the model&apos;s is %2</source>
+        <translation>je karta jiného modelu: s obsahem %1, model má %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a height column, expected %2</source>
+        <translation>%1 není sloupec výšky, očekává se %2</translation>
+    </message>
+    <message>
+        <source>the column %1 appears twice</source>
+        <translation>sloupec %1 je tu dvakrát</translation>
+    </message>
+    <message>
+        <source>the column %1 is missing; not known: %2</source>
+        <translation>chybí sloupec %1; neznámé: %2</translation>
+    </message>
+    <message>
+        <source>the column %1 is missing</source>
+        <translation>chybí sloupec %1</translation>
+    </message>
+    <message>
+        <source>%1 is unknown, and method %2 needs it</source>
+        <translation>%1 není známo a metoda %2 to potřebuje</translation>
+    </message>
+    <message>
+        <source>its table meta lacks %1</source>
+        <translation>jeho tabulce meta chybí %1</translation>
+    </message>
+    <message>
+        <source>has %1 rows in its table %2, expected %3 to %4</source>
+        <translation>má v tabulce %2 řádků: %1, očekává se %3 až %4</translation>
+    </message>
+    <message>
+        <source>the rows of its table %1 are not numbered from 0</source>
+        <translation>řádky jeho tabulky %1 nejsou číslovány od 0</translation>
+    </message>
+    <message>
+        <source>its table %1 is not numbered from 0</source>
+        <translation>jeho tabulka %1 není číslována od 0</translation>
+    </message>
+    <message>
+        <source>its table %1 holds a bin that does not exist</source>
+        <translation>jeho tabulka %1 obsahuje neexistující bod</translation>
+    </message>
+    <message>
+        <source>its table %1 holds a feature set other than pa and paf</source>
+        <translation>jeho tabulka %1 obsahuje jinou sadu příznaků než pa a paf</translation>
+    </message>
+    <message>
+        <source>a value of the wrong type in %1</source>
+        <translation>hodnota nesprávného typu v %1</translation>
+    </message>
+    <message>
+        <source>malformed database schema (%1) - %2</source>
+        <translation>poškozené schéma databáze (%1) - %2</translation>
+    </message>
+    <message>
+        <source>malformed database schema (%1)</source>
+        <translation>poškozené schéma databáze (%1)</translation>
+    </message>
+    <message>
+        <source>does not say its %1</source>
+        <translation>neuvádí %1</translation>
+    </message>
+    <message>
+        <source>a row of its table %1</source>
+        <translation>řádek jeho tabulky %1</translation>
+    </message>
+    <message>
+        <source>the session&apos;s model %1 (%2…) is not there; %3</source>
+        <translation>model relace %1 (%2…) tu není; %3</translation>
+    </message>
+    <message>
+        <source>the session&apos;s model %1 (%2…) is not there</source>
+        <translation>model relace %1 (%2…) tu není</translation>
+    </message>
+    <message>
+        <source>%1 is %2…; %3</source>
+        <translation>%1 je %2…; %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2…</source>
+        <translation>%1 je %2…</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong number of length scales</source>
+        <translation>%1 má nesprávný počet délkových měřítek</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong number of inputs</source>
+        <translation>%1 má nesprávný počet vstupů</translation>
+    </message>
+    <message>
+        <source>%1 has not one weight per inducing row</source>
+        <translation>%1 nemá jednu váhu na každý indukující řádek</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 není číslo</translation>
+    </message>
+    <message>
+        <source>%1 is not finite</source>
+        <translation>%1 není konečné číslo</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 je prázdné</translation>
+    </message>
+    <message>
+        <source>a length scale of %1</source>
+        <translation>délkové měřítko (%1)</translation>
+    </message>
+    <message>
+        <source>a mean of %1</source>
+        <translation>střední hodnota (%1)</translation>
+    </message>
+    <message>
+        <source>a weight of %1</source>
+        <translation>váha (%1)</translation>
+    </message>
+    <message>
+        <source>a standard deviation of %1</source>
+        <translation>směrodatná odchylka (%1)</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>střední hodnota (%1)</translation>
+    </message>
+    <message>
+        <source>residual_sd of %1</source>
+        <translation>residual_sd (%1)</translation>
+    </message>
+    <message>
+        <source>signal_sd of %1</source>
+        <translation>signal_sd (%1)</translation>
+    </message>
+    <message>
+        <source>noise_sd of %1</source>
+        <translation>noise_sd (%1)</translation>
+    </message>
+    <message>
+        <source>log_likelihood of %1</source>
+        <translation>log_likelihood (%1)</translation>
+    </message>
+    <message>
+        <source>feature set %1, bin %2</source>
+        <translation>sada příznaků %1, bod %2</translation>
+    </message>
+    <message>
+        <source>feature set %1</source>
+        <translation>sada příznaků %1</translation>
+    </message>
+    <message>
+        <source>expected &apos;:&apos; behind the signal&apos;s name, or M or a multiplexor&apos;s value such as m1, found %1; mend the line</source>
+        <translation>očekává se &apos;:&apos; za jménem signálu, M nebo hodnota multiplexoru jako m1, nalezeno %1; opravte řádek</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2; mend the line, or have the file exported anew</source>
+        <translation>očekává se %1, nalezeno %2; opravte řádek, nebo nechte soubor exportovat znovu</translation>
+    </message>
+    <message>
+        <source>the identifier %1 of %2 is none of CAN: expected at most 2047, or 2147483648 and 29 bits; correct it</source>
+        <translation>identifikátor %1 zprávy %2 není z CAN: očekává se nejvýše 2047, nebo 2147483648 a 29 bitů; opravte jej</translation>
+    </message>
+    <message>
+        <source>the signal %1 has %2 bits: expected 1 to 64; correct its length</source>
+        <translation>signál %1 má %2 bitů: očekává se 1 až 64; opravte jeho délku</translation>
+    </message>
+    <message>
+        <source>the signal %1 does not fit its message %2: it ends with bit %3 of %4; correct its first bit, its length or its byte order, or the message&apos;s length</source>
+        <translation>signál %1 se nevejde do své zprávy %2: končí bitem %3 z %4; opravte jeho první bit, délku nebo pořadí bajtů, nebo délku zprávy</translation>
+    </message>
+    <message>
+        <source>the signal %1 is no %2 of IEEE 754: it has %3 bits, expected %4; correct its length, or take the line out</source>
+        <translation>signál %1 není %2 podle IEEE 754: má %3 bitů, očekává se %4; opravte jeho délku, nebo řádek odstraňte</translation>
+    </message>
+    <message>
+        <source>the message %1 is left out: it has %2 bytes, no frame more than %3</source>
+        <translation>zpráva %1 je vynechána: má %2 bajtů, žádný rámec nemá více než %3</translation>
+    </message>
+    <message>
+        <source>the message %1 is left out: %2 has its identifier</source>
+        <translation>zpráva %1 je vynechána: její identifikátor má %2</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: its scale is 0</source>
+        <translation>signál %1 je vynechán: jeho měřítko je 0</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: %2 has another of that name</source>
+        <translation>signál %1 je vynechán: %2 má jiný téhož jména</translation>
+    </message>
+    <message>
+        <source>%1 multiplexed signals of %2 are left out: it has one multiplexor below another</source>
+        <translation>multiplexované signály zprávy %2 jsou vynechány (%1): má jeden multiplexor pod druhým</translation>
+    </message>
+    <message>
+        <source>%1 multiplexed signals of %2 are left out: expected one signal marked M</source>
+        <translation>multiplexované signály zprávy %2 jsou vynechány (%1): očekává se jeden signál označený M</translation>
+    </message>
+    <message>
+        <source>%1 describes that already and is what counts</source>
+        <translation>už to popisuje %1, a to platí</translation>
+    </message>
+    <message>
+        <source>is not of this program: %1 is another or missing; install the file that came with the program</source>
+        <translation>nepatří k tomuto programu: %1 je jiné nebo chybí; nainstalujte soubor, který k programu patří</translation>
+    </message>
+    <message>
+        <source>%1 frames (%2)</source>
+        <translation>rámců %1 (%2)</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>rámec %1</translation>
+    </message>
+    <message>
+        <source>%1, a whole number of at most %2</source>
+        <translation>%1, celé číslo nejvýše %2</translation>
+    </message>
+    <message>
+        <source>%1, a number</source>
+        <translation>%1, číslo</translation>
+    </message>
+    <message>
+        <source>a quotation mark at the end of %1</source>
+        <translation>uvozovka na konci (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 letters, digits and _</source>
+        <translation>%1 o nejvýše %2 písmenech, číslicích a _</translation>
+    </message>
+    <message>
+        <source>%1 in quotation marks</source>
+        <translation>%1 v uvozovkách</translation>
+    </message>
+    <message>
+        <source>%1 behind the message&apos;s name</source>
+        <translation>%1 za jménem zprávy</translation>
+    </message>
+    <message>
+        <source>%1 between two values of a multiplexor</source>
+        <translation>%1 mezi dvěma hodnotami multiplexoru</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s name</source>
+        <translation>%1 za jménem signálu</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s first bit</source>
+        <translation>%1 za prvním bitem signálu</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s length</source>
+        <translation>%1 za délkou signálu</translation>
+    </message>
+    <message>
+        <source>%1 or %2 behind the byte order</source>
+        <translation>%1 nebo %2 za pořadím bajtů</translation>
+    </message>
+    <message>
+        <source>%1 before the signal&apos;s scale</source>
+        <translation>%1 před měřítkem signálu</translation>
+    </message>
+    <message>
+        <source>%1 between scale and offset</source>
+        <translation>%1 mezi měřítkem a posunem</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s offset</source>
+        <translation>%1 za posunem signálu</translation>
+    </message>
+    <message>
+        <source>%1 before the signal&apos;s range</source>
+        <translation>%1 před rozsahem signálu</translation>
+    </message>
+    <message>
+        <source>%1 within the signal&apos;s range</source>
+        <translation>%1 v rozsahu signálu</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s range</source>
+        <translation>%1 za rozsahem signálu</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>po %1</translation>
+    </message>
+    <message>
+        <source>from %1, %2 frames, last link %3, %4 batches of which are not what was recorded and left out</source>
+        <translation>z %1, rámců %2, poslední článek %3, z toho %4 dávek neodpovídá záznamu a jsou vynechány</translation>
+    </message>
+    <message>
+        <source>from %1, %2 frames, last link %3</source>
+        <translation>z %1, rámců %2, poslední článek %3</translation>
+    </message>
+</context>
+<context>
+    <name>event</name>
+    <message>
+        <source>up</source>
+        <translation>funguje</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>ztraceno</translation>
+    </message>
+    <message>
+        <source>telemetry lost</source>
+        <translation>telemetrie ztracena</translation>
+    </message>
+    <message>
+        <source>approve</source>
+        <translation>schválit</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>zvolit</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>jet</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>prozkoumat</translation>
+    </message>
+    <message>
+        <source>abort</source>
+        <translation>přerušit</translation>
+    </message>
+    <message>
+        <source>halt</source>
+        <translation>zastavit jízdu</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>přes pochybnost</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>odmítnout</translation>
+    </message>
+    <message>
+        <source>release stop</source>
+        <translation>uvolnit STOP</translation>
+    </message>
+    <message>
+        <source>second method</source>
+        <translation>druhá metoda</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>vpřed</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>zpět</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>begun</source>
+        <translation>začala</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>pokračuje</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>skončila</translation>
+    </message>
+    <message>
+        <source>recovered</source>
+        <translation>obnovena</translation>
+    </message>
+    <message>
+        <source>merged</source>
+        <translation>sloučena</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>chybí</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>záznam</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>operátor</translation>
+    </message>
+    <message>
+        <source>silence</source>
+        <translation>žádná telemetrie</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>spojení</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>sběrnice</translation>
+    </message>
+    <message>
+        <source>foreign</source>
+        <translation>jiná konzole</translation>
+    </message>
+    <message>
+        <source>dropped</source>
+        <translation>ztracené rámce</translation>
+    </message>
+    <message>
+        <source>checksum</source>
+        <translation>kontrolní součet</translation>
+    </message>
+    <message>
+        <source>disarmed</source>
+        <translation>neaktivní</translation>
+    </message>
+    <message>
+        <source>sensors</source>
+        <translation>snímače</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>panel</translation>
+    </message>
+    <message>
+        <source>exploration</source>
+        <translation>průzkum</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>záznam relace</translation>
+    </message>
+    <message>
+        <source>atem</source>
+        <translation>ATEM</translation>
+    </message>
+    <message>
+        <source>confirm to arm</source>
+        <translation>čeká se na potvrzení aktivace</translation>
+    </message>
+    <message>
+        <source>waiting for the robot to arm</source>
+        <translation>čeká se, až se robot aktivuje</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>aktivní</translation>
+    </message>
+</context>
+<context>
+    <name>source</name>
+    <message>
+        <source>SIMULATED ROBOT</source>
+        <translation>SIMULOVANÝ ROBOT</translation>
+    </message>
+    <message>
+        <source>REPLAY %1</source>
+        <translation>PŘEHRÁVÁNÍ %1</translation>
     </message>
 </context>
 <context>

@@ -1720,10 +1720,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Adresse wird schon verwendet</translation>
     </message>
     <message>
-        <source>SIMULATED ROBOT</source>
-        <translation>SIMULATION</translation>
-    </message>
-    <message>
         <source>session recovered, whose program had ended without closing it</source>
         <translation>Sitzung wiederhergestellt, deren Programm geendet hatte, ohne sie zu schließen</translation>
     </message>
@@ -1738,74 +1734,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>session deleted, since all together are larger than you have set</source>
         <translation>Sitzung gelöscht, da alle zusammen größer sind als eingestellt</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>steht</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>verloren</translation>
-    </message>
-    <message>
-        <source>approve</source>
-        <translation>genehmigen</translation>
-    </message>
-    <message>
-        <source>choose</source>
-        <translation>wählen</translation>
-    </message>
-    <message>
-        <source>drive</source>
-        <translation>fahren</translation>
-    </message>
-    <message>
-        <source>explore</source>
-        <translation>erkunden</translation>
-    </message>
-    <message>
-        <source>abort</source>
-        <translation>abbrechen</translation>
-    </message>
-    <message>
-        <source>halt</source>
-        <translation>halten</translation>
-    </message>
-    <message>
-        <source>override</source>
-        <translation>trotz Zweifel</translation>
-    </message>
-    <message>
-        <source>refuse</source>
-        <translation>ablehnen</translation>
-    </message>
-    <message>
-        <source>release stop</source>
-        <translation>STOP lösen</translation>
-    </message>
-    <message>
-        <source>second method</source>
-        <translation>zweite Methode</translation>
-    </message>
-    <message>
-        <source>stop</source>
-        <translation>STOP</translation>
-    </message>
-    <message>
-        <source>settings</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>forward</source>
-        <translation>vorwärts</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>zurück</translation>
-    </message>
-    <message>
-        <source>REPLAY %1</source>
-        <translation>WIEDERGABE %1</translation>
     </message>
     <message>
         <source>the key %1 is missing</source>
@@ -1926,6 +1854,1092 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>a CAN socket cannot be opened (%1)</source>
         <translation>ein CAN-Socket lässt sich nicht öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>has %1 training rows, expected %2 to %3</source>
+        <translation>hat %1 Trainingszeilen, erwartet werden %2 bis %3</translation>
+    </message>
+    <message>
+        <source>training row %1</source>
+        <translation>Trainingszeile %1</translation>
+    </message>
+    <message>
+        <source>scanned row</source>
+        <translation>gescannte Zeile</translation>
+    </message>
+    <message>
+        <source>is it in degrees?</source>
+        <translation>etwa in Grad?</translation>
+    </message>
+    <message>
+        <source>is it in mA?</source>
+        <translation>etwa in mA?</translation>
+    </message>
+    <message>
+        <source>is it in mm?</source>
+        <translation>etwa in mm?</translation>
+    </message>
+    <message>
+        <source>is it raw or without its bias taken off?</source>
+        <translation>etwa roh oder ohne Abzug des Nullwerts?</translation>
+    </message>
+    <message>
+        <source>a standard deviation of clearances</source>
+        <translation>eine Standardabweichung der Abstände</translation>
+    </message>
+    <message>
+        <source>the surface of bin %1</source>
+        <translation>die Fläche von Feld %1</translation>
+    </message>
+    <message>
+        <source>the clearance conditional of bin %1</source>
+        <translation>die bedingte Verteilung der Abstände von Feld %1</translation>
+    </message>
+    <message>
+        <source>its clearances lack the features&apos; standardisation</source>
+        <translation>seinen Abständen fehlt die Normierung der Merkmale</translation>
+    </message>
+    <message>
+        <source>it has not one residual per training row and bin</source>
+        <translation>es hat nicht ein Residuum je Trainingszeile und Feld</translation>
+    </message>
+    <message>
+        <source>its scanned rows do not fit its training rows</source>
+        <translation>seine gescannten Zeilen passen nicht zu seinen Trainingszeilen</translation>
+    </message>
+    <message>
+        <source>its number of inducing rows is out of range</source>
+        <translation>seine Zahl induzierender Zeilen liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>its number of inducing rows is not one</source>
+        <translation>seine Zahl induzierender Zeilen ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its seed is not a number</source>
+        <translation>sein Startwert ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its table length_scale is not in the order of the inputs</source>
+        <translation>seine Tabelle length_scale hat nicht die Reihenfolge der Eingänge</translation>
+    </message>
+    <message>
+        <source>one [[force_array]] more than the %1 expected at most</source>
+        <translation>ein [[force_array]] mehr als die höchstens erwarteten %1</translation>
+    </message>
+    <message>
+        <source>chip must say its label, or its name: one of both</source>
+        <translation>chip muss label oder name angeben: eines von beiden</translation>
+    </message>
+    <message>
+        <source>is torn</source>
+        <translation>ist abgerissen</translation>
+    </message>
+    <message>
+        <source>the file does not end with a line end</source>
+        <translation>die Datei endet nicht mit einem Zeilenende</translation>
+    </message>
+    <message>
+        <source>is blank</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>has a quoted field, which is not supported</source>
+        <translation>hat ein Feld in Anführungszeichen, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>leave the quotes out</source>
+        <translation>die Anführungszeichen weglassen</translation>
+    </message>
+    <message>
+        <source>has more than %1 fields</source>
+        <translation>hat mehr als %1 Felder</translation>
+    </message>
+    <message>
+        <source>has a field of more than %1 bytes</source>
+        <translation>hat ein Feld von mehr als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>has more than %1 columns</source>
+        <translation>hat mehr als %1 Spalten</translation>
+    </message>
+    <message>
+        <source>has %1 fields where the header has %2</source>
+        <translation>hat %1 Felder, die Kopfzeile %2</translation>
+    </message>
+    <message>
+        <source>run is not a name</source>
+        <translation>run ist kein Name</translation>
+    </message>
+    <message>
+        <source>is one scene more than the %1 allowed in a file</source>
+        <translation>ist eine Szene mehr als die %1, die in einer Datei erlaubt sind</translation>
+    </message>
+    <message>
+        <source>is the header, and no scene follows it</source>
+        <translation>ist die Kopfzeile, und keine Szene folgt ihr</translation>
+    </message>
+    <message>
+        <source>expected a time and a note</source>
+        <translation>erwartet werden eine Zeit und eine Notiz</translation>
+    </message>
+    <message>
+        <source>a quote does not end</source>
+        <translation>ein Anführungszeichen wird nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>no line end</source>
+        <translation>ohne Zeilenende</translation>
+    </message>
+    <message>
+        <source>too many notes</source>
+        <translation>zu viele Notizen</translation>
+    </message>
+    <message>
+        <source>is no file of notes</source>
+        <translation>ist keine Datei mit Notizen</translation>
+    </message>
+    <message>
+        <source>expected the columns t_s,note</source>
+        <translation>erwartet werden die Spalten t_s,note</translation>
+    </message>
+    <message>
+        <source>t_s is no number</source>
+        <translation>t_s ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its robot</source>
+        <translation>ihr Roboter</translation>
+    </message>
+    <message>
+        <source>is an SQLite file of another application, not a session</source>
+        <translation>ist die SQLite-Datei eines anderen Programms, keine Sitzung</translation>
+    </message>
+    <message>
+        <source>is a session of format version %1, and this program reads version %2</source>
+        <translation>ist eine Sitzung in Formatversion %1, dieses Programm liest Version %2</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a session</source>
+        <translation>ihre Tabellen sind nicht die einer Sitzung</translation>
+    </message>
+    <message>
+        <source>its start is no time</source>
+        <translation>ihr Beginn ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>says more of its start than a session does</source>
+        <translation>sagt mehr über ihren Beginn als eine Sitzung</translation>
+    </message>
+    <message>
+        <source>does not say whether it could transmit</source>
+        <translation>sagt nicht, ob sie senden konnte</translation>
+    </message>
+    <message>
+        <source>has draws that are not whole</source>
+        <translation>hat unvollständige Ziehungen</translation>
+    </message>
+    <message>
+        <source>has a draw that is not finite</source>
+        <translation>hat eine Ziehung, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>the draws of an estimate are missing</source>
+        <translation>die Ziehungen einer Schätzung fehlen</translation>
+    </message>
+    <message>
+        <source>the draws of an estimate were changed</source>
+        <translation>die Ziehungen einer Schätzung wurden verändert</translation>
+    </message>
+    <message>
+        <source>has more batches than a session can have</source>
+        <translation>hat mehr Blöcke, als eine Sitzung haben kann</translation>
+    </message>
+    <message>
+        <source>a table has more rows than a session can have</source>
+        <translation>eine Tabelle hat mehr Zeilen, als eine Sitzung haben kann</translation>
+    </message>
+    <message>
+        <source>the chain of hashes is broken here</source>
+        <translation>die Kette der Hashes ist hier unterbrochen</translation>
+    </message>
+    <message>
+        <source>rows were changed, lost or added</source>
+        <translation>Zeilen wurden verändert, verloren oder hinzugefügt</translation>
+    </message>
+    <message>
+        <source>%1 rows belong to no batch</source>
+        <translation>Zeilen, die zu keinem Block gehören: %1</translation>
+    </message>
+    <message>
+        <source>frames belong to no batch</source>
+        <translation>Rahmen gehören zu keinem Block</translation>
+    </message>
+    <message>
+        <source>frames were changed, lost or added</source>
+        <translation>Rahmen wurden verändert, verloren oder hinzugefügt</translation>
+    </message>
+    <message>
+        <source>more than %1 places are damaged</source>
+        <translation>mehr als %1 Stellen sind beschädigt</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>eine Zahl liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a seed is no number</source>
+        <translation>ein Startwert ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a frame is too long</source>
+        <translation>ein Rahmen ist zu lang</translation>
+    </message>
+    <message>
+        <source>a frame has the wrong length</source>
+        <translation>ein Rahmen hat die falsche Länge</translation>
+    </message>
+    <message>
+        <source>an identifier is too large</source>
+        <translation>eine Kennung ist zu groß</translation>
+    </message>
+    <message>
+        <source>truth of no scene</source>
+        <translation>Wahrheit zu keiner Szene</translation>
+    </message>
+    <message>
+        <source>a reading of no estimate</source>
+        <translation>eine Messung zu keiner Schätzung</translation>
+    </message>
+    <message>
+        <source>an offer of no proposal</source>
+        <translation>ein Angebot zu keinem Vorschlag</translation>
+    </message>
+    <message>
+        <source>an estimate of no scene</source>
+        <translation>eine Schätzung zu keiner Szene</translation>
+    </message>
+    <message>
+        <source>an estimate without settings</source>
+        <translation>eine Schätzung ohne Einstellungen</translation>
+    </message>
+    <message>
+        <source>an estimate without a model</source>
+        <translation>eine Schätzung ohne Modell</translation>
+    </message>
+    <message>
+        <source>a bin of no estimate</source>
+        <translation>ein Feld zu keiner Schätzung</translation>
+    </message>
+    <message>
+        <source>a proposal without an estimate</source>
+        <translation>ein Vorschlag ohne Schätzung</translation>
+    </message>
+    <message>
+        <source>a batch ends before it begins</source>
+        <translation>ein Block endet, bevor er beginnt</translation>
+    </message>
+    <message>
+        <source>a hash has the wrong length</source>
+        <translation>ein Hash hat die falsche Länge</translation>
+    </message>
+    <message>
+        <source>an unknown name</source>
+        <translation>ein unbekannter Name</translation>
+    </message>
+    <message>
+        <source>its scene is not there</source>
+        <translation>ihre Szene ist nicht da</translation>
+    </message>
+    <message>
+        <source>estimate %1</source>
+        <translation>Schätzung %1</translation>
+    </message>
+    <message>
+        <source>the model gives no finite estimate of this scene</source>
+        <translation>das Modell gibt für diese Szene keine endliche Schätzung</translation>
+    </message>
+    <message>
+        <source>has no size</source>
+        <translation>hat keine Größe</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>kein Speicher mehr</translation>
+    </message>
+    <message>
+        <source>its structure cannot be checked</source>
+        <translation>ihr Aufbau lässt sich nicht prüfen</translation>
+    </message>
+    <message>
+        <source>its structure is damaged</source>
+        <translation>ihr Aufbau ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>eine Zahl fehlt</translation>
+    </message>
+    <message>
+        <source>is there already</source>
+        <translation>gibt es schon</translation>
+    </message>
+    <message>
+        <source>its file system keeps no write-ahead journal</source>
+        <translation>ihr Dateisystem führt kein Write-ahead-Journal</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>der Inhalt der Datenbank ist beschädigt</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>die Datei ist keine Datenbank</translation>
+    </message>
+    <message>
+        <source>database is locked</source>
+        <translation>die Datenbank ist gesperrt</translation>
+    </message>
+    <message>
+        <source>database or disk is full</source>
+        <translation>Datenbank oder Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>Fehler beim Lesen oder Schreiben des Datenträgers</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>die Datenbankdatei lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>attempt to write a readonly database</source>
+        <translation>Schreibversuch auf eine Datenbank nur zum Lesen</translation>
+    </message>
+    <message>
+        <source>string or blob too big</source>
+        <translation>ein zu großer Wert</translation>
+    </message>
+    <message>
+        <source>SQL logic error</source>
+        <translation>Fehler in SQL</translation>
+    </message>
+    <message>
+        <source>describes no message: expected lines that begin with BO_; is it a DBC file?</source>
+        <translation>beschreibt keine Nachricht: erwartet werden Zeilen, die mit BO_ beginnen; ist es eine DBC-Datei?</translation>
+    </message>
+    <message>
+        <source>is no regular file, which would be waited for</source>
+        <translation>ist keine gewöhnliche Datei, auf sie würde gewartet</translation>
+    </message>
+    <message>
+        <source>copy it to one</source>
+        <translation>in eine solche kopieren</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s protocol has that identifier and is what counts</source>
+        <translation>das Protokoll des Roboters hat diese Kennung, und das gilt</translation>
+    </message>
+    <message>
+        <source>%1 more things are left out</source>
+        <translation>weitere ausgelassene Dinge: %1</translation>
+    </message>
+    <message>
+        <source>the name of a table of words (VAL_TABLE_) is passed over</source>
+        <translation>der Name einer Worttabelle (VAL_TABLE_) wird übergangen</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>das Ende der Datei</translation>
+    </message>
+    <message>
+        <source>a message (BO_) before its signals</source>
+        <translation>eine Nachricht (BO_) vor ihren Signalen</translation>
+    </message>
+    <message>
+        <source>the keyword of a section (BO_, CM_ …)</source>
+        <translation>das Schlüsselwort eines Abschnitts (BO_, CM_ …)</translation>
+    </message>
+    <message>
+        <source>the keyword of a section, such as BO_ or CM_</source>
+        <translation>das Schlüsselwort eines Abschnitts wie BO_ oder CM_</translation>
+    </message>
+    <message>
+        <source>the version</source>
+        <translation>die Version</translation>
+    </message>
+    <message>
+        <source>what the comment is about</source>
+        <translation>der Gegenstand des Kommentars</translation>
+    </message>
+    <message>
+        <source>a comment</source>
+        <translation>ein Kommentar</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a raw value</source>
+        <translation>ein Rohwert</translation>
+    </message>
+    <message>
+        <source>the word of a raw value</source>
+        <translation>das Wort eines Rohwerts</translation>
+    </message>
+    <message>
+        <source>%1 (integer), %2 (float) or %3 (double)</source>
+        <translation>%1 (ganze Zahl), %2 (float) oder %3 (double)</translation>
+    </message>
+    <message>
+        <source>the name of a multiplexor</source>
+        <translation>der Name eines Multiplexors</translation>
+    </message>
+    <message>
+        <source>the first value of a multiplexor</source>
+        <translation>der erste Wert eines Multiplexors</translation>
+    </message>
+    <message>
+        <source>the last value of a multiplexor</source>
+        <translation>der letzte Wert eines Multiplexors</translation>
+    </message>
+    <message>
+        <source>an attribute&apos;s name</source>
+        <translation>der Name eines Attributs</translation>
+    </message>
+    <message>
+        <source>the attribute&apos;s value</source>
+        <translation>der Wert des Attributs</translation>
+    </message>
+    <message>
+        <source>the attribute&apos;s default</source>
+        <translation>der Vorgabewert des Attributs</translation>
+    </message>
+    <message>
+        <source>the message&apos;s identifier</source>
+        <translation>die Kennung der Nachricht</translation>
+    </message>
+    <message>
+        <source>the message&apos;s name</source>
+        <translation>der Name der Nachricht</translation>
+    </message>
+    <message>
+        <source>the message&apos;s length in bytes</source>
+        <translation>die Länge der Nachricht in Bytes</translation>
+    </message>
+    <message>
+        <source>the message&apos;s sender</source>
+        <translation>der Sender der Nachricht</translation>
+    </message>
+    <message>
+        <source>a message&apos;s identifier</source>
+        <translation>die Kennung einer Nachricht</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s name</source>
+        <translation>der Name des Signals</translation>
+    </message>
+    <message>
+        <source>a signal&apos;s name</source>
+        <translation>der Name eines Signals</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s first bit</source>
+        <translation>das erste Bit des Signals</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s length in bits</source>
+        <translation>die Länge des Signals in Bits</translation>
+    </message>
+    <message>
+        <source>the byte order, %1 (little-endian) or %2</source>
+        <translation>die Bytereihenfolge, %1 (little-endian) oder %2</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s scale</source>
+        <translation>die Skalierung des Signals</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s offset</source>
+        <translation>der Offset des Signals</translation>
+    </message>
+    <message>
+        <source>the least of the range</source>
+        <translation>der kleinste Wert des Bereichs</translation>
+    </message>
+    <message>
+        <source>the most of the range</source>
+        <translation>der größte Wert des Bereichs</translation>
+    </message>
+    <message>
+        <source>the signal&apos;s unit</source>
+        <translation>die Einheit des Signals</translation>
+    </message>
+    <message>
+        <source>closed with the console</source>
+        <translation>mit der Konsole geschlossen</translation>
+    </message>
+    <message>
+        <source>the program that recorded ended without closing the session</source>
+        <translation>das aufzeichnende Programm endete, ohne die Sitzung zu schließen</translation>
+    </message>
+    <message>
+        <source>from a log of CAN frames</source>
+        <translation>aus einem Log von CAN-Rahmen</translation>
+    </message>
+    <message>
+        <source>frames that were lost when the log was recorded</source>
+        <translation>Rahmen, die beim Aufzeichnen des Logs verloren gingen</translation>
+    </message>
+    <message>
+        <source>%1 frames and %2 other rows are not here: there was no room while the disk was slow or full, or they could not be written</source>
+        <translation>%1 Rahmen und %2 andere Zeilen fehlen: es war kein Platz, solange der Datenträger langsam oder voll war, oder sie ließen sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8 or ISO 8859-1: expected a DBC file; save it anew as such</source>
+        <translation>ist kein Text in UTF-8 oder ISO 8859-1: erwartet wird eine DBC-Datei; neu als solche speichern</translation>
+    </message>
+    <message>
+        <source>no scene has a known height (columns h_-0.3_m … h_+0.7_m)</source>
+        <translation>keine Szene hat eine bekannte Höhe (Spalten h_-0.3_m … h_+0.7_m)</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected 1e-9 to 1e9</source>
+        <translation>%1 ist %2, erwartet wird 1e-9 bis 1e9</translation>
+    </message>
+    <message>
+        <source>%1 is %2, beyond the range from %3 to %4 %5 (%6)</source>
+        <translation>%1 ist %2, außerhalb des Bereichs von %3 bis %4 %5 (%6)</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected at most %3 bytes</source>
+        <translation>%1 ist %2, erwartet werden höchstens %3 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 is %2 again, expected a name of its own for each array</source>
+        <translation>%1 ist noch einmal %2, erwartet wird für jedes Feld ein eigener Name</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected &quot;%3&quot; or &quot;%4&quot;</source>
+        <translation>%1 ist %2, erwartet wird &quot;%3&quot; oder &quot;%4&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is not an array of %2 to %3 elements</source>
+        <translation>%1 ist keine Liste von %2 bis %3 Elementen</translation>
+    </message>
+    <message>
+        <source>%1 must rise in force and fall in resistance from point to point</source>
+        <translation>%1 muss von Punkt zu Punkt in der Kraft steigen und im Widerstand fallen</translation>
+    </message>
+    <message>
+        <source>%1 holds %2, expected whole numbers</source>
+        <translation>%1 enthält %2, erwartet werden ganze Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 names element %2 of that side again, expected one array for each</source>
+        <translation>%1 nennt Element %2 dieser Seite noch einmal, erwartet wird für jedes ein Feld</translation>
+    </message>
+    <message>
+        <source>%1 must say the line&apos;s name, or offset its position: one of both</source>
+        <translation>%1 muss den Namen der Leitung angeben, oder offset ihre Stelle: eines von beiden</translation>
+    </message>
+    <message>
+        <source>%1 names a line that the file has used before</source>
+        <translation>%1 nennt eine Leitung, die die Datei schon benutzt hat</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a method</source>
+        <translation>%1 ist nicht der Name eines Verfahrens</translation>
+    </message>
+    <message>
+        <source>%1 is not a date such as 2026-11-22T07:05:00Z</source>
+        <translation>%1 ist kein Datum wie 2026-11-22T07:05:00Z</translation>
+    </message>
+    <message>
+        <source>%1 is not a SHA-256</source>
+        <translation>%1 ist kein SHA-256</translation>
+    </message>
+    <message>
+        <source>is the card of another model: of content %1, and the model&apos;s is %2</source>
+        <translation>ist die Karte eines anderen Modells: mit Inhalt %1, der des Modells ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a height column, expected %2</source>
+        <translation>%1 ist keine Höhenspalte, erwartet wird %2</translation>
+    </message>
+    <message>
+        <source>the column %1 appears twice</source>
+        <translation>die Spalte %1 kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the column %1 is missing; not known: %2</source>
+        <translation>die Spalte %1 fehlt; unbekannt: %2</translation>
+    </message>
+    <message>
+        <source>the column %1 is missing</source>
+        <translation>die Spalte %1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is unknown, and method %2 needs it</source>
+        <translation>%1 ist unbekannt, und das Verfahren %2 braucht es</translation>
+    </message>
+    <message>
+        <source>its table meta lacks %1</source>
+        <translation>seiner Tabelle meta fehlt %1</translation>
+    </message>
+    <message>
+        <source>has %1 rows in its table %2, expected %3 to %4</source>
+        <translation>hat %1 Zeilen in seiner Tabelle %2, erwartet werden %3 bis %4</translation>
+    </message>
+    <message>
+        <source>the rows of its table %1 are not numbered from 0</source>
+        <translation>die Zeilen seiner Tabelle %1 sind nicht ab 0 nummeriert</translation>
+    </message>
+    <message>
+        <source>its table %1 is not numbered from 0</source>
+        <translation>seine Tabelle %1 ist nicht ab 0 nummeriert</translation>
+    </message>
+    <message>
+        <source>its table %1 holds a bin that does not exist</source>
+        <translation>seine Tabelle %1 enthält ein Feld, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its table %1 holds a feature set other than pa and paf</source>
+        <translation>seine Tabelle %1 enthält einen anderen Merkmalssatz als pa und paf</translation>
+    </message>
+    <message>
+        <source>a value of the wrong type in %1</source>
+        <translation>ein Wert vom falschen Typ in %1</translation>
+    </message>
+    <message>
+        <source>malformed database schema (%1) - %2</source>
+        <translation>beschädigtes Datenbankschema (%1) - %2</translation>
+    </message>
+    <message>
+        <source>malformed database schema (%1)</source>
+        <translation>beschädigtes Datenbankschema (%1)</translation>
+    </message>
+    <message>
+        <source>does not say its %1</source>
+        <translation>nennt nicht: %1</translation>
+    </message>
+    <message>
+        <source>a row of its table %1</source>
+        <translation>eine Zeile ihrer Tabelle %1</translation>
+    </message>
+    <message>
+        <source>the session&apos;s model %1 (%2…) is not there; %3</source>
+        <translation>das Modell der Sitzung %1 (%2…) ist nicht da; %3</translation>
+    </message>
+    <message>
+        <source>the session&apos;s model %1 (%2…) is not there</source>
+        <translation>das Modell der Sitzung %1 (%2…) ist nicht da</translation>
+    </message>
+    <message>
+        <source>%1 is %2…; %3</source>
+        <translation>%1 ist %2…; %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2…</source>
+        <translation>%1 ist %2…</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong number of length scales</source>
+        <translation>%1 hat die falsche Zahl von Längenskalen</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong number of inputs</source>
+        <translation>%1 hat die falsche Zahl von Eingängen</translation>
+    </message>
+    <message>
+        <source>%1 has not one weight per inducing row</source>
+        <translation>%1 hat nicht ein Gewicht je induzierender Zeile</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not finite</source>
+        <translation>%1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 ist leer</translation>
+    </message>
+    <message>
+        <source>a length scale of %1</source>
+        <translation>eine Längenskala (%1)</translation>
+    </message>
+    <message>
+        <source>a mean of %1</source>
+        <translation>ein Mittelwert (%1)</translation>
+    </message>
+    <message>
+        <source>a weight of %1</source>
+        <translation>ein Gewicht (%1)</translation>
+    </message>
+    <message>
+        <source>a standard deviation of %1</source>
+        <translation>eine Standardabweichung (%1)</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>der Mittelwert (%1)</translation>
+    </message>
+    <message>
+        <source>residual_sd of %1</source>
+        <translation>residual_sd (%1)</translation>
+    </message>
+    <message>
+        <source>signal_sd of %1</source>
+        <translation>signal_sd (%1)</translation>
+    </message>
+    <message>
+        <source>noise_sd of %1</source>
+        <translation>noise_sd (%1)</translation>
+    </message>
+    <message>
+        <source>log_likelihood of %1</source>
+        <translation>log_likelihood (%1)</translation>
+    </message>
+    <message>
+        <source>feature set %1, bin %2</source>
+        <translation>Merkmalssatz %1, Feld %2</translation>
+    </message>
+    <message>
+        <source>feature set %1</source>
+        <translation>Merkmalssatz %1</translation>
+    </message>
+    <message>
+        <source>expected &apos;:&apos; behind the signal&apos;s name, or M or a multiplexor&apos;s value such as m1, found %1; mend the line</source>
+        <translation>erwartet wird &apos;:&apos; hinter dem Namen des Signals, M oder ein Wert des Multiplexors wie m1, gefunden %1; die Zeile berichtigen</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2; mend the line, or have the file exported anew</source>
+        <translation>erwartet wird %1, gefunden %2; die Zeile berichtigen oder die Datei neu exportieren lassen</translation>
+    </message>
+    <message>
+        <source>the identifier %1 of %2 is none of CAN: expected at most 2047, or 2147483648 and 29 bits; correct it</source>
+        <translation>die Kennung %1 von %2 gibt es auf CAN nicht: erwartet wird höchstens 2047, oder 2147483648 und 29 Bits; sie berichtigen</translation>
+    </message>
+    <message>
+        <source>the signal %1 has %2 bits: expected 1 to 64; correct its length</source>
+        <translation>das Signal %1 hat %2 Bits: erwartet werden 1 bis 64; seine Länge berichtigen</translation>
+    </message>
+    <message>
+        <source>the signal %1 does not fit its message %2: it ends with bit %3 of %4; correct its first bit, its length or its byte order, or the message&apos;s length</source>
+        <translation>das Signal %1 passt nicht in seine Nachricht %2: es endet mit Bit %3 von %4; sein erstes Bit, seine Länge oder Bytereihenfolge oder die Länge der Nachricht berichtigen</translation>
+    </message>
+    <message>
+        <source>the signal %1 is no %2 of IEEE 754: it has %3 bits, expected %4; correct its length, or take the line out</source>
+        <translation>das Signal %1 ist kein %2 nach IEEE 754: es hat %3 Bits, erwartet werden %4; seine Länge berichtigen oder die Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>the message %1 is left out: it has %2 bytes, no frame more than %3</source>
+        <translation>die Nachricht %1 ist ausgelassen: sie hat %2 Bytes, kein Rahmen mehr als %3</translation>
+    </message>
+    <message>
+        <source>the message %1 is left out: %2 has its identifier</source>
+        <translation>die Nachricht %1 ist ausgelassen: %2 hat ihre Kennung</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: its scale is 0</source>
+        <translation>das Signal %1 ist ausgelassen: seine Skalierung ist 0</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: %2 has another of that name</source>
+        <translation>das Signal %1 ist ausgelassen: %2 hat ein anderes dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1 multiplexed signals of %2 are left out: it has one multiplexor below another</source>
+        <translation>gemultiplexte Signale von %2 sind ausgelassen (%1): sie hat einen Multiplexor unter einem anderen</translation>
+    </message>
+    <message>
+        <source>%1 multiplexed signals of %2 are left out: expected one signal marked M</source>
+        <translation>gemultiplexte Signale von %2 sind ausgelassen (%1): erwartet wird ein mit M bezeichnetes Signal</translation>
+    </message>
+    <message>
+        <source>%1 describes that already and is what counts</source>
+        <translation>%1 beschreibt das schon, und das gilt</translation>
+    </message>
+    <message>
+        <source>is not of this program: %1 is another or missing; install the file that came with the program</source>
+        <translation>ist nicht von diesem Programm: %1 ist anders oder fehlt; die Datei installieren, die zum Programm gehört</translation>
+    </message>
+    <message>
+        <source>%1 frames (%2)</source>
+        <translation>%1 Rahmen (%2)</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Rahmen %1</translation>
+    </message>
+    <message>
+        <source>%1, a whole number of at most %2</source>
+        <translation>%1, eine ganze Zahl bis %2</translation>
+    </message>
+    <message>
+        <source>%1, a number</source>
+        <translation>%1, eine Zahl</translation>
+    </message>
+    <message>
+        <source>a quotation mark at the end of %1</source>
+        <translation>ein Anführungszeichen am Ende (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 letters, digits and _</source>
+        <translation>%1 aus höchstens %2 Buchstaben, Ziffern und _</translation>
+    </message>
+    <message>
+        <source>%1 in quotation marks</source>
+        <translation>%1 in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>%1 behind the message&apos;s name</source>
+        <translation>%1 hinter dem Namen der Nachricht</translation>
+    </message>
+    <message>
+        <source>%1 between two values of a multiplexor</source>
+        <translation>%1 zwischen zwei Werten eines Multiplexors</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s name</source>
+        <translation>%1 hinter dem Namen des Signals</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s first bit</source>
+        <translation>%1 hinter dem ersten Bit des Signals</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s length</source>
+        <translation>%1 hinter der Länge des Signals</translation>
+    </message>
+    <message>
+        <source>%1 or %2 behind the byte order</source>
+        <translation>%1 oder %2 hinter der Bytereihenfolge</translation>
+    </message>
+    <message>
+        <source>%1 before the signal&apos;s scale</source>
+        <translation>%1 vor der Skalierung des Signals</translation>
+    </message>
+    <message>
+        <source>%1 between scale and offset</source>
+        <translation>%1 zwischen Skalierung und Offset</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s offset</source>
+        <translation>%1 hinter dem Offset des Signals</translation>
+    </message>
+    <message>
+        <source>%1 before the signal&apos;s range</source>
+        <translation>%1 vor dem Bereich des Signals</translation>
+    </message>
+    <message>
+        <source>%1 within the signal&apos;s range</source>
+        <translation>%1 im Bereich des Signals</translation>
+    </message>
+    <message>
+        <source>%1 behind the signal&apos;s range</source>
+        <translation>%1 hinter dem Bereich des Signals</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>from %1, %2 frames, last link %3, %4 batches of which are not what was recorded and left out</source>
+        <translation>aus %1, %2 Rahmen, letztes Glied %3, davon %4 Blöcke nicht wie aufgezeichnet und ausgelassen</translation>
+    </message>
+    <message>
+        <source>from %1, %2 frames, last link %3</source>
+        <translation>aus %1, %2 Rahmen, letztes Glied %3</translation>
+    </message>
+</context>
+<context>
+    <name>event</name>
+    <message>
+        <source>up</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>telemetry lost</source>
+        <translation>Telemetrie weg</translation>
+    </message>
+    <message>
+        <source>approve</source>
+        <translation>genehmigen</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>wählen</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>fahren</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>erkunden</translation>
+    </message>
+    <message>
+        <source>abort</source>
+        <translation>abbrechen</translation>
+    </message>
+    <message>
+        <source>halt</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>trotz Zweifel</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>release stop</source>
+        <translation>STOP lösen</translation>
+    </message>
+    <message>
+        <source>second method</source>
+        <translation>zweite Methode</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>zurück</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>begun</source>
+        <translation>begonnen</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>fortgesetzt</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>recovered</source>
+        <translation>wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>merged</source>
+        <translation>zusammengeführt</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>silence</source>
+        <translation>keine Telemetrie</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>foreign</source>
+        <translation>andere Konsole</translation>
+    </message>
+    <message>
+        <source>dropped</source>
+        <translation>verlorene Rahmen</translation>
+    </message>
+    <message>
+        <source>checksum</source>
+        <translation>Prüfsumme</translation>
+    </message>
+    <message>
+        <source>disarmed</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>Bedienpult</translation>
+    </message>
+    <message>
+        <source>exploration</source>
+        <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>atem</source>
+        <translation>ATEM</translation>
+    </message>
+    <message>
+        <source>confirm to arm</source>
+        <translation>Freigabe ist zu bestätigen</translation>
+    </message>
+    <message>
+        <source>waiting for the robot to arm</source>
+        <translation>wartet auf die Freigabe durch den Roboter</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>freigegeben</translation>
+    </message>
+</context>
+<context>
+    <name>source</name>
+    <message>
+        <source>SIMULATED ROBOT</source>
+        <translation>SIMULATION</translation>
+    </message>
+    <message>
+        <source>REPLAY %1</source>
+        <translation>WIEDERGABE %1</translation>
     </message>
 </context>
 <context>

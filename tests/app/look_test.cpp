@@ -15,6 +15,7 @@
 #include "app/language.h"
 #include "app/letters.h"
 #include "app/main_window.h"
+#include "app/review_timeline.h"
 #include "app/settings_page.h"
 #include "app/view_menu.h"
 #include "core/atem/following.h"
@@ -152,9 +153,7 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
-        for (const BusState state :
-             {BusState::Up, BusState::Stalled, BusState::ErrorWarning, BusState::ErrorPassive,
-              BusState::BusOff, BusState::Down, BusState::Absent, BusState::Ended}) {
+        for (const BusState state : kBusStates) {
             const QString english = QString::fromStdString(describe(state, "can0"));
             const QString translated = busWords(state, "can0");
             EXPECT_NE(translated, english) << language;
@@ -208,23 +207,120 @@ TEST(Languages, whatIsWrongWithAFileIsTranslatedBetweenWhatItNames)
         "robot.toml: line 3: 'wheels' is not a known key",
         "scenes.csv: the column 'colour' is not known and was left out",
         "mine.ttm: its table bin ends too early",
-        "session deleted, since all together are larger than you have set: /tmp/a.tts",
-        "REPLAY mission.log"};
+        "session deleted, since all together are larger than you have set: /tmp/a.tts"};
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
         for (const std::string& sentence : english) {
             const QString translated = words::sentence(sentence);
             EXPECT_NE(translated.toStdString(), sentence) << language;
-            for (const char* word : {" is ", " not ", "expected", "since", "line ", "REPLAY"})
+            for (const char* word : {" is ", " not ", "expected", "since", "line "})
                 EXPECT_FALSE(translated.contains(QLatin1String(word))) << translated.toStdString();
-            for (const char* name :
-                 {"/home/no 2/robot.toml", "body.mass_kg", "0.1", "5000", "'wheels'", "'colour'",
-                  "mine.ttm", "/tmp/a.tts", "mission.log"})
+            for (const char* name : {"/home/no 2/robot.toml", "body.mass_kg", "0.1", "5000",
+                                     "'wheels'", "'colour'", "mine.ttm", "/tmp/a.tts"})
                 EXPECT_EQ(translated.contains(QLatin1String(name)),
                           sentence.find(name) != std::string::npos)
                     << translated.toStdString();
         }
+    }
+    installLanguage(*qApp, "en");
+}
+
+TEST(Languages, namesOfFilesColumnsAndSourcesStayWhatTheyAre)
+{
+    for (const char* language : {"cs", "de"}) {
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        for (const char* name : {"up", "lost", "approve", "drive", "back", "stop", "halt",
+                                 "settings", "ready", "stopped", "driving", "fast", "no", "none"}) {
+            const QString whose = QString::fromUtf8(name);
+            const std::string file =
+                words::sentence(std::string(name) + ": cannot be opened").toStdString();
+            EXPECT_TRUE(file.starts_with(std::string(name) + ": ")) << file;
+            EXPECT_EQ(file.find("opened"), std::string::npos) << file;
+            const std::string behind = "session deleted, since it is older than you have set: ";
+            EXPECT_TRUE(words::sentence(behind + name).endsWith(": " + whose)) << name;
+            const QString column =
+                words::sentence(std::string("the column ") + name + " appears twice");
+            EXPECT_TRUE(column.split(' ').contains(whose)) << column.toStdString();
+            EXPECT_FALSE(column.contains("twice")) << column.toStdString();
+            EXPECT_EQ(words::sourceName(name), whose);
+            const QString replay = words::sourceName(std::string("REPLAY ") + name);
+            EXPECT_TRUE(replay.endsWith(' ' + whose) && !replay.startsWith("REPLAY"))
+                << replay.toStdString();
+        }
+        for (const char* word :
+             {"up", "lost", "approve", "drive", "back", "stop", "halt", "settings"}) {
+            EXPECT_EQ(words::sentence(word), word) << "a word of events is no sentence";
+            EXPECT_NE(words::eventWord(word), word) << language;
+        }
+        EXPECT_NE(words::sourceName("SIMULATED ROBOT"), "SIMULATED ROBOT") << language;
+    }
+    installLanguage(*qApp, "en");
+    EXPECT_EQ(words::sourceName("REPLAY drive"), "REPLAY drive");
+    EXPECT_EQ(words::eventWord("drive"), "drive");
+}
+
+TEST(Languages, whatASessionTellsIsTranslatedButForWhatPeopleWrote)
+{
+    const std::vector<EventRow> told{
+        {.kind = EventKind::Decision, .subject = "drive", .text = "back"},
+        {.kind = EventKind::Decision, .subject = "second method", .text = "none"},
+        {.kind = EventKind::Decision, .subject = "release stop"},
+        {.kind = EventKind::Phase,
+         .subject = describe(AtemPhase::Failed),
+         .text = describe(AtemFailure::Disarmed)},
+        {.kind = EventKind::Arming,
+         .subject = describe(ArmingPhase::Disarmed),
+         .text = describe(DisarmCause::Stop)},
+        {.kind = EventKind::Arming, .subject = describe(ArmingPhase::Confirming)},
+        {.kind = EventKind::Arming, .subject = describe(ArmingPhase::Requested)},
+        {.kind = EventKind::Arming, .subject = describe(ArmingPhase::Armed)},
+        {.kind = EventKind::Link,
+         .subject = std::string(kLinkUp),
+         .text = "gaps before: 3, the longest 0.41 s"},
+        {.kind = EventKind::Link,
+         .subject = std::string(kLinkLost),
+         .text = describe(BusState::Ended, "bus")},
+        {.kind = EventKind::Link, .subject = std::string(kTelemetryLost)},
+        {.kind = EventKind::Alarm, .subject = "silence", .number = 0.0},
+        {.kind = EventKind::Panel, .subject = "refuse", .number = 1.0},
+        {.kind = EventKind::Gap,
+         .subject = "missing",
+         .text =
+             "12 frames and 3 other rows are not here: there was no room while the disk was slow "
+             "or full, or they could not be written"},
+        {.kind = EventKind::Gap,
+         .subject = "log",
+         .text = "frames that were lost when the log was recorded"},
+        {.kind = EventKind::Session, .subject = "begun", .text = "from a log of CAN frames"},
+        {.kind = EventKind::Session, .subject = "continued", .text = "after /tmp/seen.tts"},
+        {.kind = EventKind::Session,
+         .subject = "merged",
+         .text = "from seen.tts, 12 frames, last link 0123, 3 batches of which are not what was "
+                 "recorded and left out"},
+        {.kind = EventKind::Session,
+         .subject = "recovered",
+         .text = "the program that recorded ended without closing the session"},
+        {.kind = EventKind::Session, .subject = "ended", .text = "closed with the console"}};
+    std::vector<QString> english;
+    for (const EventRow& event : told) english.push_back(sentenceOf(event));
+    for (const char* language : {"cs", "de"}) {
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        static const QRegularExpression kBetween(QStringLiteral("[^\\p{L}]+"));
+        for (std::size_t i = 0; i < told.size(); ++i) {
+            const QString translated = sentenceOf(told[i]);
+            const QStringList left = translated.split(kBetween, Qt::SkipEmptyParts);
+            for (const QString& word : english[i].split(kBetween, Qt::SkipEmptyParts))
+                EXPECT_TRUE(!left.contains(word)
+                            || QStringList({"STOP", "CAN", "disk", "program", "robot", "s", "tmp",
+                                            "seen", "tts", "bus"})
+                                   .contains(word))
+                    << language << ": " << word.toStdString() << " in " << translated.toStdString();
+        }
+        const EventRow note{.kind = EventKind::Marker, .subject = "operator", .text = "stop"};
+        EXPECT_TRUE(sentenceOf(note).endsWith(": stop")) << sentenceOf(note).toStdString();
     }
     installLanguage(*qApp, "en");
 }

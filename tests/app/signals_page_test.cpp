@@ -4,11 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "app/dbc_book.h"
+#include "app/language.h"
 #include "app/signal_rows.h"
 #include "app/signals_page.h"
 #include "tests/support/gui.h"
+#include "tests/support/temporary_directory.h"
 #include "widgets/raw_trace.h"
 #include "widgets/signal_table.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -126,6 +130,19 @@ TEST(Load, saysWhatItAssumesOrThatItIsNotKnown)
               "load 20.0 to 24.0 % of nominal 500 kbit/s (without stuff bits, with all there can "
               "be)");
     EXPECT_EQ(loadWords(load, {}), "load --- (bit rate not known): 100.0 to 120.0 kbit/s");
+}
+
+TEST(Trace, wordsOfSomebodysDbcFileAreNotTranslated)
+{
+    if (installLanguage(*qApp, "cs") != "cs") GTEST_SKIP() << "built without translations";
+    const TemporaryDirectory dir;
+    auto book = std::make_shared<DbcBook>();
+    ASSERT_TRUE(book->add(dir.write("theirs.dbc", "BO_ 1200 Gearbox: 1 G\n"
+                                                  " SG_ Gear : 0|8@1+ (1,0) [0|1] \"\" D\n"
+                                                  "VAL_ 1200 Gear 0 \"stopped\" 1 \"no\" ;\n")));
+    EXPECT_EQ(traceWords({.id = 1200, .length = 1}, book).content, "Gear stopped");
+    EXPECT_NE(words::sentence("stopped"), "stopped") << "a word of the robot's, elsewhere";
+    installLanguage(*qApp, "en");
 }
 
 TEST(Filter, takesAnIdentifierOrAPartOfTheName)

@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 FOLDER = pathlib.Path(os.environ["TERRATACT_SOURCE_DIR"]) / "resources" / "translations"
 # A place for a value, a progress bar's percentage, a key as a text names it, and a command to be typed.
 KEPT = re.compile(r"%[1-9]|%p|sudo \w+ \w+|\((?:A|M|N|R|S|W|Esc|Space|F12)\)|F1\b|ATEM|STOP")
-STOPS = {"stop": "STOP", "release stop": "release STOP"}  # what the operator did, as sessions have it
+STOPS = {"stop": "STOP", "release stop": "release STOP", "atem": "ATEM"}  # what the operator did, as sessions have it
 # STOP is a software stop: no text may promise the one that cuts the power.
 EMERGENCY = re.compile(r"nouzov.*(zastav|stop)|\bnot-?(aus|halt|stopp)|\be-?stop|emergency stop", re.IGNORECASE)
 

@@ -22,7 +22,9 @@ sys.argv[1:] = []
 DESKTOP = pathlib.Path(SOURCE, "resources/desktop")
 ID = "org.terratact.console"
 MIME = "{http://www.freedesktop.org/standards/shared-mime-info}"
-MISSING = [tool for tool in ("dpkg-deb", "dpkg-shlibdeps", "file", "gzip") if not shutil.which(tool)]
+STATUS = pathlib.Path("/var/lib/dpkg/status")
+MISSING = [tool for tool in ("dpkg-deb", "dpkg-query", "dpkg-shlibdeps", "file", "gzip", "ldd") if not shutil.which(tool)]
+MISSING += [] if STATUS.exists() else [str(STATUS)]
 MISSING += [] if os.path.exists(CPACK) else ["cpack"]
 
 
@@ -37,6 +39,57 @@ def entry():
     parser.optionxform = str
     parser.read(DESKTOP / f"{ID}.desktop")
     return parser["Desktop Entry"]
+
+
+class Debian:
+    """This system's packages, as dpkg knows them: who needs whom, and whose a file is.  Needs no network."""
+
+    def __init__(self):
+        self.depends, self.providers = {}, {}
+        for paragraph in STATUS.read_text(encoding="utf-8").split("\n\n"):
+            fields = dict(re.findall(r"^([A-Z][A-Za-z-]*): (.*)$", paragraph, re.MULTILINE))
+            if not fields.get("Status", "").endswith(" installed"):
+                continue
+            name = fields["Package"]
+            self.depends[name] = ",".join(fields[key] for key in ("Depends", "Pre-Depends") if key in fields)
+            for provided in [name, *self.names(fields.get("Provides", ""))]:
+                self.providers.setdefault(provided, []).append(name)
+
+    @staticmethod
+    def names(field):
+        return [re.match(r"[a-z0-9][a-z0-9.+-]*", part.strip()).group() for part in re.split("[,|]", field) if part.strip()]
+
+    def closure(self, depends):
+        """The packages that a field Depends brings with it: of alternatives the first that is here."""
+        found, fields = set(), [depends]
+        while fields:
+            for group in filter(str.strip, fields.pop().split(",")):
+                here = [package for name in self.names(group) for package in self.providers.get(name, [])]
+                assert here, f"{group.strip()} is not installed here: nothing can be said of what it brings"
+                if here[0] not in found:
+                    found.add(here[0])
+                    fields.append(self.depends[here[0]])
+        return found
+
+    def strangers(self, files, depends):
+        """Those of the files, and of the libraries that they need, that no package of the closure has: file -> owner."""
+        closure, owners = self.closure(depends), self.owners(files)
+        return {file: owners.get(file) for file in files if owners.get(file) not in closure}
+
+    @staticmethod
+    def owners(files):
+        """Debian has moved /lib below /usr; dpkg knows some files by their old names."""
+        names = {name: file for file in files for real in [os.path.realpath(file)] for name in (real, real.removeprefix("/usr"))}
+        said = subprocess.run(["dpkg-query", "-S", *names], capture_output=True, text=True, timeout=60, check=False).stdout
+        found = re.findall(r"^([a-z0-9.+-]+)(?::\w+)?(?:, .*)?: (/.*)$", said, re.MULTILINE)
+        return {names[name]: package for package, name in found}
+
+
+def libraries(*files):
+    """All that the loader would bring with these programs and plugins; it itself has a name without an arrow."""
+    told = "".join(output("ldd", file) for file in files)
+    assert "not found" not in told, told
+    return set(re.findall(r"=> (/\S+)", told))
 
 
 class Desktop(unittest.TestCase):
@@ -126,6 +179,35 @@ class Package(unittest.TestCase):
         self.assertIn("qt6-wayland", recommends)
         self.assertIn("qt6-translations-l10n", recommends)
         self.assertIn("pipewire-alsa | libasound2-plugins", recommends)
+
+    def programs(self):
+        return [path for path in self.root.rglob("*")
+                if path.is_file() and not path.is_symlink() and path.read_bytes()[:4] == b"\x7fELF"]
+
+    def needed(self, *files):
+        """What must come from other packages."""
+        return {file for file in libraries(*files) if not pathlib.Path(file).is_relative_to(self.root)}
+
+    def test_a_clean_system_has_every_library_of_the_programs(self):
+        depends = output("dpkg-deb", "-f", self.package, "Depends").strip()
+        needed = self.needed(*self.programs())
+        self.assertGreater(len(needed), 30)
+        self.assertEqual(Debian().strangers(needed, depends), {})
+
+    def test_a_clean_system_has_what_the_programs_load_when_they_run(self):
+        """Qt's platforms, which the console looks for by name; what ALSA reads before it opens a device; a font."""
+        depends = output("dpkg-deb", "-f", self.package, "Depends").strip()
+        gui, = (file for file in libraries(self.root / "usr/bin/terratact-console") if "libQt6Gui.so" in file)
+        plugins = [pathlib.Path(gui).parent / "qt6/plugins/platforms" / f"lib{name}.so" for name in ("qxcb", "qoffscreen")]
+        others = ["/usr/share/alsa/alsa.conf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"]
+        self.assertEqual(Debian().strangers({*map(str, plugins), *self.needed(*plugins), *others}, depends), {})
+
+    def test_a_dependency_less_would_be_seen(self):
+        debian, needed = Debian(), self.needed(*self.programs())
+        groups = output("dpkg-deb", "-f", self.package, "Depends").strip().split(",")
+        for package in ("libqt6svg6", "libgpiod2", "libtomlplusplus3", "libasound2"):
+            less = ",".join(group for group in groups if debian.names(group) != [package])
+            self.assertEqual(set(debian.strangers(needed, less).values()), {package})
 
     def test_the_programs_are_stripped_and_know_no_place_of_this_machine(self):
         for name in ("terratact", "terratact-console"):
