@@ -1,6 +1,8 @@
 #include "app/console_alarms.h"
 
 #include <QStringList>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "app/bus_words.h"
@@ -11,9 +13,13 @@ namespace {
 
 constexpr double kFlutter = 1.0;  // [s] such a state lasts now and then on a bus that works
 
+/// Causes of which nothing else on the screen tells in words.
+const std::set<std::string> kOnlyHere{"bus", "foreign", "dropped", "checksum", "sensors"};
+
 bool comesAndGoes(BusState state)
 {
-    return state == BusState::Stalled || state == BusState::ErrorPassive;
+    return state == BusState::Stalled || state == BusState::ErrorWarning
+        || state == BusState::ErrorPassive;
 }
 
 /// "left 3 open, right 1 short"; one that is saturated is pressed hard, and the bars say so.
@@ -88,7 +94,7 @@ void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
 
 void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
 {
-    judge("bus", toneOf(bus.bus) == Tone::Bad, busWords(bus.bus, sight.busName),
+    judge("bus", toneOf(bus.bus) != Tone::Plain, busWords(bus.bus, sight.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender && bus.transmits,
@@ -133,7 +139,10 @@ void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& tex
     if (stands) {
         cause.gone.reset();
         if (!cause.stands) cause.stands = now_;
-        if (now_ - *cause.stands >= after) list_.raise(id, text.toStdString(), severity, now_);
+        if (now_ - *cause.stands < after) return;
+        list_.raise(id, text.toStdString(), severity, now_);
+        if (!std::exchange(cause.isRaised, true) && kOnlyHere.contains(id))
+            emit raised(text, severity);
         return;
     }
     if (!cause.stands) return;

@@ -19,7 +19,12 @@ float pointOf(double value)
 
 void UsualInterval::take(double seconds)
 {
-    const double usual = this->seconds();
+    // The first may have been an outage, which only the next one tells.
+    if (counted_ == 1 && last_[0] > kSilence * seconds) {
+        counted_ = 0;
+        silence_ = taken_;
+    }
+    const double usual = counted_ == 0 ? 0.0 : this->seconds();
     ++taken_;
     if (usual > 0.0 && seconds > kSilence * usual) {
         const bool isAlone = silence_ == 0 || taken_ - silence_ > last_.size();

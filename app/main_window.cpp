@@ -296,6 +296,11 @@ void MainWindow::connectAll()
     });
     connectExploration();
     connectStop();
+    connect(alarms_.get(), &ConsoleAlarms::raised, this,
+            [this](const QString& text, Severity severity) {
+                const Weight weight = severity == Severity::Critical ? Weight::Bad : Weight::Doubt;
+                events()->add(text, weight, QTime::currentTime());
+            });
     if (panel_) connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
     connectWorker();
 }

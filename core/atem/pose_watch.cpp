@@ -23,11 +23,11 @@ bool PoseWatch::differs(const Measurement& newest) const
     return newest.activity == RobotActivity::Driving || beyond(&Measurement::pitch, kTilt)
         || beyond(&Measurement::roll, kTilt) || beyond(&Measurement::frontLeft, kFlipper)
         || beyond(&Measurement::frontRight, kFlipper) || beyond(&Measurement::rearLeft, kFlipper)
-        || beyond(&Measurement::rearRight, kFlipper) || hasRolled(newest);
+        || beyond(&Measurement::rearRight, kFlipper) || tracksMoved(newest);
 }
 
 /// By its tracks, where both lines tell.
-bool PoseWatch::hasRolled(const Measurement& newest) const
+bool PoseWatch::tracksMoved(const Measurement& newest) const
 {
     if (newest.travelled && scene_.travelled
         && std::abs(*newest.travelled - *scene_.travelled) > kTravelled)

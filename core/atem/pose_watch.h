@@ -28,7 +28,7 @@ public:
 
 private:
     bool differs(const Measurement& newest) const;
-    bool hasRolled(const Measurement& newest) const;
+    bool tracksMoved(const Measurement& newest) const;
 
     Measurement scene_;
     std::uint64_t suspectedAt_ = 0;  ///< count of the first that said so; 0: the newest does not

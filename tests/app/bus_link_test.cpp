@@ -28,7 +28,10 @@
 #include "widgets/event_list.h"
 #include "widgets/held_button.h"
 #include "widgets/probe_card.h"
+#include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
+#include "widgets/terrain_profile_view.h"
+#include "widgets/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -246,7 +249,28 @@ TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
     picture("listening");
 }
 
-TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
+/// Where the parts of the page are, and what of the terrain they say.
+struct TerrainLook {
+    QList<QRect> places;
+    QStringList says;
+    bool operator==(const TerrainLook&) const = default;
+};
+
+TerrainLook lookOf(const MainWindow& console)
+{
+    TerrainLook look;
+    const QWidget* const parts[]{
+        console.verdict(), console.terrain(),   console.forces(),
+        console.readout(), console.atemPanel(), console.probeCard(),
+        console.events(),  console.drivePad(),  console.header()->stopButton()};
+    for (const QWidget* part : parts)
+        look.places << QRect(part->mapTo(&console, QPoint()), part->size());
+    look.says << console.verdict()->badge() << console.verdict()->question()
+              << console.terrain()->accessibleDescription();
+    return look;
+}
+
+TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheSame)
 {
     const auto shipped = [this] {
         return modelFileLoader(resourcePath("models/default.ttm"), model);
@@ -257,6 +281,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     const Estimates heard(listener->exploration());
     window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());
     const Estimates made(window->exploration());
+    gui::showActive(*listener);
     gui::showActive(*window);
     for (MainWindow* one : {listener.get(), window.get()})
         ASSERT_TRUE(eventually([&] { return hasModel(*one); }));
@@ -264,6 +289,10 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     ASSERT_TRUE(exploresAndProbes());
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
     const auto ledger = window->exploration().estimation().ledger().entries();
+    EXPECT_TRUE(eventually([&] { return lookOf(*listener) == lookOf(*window); }))
+        << lookOf(*listener).says.join('\n').toStdString();
+    const TerrainLook look = lookOf(*window);
+    EXPECT_NE(look.says.first(), VerdictStrip::tr("NO VERDICT"));
     const TemporaryDirectory directory;
     const std::string log = directory.write("atem.log", candumpOf(*recorder));
     window.reset();
@@ -287,6 +316,8 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimates)
     EXPECT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
         << "what a probe would buy is known here, too";
     EXPECT_FALSE(window->probeCard()->asks());
+    EXPECT_EQ(lookOf(*window).says.join('\n').toStdString(), look.says.join('\n').toStdString());
+    EXPECT_EQ(lookOf(*window).places, look.places);
     EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
     EXPECT_EQ(listener->link()->view().frames.sent, 0U);
 }

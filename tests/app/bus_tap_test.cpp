@@ -303,6 +303,13 @@ TEST_F(Described, anOutageIsNoPeriod)
     EXPECT_NEAR(fresh(), 3.0 * UsualInterval::kMost, 1e-9) << "whatever comes";
 }
 
+TEST_F(Described, anOutageBeforeThereWasAnyPeriodIsNoneEither)
+{
+    double time = 0.0;
+    for (const double interval : {0.0, 600.0, 0.1, 0.1}) take(gas(0, 20.0, 7, time += interval));
+    EXPECT_NEAR(described(291, time).times[1].fresh, 0.3, 1e-9);
+}
+
 TEST_F(Described, aBurstIsNoPeriod)
 {
     double time = 0.0;

@@ -75,6 +75,33 @@ TEST_F(Alarming, telemetryThatStopsAloneIsNoLostLink)
     EXPECT_TRUE(says("link", "Telemetry lost"));
 }
 
+TEST_F(Alarming, aBusWithManyErrorsIsToldBeforeItFails)
+{
+    sight.bus->bus = BusState::ErrorWarning;
+    pass(0.5);
+    EXPECT_FALSE(find("bus")) << "a second of it is nothing";
+    pass(1.0);
+    EXPECT_TRUE(says("bus", "can0 has errors"));
+    EXPECT_EQ(find("bus")->severity, Severity::Caution);
+}
+
+TEST_F(Alarming, whatNothingElseTellsOfIsToldOnceItStands)
+{
+    QStringList told;
+    QObject::connect(&alarms, &ConsoleAlarms::raised,
+                     [&](const QString& text, Severity) { told << text; });
+    sight.bus->link.foreignSender = sight.bus->transmits = true;
+    sight.link = kLost;
+    pass(3.0);
+    ASSERT_EQ(told.size(), 1) << "the link has a banner";
+    EXPECT_TRUE(told.first().startsWith("Another console"));
+    sight.bus->link.foreignSender = false;
+    pass(30.0);
+    sight.bus->link.foreignSender = true;
+    pass(1.0);
+    EXPECT_EQ(told.size(), 2) << "it is back";
+}
+
 TEST_F(Alarming, linkThatFluttersIsOneAlarm)
 {
     for (int i = 0; i < 20; ++i) {
