@@ -73,7 +73,10 @@ ReviewWindow::ReviewWindow(Options options)
     setFocus();
 }
 
-ReviewWindow::~ReviewWindow() = default;
+ReviewWindow::~ReviewWindow()
+{
+    delete export_;  // ends what it writes, before a survey that may take its time
+}
 
 void ReviewWindow::buildHeader()
 {

@@ -24,6 +24,7 @@
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
 #include "widgets/estimate_strip.h"
+#include "widgets/event_list.h"
 #include "widgets/force_bars.h"
 #include "widgets/held_button.h"
 #include "widgets/look.h"
@@ -31,6 +32,8 @@
 #include "widgets/probe_card.h"
 #include "widgets/status_header.h"
 #include "widgets/terrain_profile_view.h"
+#include "widgets/verdict_strip.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -114,6 +117,40 @@ TEST_F(ReviewOf, aSessionShowsWhatTheOperatorSaw)
     EXPECT_FALSE(window->terrainPage()->showsEstimate());
     window->goTo(At::kAlarm + 0.1);
     EXPECT_TRUE(window->header()->alarmsButton()->text().contains("1"));
+}
+
+TEST_F(ReviewOf, theEventsBesideTheRobotAreThoseOfTheTimeBefore)
+{
+    record();
+    open();
+    const EventList& list = *window->terrainPage()->events();
+    const auto newestIsTheAlarm = [&] {
+        return list.count() > 0 && list.item(0)->text().contains("frames are lost");
+    };
+    window->goTo(At::kAlarm + 0.1);
+    const int before = list.count();
+    EXPECT_TRUE(newestIsTheAlarm());
+    window->goTo(At::kForgotten + 0.1);
+    EXPECT_GT(list.count(), before);
+    EXPECT_FALSE(newestIsTheAlarm());
+    window->goTo(At::kAlarm + 0.1);
+    EXPECT_EQ(list.count(), before);
+    EXPECT_TRUE(newestIsTheAlarm());
+}
+
+TEST_F(ReviewOf, anotherLimitIsThatOfEveryTimeFromThenOn)
+{
+    record();
+    open();
+    window->goTo(At::kMarker);
+    const VerdictStrip& verdict = *window->terrainPage()->verdict();
+    const double other = verdict.limit() + VerdictStrip::kLimitStep;
+    QTest::mouseClick(verdict.raiseButton(), Qt::LeftButton);
+    EXPECT_NEAR(verdict.limit(), other, 1e-9);
+    window->goTo(At::kAgain + 0.1);
+    EXPECT_NEAR(verdict.limit(), other, 1e-9);
+    EXPECT_TRUE(verdict.question().contains(words::number(other, 2)))
+        << verdict.question().toStdString();
 }
 
 TEST_F(ReviewOf, aDamagedSessionShowsItsGaps)

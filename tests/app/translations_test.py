@@ -26,7 +26,7 @@ def trouble(file):
             if translation.get("type") == "unfinished" or not translation.text:
                 yield f"{where} is not translated"
             elif sorted(KEPT.findall(STOPS.get(source, source))) != sorted(KEPT.findall(translation.text)):
-                yield f"{where}: {translation.text!r} does not keep its places, keys, ATEM or STOP"
+                yield f"{where}: {translation.text!r} does not keep its places, keys, commands, ATEM or STOP"
 
 
 def main():
