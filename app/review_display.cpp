@@ -7,6 +7,7 @@
 #include "app/robot_words.h"
 #include "core/atem/link_watch.h"
 #include "widgets/event_list.h"
+#include "widgets/robot_readout.h"
 #include "widgets/status_header.h"
 #include "widgets/words.h"
 
