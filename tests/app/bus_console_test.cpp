@@ -126,13 +126,25 @@ TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
     QTest::keyClick(window.get(), Qt::Key_M);  // too short
     QTest::qWait(300);
     EXPECT_NE(arming(), ArmingPhase::Armed);
-    ASSERT_TRUE(holds(Qt::Key_M, ArmingPhase::Armed));
+    ASSERT_TRUE(confirmsArming(*window));
     EXPECT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
     picture("armed");
     QTest::qWait(60);
     QTest::keyClick(window.get(), Qt::Key_M);
     EXPECT_TRUE(eventually([&] { return arming() == ArmingPhase::Disarmed; }));
     EXPECT_TRUE(eventually([&] { return !window->drivePad()->forwardButton()->isEnabled(); }));
+}
+
+TEST_F(BusConsole, canBeArmedAgainWhereSomethingDisarmedOnTheWay)
+{
+    open();
+    EXPECT_FALSE(terratact::armsOnce(*window, [this] { window->link()->disarm(); }));
+    int goes = 0;
+    EXPECT_TRUE(inSomeGo([&] {
+        if (++goes == 1) window->link()->disarm();
+        return goes > 1 && exploresUntilAsked();
+    }));
+    EXPECT_EQ(arming(), ArmingPhase::Armed);
 }
 
 TEST_F(BusConsole, heldKeyThatAnXServerRepeatsArmsNothing)
@@ -153,20 +165,17 @@ TEST_F(BusConsole, heldKeyThatAnXServerRepeatsArmsNothing)
 TEST_F(BusConsole, driveExploreProbeAndDriveOn)
 {
     open();
-    // On a busy machine heartbeats may come too late and disarm the console in some go; in every go is somebody's
-    // fault, as where the end of an exploration disarms.
-    bool drivesOn = false;
-    for (int go = 0; go < 10 && !drivesOn && !HasFailure(); ++go) {
-        if (!drives()) continue;
+    const bool drivesOn = inSomeGo([this] {
+        if (!drives()) return false;
         const int epoch = window->link()->view().link.arming.epoch;  // another for every arming
         QTest::keyRelease(window.get(), Qt::Key_W);
-        ASSERT_TRUE(robotIs(RobotActivity::Halted));
-        if (!exploresAndProbes()) continue;
+        EXPECT_TRUE(robotIs(RobotActivity::Halted));
+        if (!exploresAndProbes()) return false;
         EXPECT_TRUE(window->exploration().state().probed);
         picture("presenting");
         QTest::qWait(200);
-        drivesOn = drives() && window->link()->view().link.arming.epoch == epoch;
-    }
+        return drives() && window->link()->view().link.arming.epoch == epoch;
+    });
     EXPECT_TRUE(drivesOn) << "it had to be armed anew each time";
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
@@ -176,11 +185,7 @@ TEST_F(BusConsole, saysWhyTheRobotRefusedTheProbeInEveryLayout)
 {
     open(CanSource::Mode::Transmit, RobotFault::RefuseProbe);
     window->preferences().change([](Preferences& p) { p.layout = Layout::Drive; });
-    arm();
-    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
-    QTest::keyClick(window.get(), Qt::Key_A);
-    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
+    ASSERT_TRUE(inSomeGo([this] { return exploresUntilAsked(); }));
     QTest::keyPress(window.get(), Qt::Key_Space);
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     QTest::keyRelease(window.get(), Qt::Key_Space);
@@ -379,11 +384,7 @@ TEST_F(BusConsole, aFloodOfTelemetryIsNoFloodOfSignalsNorOfPictures)
 TEST_F(BusConsole, disarmedRobotEndsTheExploration)
 {
     open();
-    arm();
-    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
-    QTest::keyClick(window.get(), Qt::Key_A);
-    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
-        << describe(window->exploration().state().failure);
+    ASSERT_TRUE(inSomeGo([this] { return exploresUntilAsked(); }));
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     EXPECT_EQ(window->exploration().state().failure, AtemFailure::Disarmed);

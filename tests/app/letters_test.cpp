@@ -61,8 +61,7 @@ TEST_F(LettersOfTheConsole, cutNothingOnAnyPageInAnyLanguage)
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
         open();
-        arm();
-        ASSERT_TRUE(exploresAndProbes());
+        ASSERT_TRUE(inSomeGo([this] { return exploresAndProbes(); }));
         QTest::mousePress(window->header()->stopButton(), Qt::LeftButton);
         ASSERT_TRUE(eventually([&] { return !window->alarms().list().alarms().empty(); }))
             << "no alarm stands";

@@ -17,6 +17,7 @@
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/frame_layout.h"
+#include "tests/support/arming.h"
 #include "tests/support/gui.h"
 #include "tests/support/sessions.h"
 #include "tests/support/toy_model.h"
@@ -429,20 +430,9 @@ void Screens::press(int key, Qt::KeyboardModifiers with)
 
 void Screens::arm()
 {
-    ArmingControl& arming = *console->header()->arming();
-    arming.confirmButton()->setHoldTime(1);
-    const auto state = [&] { return console->link()->view().link.arming; };
-    for (int attempt = 0; attempt < 5 && !console->exploration().armed(); ++attempt) {
-        ASSERT_TRUE(eventually([&] { return arming.armButton()->isEnabled(); }, kPatience));
-        press(Qt::Key_M);
-        if (!eventually([&] { return arming.confirmButton()->isVisible(); }, 2000)) continue;
-        QTest::qWait(60);  // a second action, not a repeated key
-        QTest::keyPress(&window(), Qt::Key_M);
-        (void)eventually([&] { return console->exploration().armed(); }, 2000);
-        QTest::keyRelease(&window(), Qt::Key_M);
-        QTest::qWait(60);  // likewise
-    }
-    ASSERT_TRUE(console->exploration().armed()) << describe(state().cause);
+    console->header()->arming()->confirmButton()->setHoldTime(1);
+    ASSERT_TRUE(arms(*console)) << describe(console->link()->view().link.arming.cause);
+    ASSERT_TRUE(eventually([&] { return console->exploration().armed(); }, kPatience));
 }
 
 bool Screens::reaches(AtemPhase phase)

@@ -64,8 +64,13 @@ struct SmallScreen : BusConsole {
     {
         window->rail()->choose(0);
         QTest::qWait(60);
-        // What is new in the header may take it to a second line, which the rest makes room for.
-        (void)eventually([&] { return gui::overlaps(*window).empty(); }, 3000);
+        // What is new in the header may take it to a second line, and a new text more lines, which the rest makes room for.
+        (void)eventually(
+            [&] {
+                return gui::overlaps(*window).empty()
+                    && (!hasEnough() || gui::cramped(*window).empty());
+            },
+            3000);
         lookAtHeader(what + ", terrain");
         const QRect seen = onScreen(*window->verdict()).intersected(screenArea());
         EXPECT_EQ(seen.height(), window->verdict()->height()) << what;
@@ -104,11 +109,7 @@ TEST_F(SmallScreen, hasStopArmingAndVerdictInEveryLanguage)
         openIn(language);
         const std::string in = language;
         lookAtEachPage(in + " started");
-        arm();
-        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
-        QTest::keyClick(window.get(), Qt::Key_A);
-        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-        ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
+        ASSERT_TRUE(inSomeGo([this] { return exploresUntilAsked(); }));
         lookAtEachPage(in + " asked");
         clickStop();
         EXPECT_TRUE(reaches(AtemPhase::Stopped)) << in;

@@ -195,10 +195,11 @@ class Package(unittest.TestCase):
         self.assertEqual(Debian().strangers(needed, depends), {})
 
     def test_a_clean_system_has_what_the_programs_load_when_they_run(self):
-        """Qt's platforms, which the console looks for by name; what ALSA reads before it opens a device; a font."""
+        """Qt's platforms, and its engine for the window's icon, an SVG; what ALSA reads before it opens a device; a font."""
         depends = output("dpkg-deb", "-f", self.package, "Depends").strip()
         gui, = (file for file in libraries(self.root / "usr/bin/terratact-console") if "libQt6Gui.so" in file)
-        plugins = [pathlib.Path(gui).parent / "qt6/plugins/platforms" / f"lib{name}.so" for name in ("qxcb", "qoffscreen")]
+        plugins = [pathlib.Path(gui).parent / "qt6/plugins" / name
+                   for name in ("platforms/libqxcb.so", "platforms/libqoffscreen.so", "iconengines/libqsvgicon.so")]
         others = ["/usr/share/alsa/alsa.conf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"]
         self.assertEqual(Debian().strangers({*map(str, plugins), *self.needed(*plugins), *others}, depends), {})
 
