@@ -192,7 +192,7 @@ QString textOf(const EventRow& event)
 {
     if (event.kind == EventKind::Marker) return words::text(event.text);  // somebody's own
     if (event.kind == EventKind::Decision)
-        if (const QString word = words::eventWord(event.text); word != words::text(event.text))
+        if (QString word = words::eventWord(event.text); word != words::text(event.text))
             return word;
     if (event.kind == EventKind::Link)
         for (const BusState state : kBusStates)

@@ -414,7 +414,7 @@ QString translated(const QString& whole)
 
 QString words::sentence(std::string_view english)
 {
-    const QString whole = text(english);
+    QString whole = text(english);
     if (QString known = translated(whole); !known.isEmpty()) return known;
     if (QString known = translatedOpen(whole); !known.isEmpty()) return known;
     // "models/mine.ttm: cannot be opened: No such file or directory"
