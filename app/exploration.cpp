@@ -415,7 +415,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Stopped:
         estimation_.cancel();
         emit happened(tr("STOP"), Weight::Bad);
-        if (!estimation_.estimate()) forget(tr("No estimate: STOP was pressed"));
+        if (!estimation_.estimate()) forget(tr("No estimate: STOP is latched"));
         break;
     case AtemPhase::Failed: fail(); break;
     }

@@ -120,7 +120,7 @@ void LinkStatus::showRate(double now)
     const std::uint64_t dropped = view ? view->frames.dropped : 0;
     // The rate is that of the last second.
     QString text = now - upSince_ < 1.0
-                     ? tr("link · ≤ %1").arg(words::age(worstAge_))
+                     ? tr("link ≤ %1").arg(words::age(worstAge_))
                      : tr("link %1 Hz · ≤ %2")
                            .arg(words::number(acquisition_.rate(), 0), words::age(worstAge_));
     if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);

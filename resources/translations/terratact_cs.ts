@@ -305,8 +305,8 @@
         <translation>už není aktivní: %1</translation>
     </message>
     <message>
-        <source>link · ≤ %1</source>
-        <translation>spoj · ≤ %1</translation>
+        <source>link ≤ %1</source>
+        <translation>spoj ≤ %1</translation>
     </message>
     <message>
         <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
@@ -3925,8 +3925,8 @@ F1</translation>
         <translation>Zatím bez odhadu: od robota nejde telemetrie</translation>
     </message>
     <message>
-        <source>No estimate: STOP was pressed</source>
-        <translation>Bez odhadu: byl stisknut STOP</translation>
+        <source>No estimate: STOP is latched</source>
+        <translation>Bez odhadu: STOP drží</translation>
     </message>
 </context>
 <context>

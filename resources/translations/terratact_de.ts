@@ -305,8 +305,8 @@
         <translation>nicht mehr freigegeben: %1</translation>
     </message>
     <message>
-        <source>link · ≤ %1</source>
-        <translation>Link · ≤ %1</translation>
+        <source>link ≤ %1</source>
+        <translation>Link ≤ %1</translation>
     </message>
     <message>
         <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
@@ -3925,8 +3925,8 @@ F1</translation>
         <translation>Noch keine Schätzung: keine Telemetrie vom Roboter</translation>
     </message>
     <message>
-        <source>No estimate: STOP was pressed</source>
-        <translation>Keine Schätzung: STOP wurde gedrückt</translation>
+        <source>No estimate: STOP is latched</source>
+        <translation>Keine Schätzung: STOP ist eingerastet</translation>
     </message>
 </context>
 <context>

@@ -257,12 +257,17 @@ struct TerrainLook {
 TerrainLook lookOf(const MainWindow& console)
 {
     TerrainLook look;
-    const QWidget* const parts[]{
-        console.verdict(), console.terrain(),   console.forces(),
-        console.readout(), console.atemPanel(), console.probeCard(),
-        console.events(),  console.drivePad(),  console.header()->stopButton()};
-    for (const QWidget* part : parts)
-        look.places << QRect(part->mapTo(&console, QPoint()), part->size());
+    const auto place = [&](const QWidget* part) {
+        return QRect(part->mapTo(&console, QPoint()), part->size());
+    };
+    const QWidget* const parts[]{console.verdict(), console.terrain(),  console.forces(),
+                                 console.readout(), console.drivePad(), console.events()};
+    for (const QWidget* part : parts) look.places << place(part);
+    // What is needed to explore is a line more or less, which its neighbour in the column gives.
+    look.places << place(console.atemPanel()).united(place(console.probeCard()));
+    // STOP says so where nobody can be stopped, which takes more letters.
+    const QRect stop = console.header()->stopButton()->geometry();
+    look.places << QRect(stop.topRight(), stop.bottomRight());
     look.says << console.verdict()->badge() << console.verdict()->question()
               << console.terrain()->accessibleDescription();
     return look;
@@ -287,8 +292,10 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
     ASSERT_TRUE(exploresAndProbes());
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
     const auto ledger = window->exploration().estimation().ledger().entries();
-    EXPECT_TRUE(eventually([&] { return lookOf(*listener) == lookOf(*window); }))
-        << lookOf(*listener).says.join('\n').toStdString();
+    (void)eventually([&] { return lookOf(*listener) == lookOf(*window); }, 5000);
+    EXPECT_EQ(lookOf(*listener).says.join('\n').toStdString(),
+              lookOf(*window).says.join('\n').toStdString());
+    EXPECT_EQ(lookOf(*listener).places, lookOf(*window).places);
     const TerrainLook look = lookOf(*window);
     EXPECT_NE(look.says.first(), VerdictStrip::tr("NO VERDICT"));
     const TemporaryDirectory directory;

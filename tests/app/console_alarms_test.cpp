@@ -214,16 +214,6 @@ TEST_F(Alarming, aRobotThatWasDisarmedByWhatNobodyWantedIsOneUntilItIsArmedAgain
     EXPECT_GT(sounds, 0);
 }
 
-TEST_F(Alarming, aControllerThatWarnsIsNone)
-{
-    sight.bus->bus = BusState::ErrorWarning;
-    pass(3.0);
-    EXPECT_FALSE(find("bus")) << "the header says it";
-    sight.bus->bus = BusState::ErrorPassive;
-    pass(3.0);
-    EXPECT_TRUE(stands("bus"));
-}
-
 TEST_F(Alarming, otherCauses)
 {
     sight.bus->link.foreignSender = true;

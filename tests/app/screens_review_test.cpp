@@ -16,6 +16,7 @@
 #include "app/resources.h"
 #include "app/review_events_page.h"
 #include "app/review_export_dialog.h"
+#include "app/review_sights.h"
 #include "app/settings_page.h"
 #include "app/text_sheet.h"
 #include "app/training_page.h"
@@ -218,7 +219,7 @@ TEST_F(Screens, review)
         const QString recordedModel = words::text(review->moment().model->details);
         picture("review",
                 {ReviewWindow::tr("closed and sealed"), ReviewWindow::tr("no command can be sent"),
-                 ReviewWindow::tr("A review commands no robot")});
+                 ReviewSights::tr("A review commands no robot")});
         press(Qt::Key_F4);
         picture("review_events", {QStringLiteral("demo.tts")});
         for (const std::string& text : gui::textsOf(*review->events()))

@@ -1,47 +1,46 @@
 // What decides, in the colours of the night and of high contrast, in the smallest window and in the largest letters.
-#include <utility>
+#include <string_view>
 
 #include "app/link_status.h"
 #include "tests/app/screens.h"
-#include "tests/support/gui.h"
 #include "widgets/atem_panel.h"
-#include "widgets/held_button.h"
 #include "widgets/probe_card.h"
 #include "widgets/status_header.h"
 #include "widgets/words.h"
 
 namespace terratact {
 
-using gui::eventually;
-
 TEST_F(Screens, themes)
 {
-    const auto named = [](const char* what, const char* theme) {
-        return std::string(what) + '_' + theme;
+    struct Names {
+        ThemeName theme;
+        std::string_view notReady, asked, stopped, lost, alarms;
     };
+    constexpr Names kThemes[]{{ThemeName::NightRed, "not_ready_by_night", "asked_by_night",
+                               "stopped_by_night", "link_lost_by_night", "alarms_by_night"},
+                              {ThemeName::HighContrast, "not_ready_in_high_contrast",
+                               "asked_in_high_contrast", "stopped_in_high_contrast",
+                               "link_lost_in_high_contrast", "alarms_in_high_contrast"}};
     inEveryLanguage([&] {
-        for (const auto& [theme, name] : {std::pair(ThemeName::NightRed, "by_night"),
-                                          std::pair(ThemeName::HighContrast, "in_high_contrast")}) {
+        for (const Names& names : kThemes) {
             open({.linkLostAfter = 0.8});
-            console->preferences().change([theme = theme](Preferences& p) { p.theme = theme; });
-            picture(named("not_ready", name), {AtemPanel::tr("not ready")});
+            console->preferences().change([&](Preferences& p) { p.theme = names.theme; });
+            picture(names.notReady, {AtemPanel::tr("not ready")});
             ASSERT_NO_FATAL_FAILURE(explore());
-            const QString question = ProbeCard::tr("hold to approve probe at %1 (Space)");
-            picture(named("asked", name), {question});
+            picture(names.asked, {ProbeCard::tr("hold to approve probe at %1 (Space)")});
             press(Qt::Key_F12);
-            picture(named("stopped", name), {StatusHeader::tr("STOPPED (F12)")});
+            picture(names.stopped, {StatusHeader::tr("STOPPED (F12)")});
             robot->stage({.isMute = true});
-            picture(named("link_lost", name),
-                    {LinkStatus::tr("%1 for %2 — nothing on this screen is live%3")});
+            picture(names.lost, {LinkStatus::tr("%1 for %2 — nothing on this screen is live%3")});
             press(Qt::Key_F4);
-            picture(named("alarms", name), {words::sentence("link lost")});
+            picture(names.alarms, {words::sentence("link lost")});
         }
 
         open({});
         console->setRoom({1200, 680});
         console->resize(1200, 680);
         ASSERT_NO_FATAL_FAILURE(explore());
-        picture("asked_in_the_smallest_window", {ProbeCard::tr("%1 left, then no")});
+        picture("asked_in_the_smallest_window", {ProbeCard::tr("%1 left")});
         console->setRoom({1440, 900});
         console->resize(1440, 900);
         console->preferences().change([](Preferences& p) { p.fontScale = 200; });
