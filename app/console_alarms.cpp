@@ -141,8 +141,9 @@ void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& tex
         if (!cause.stands) cause.stands = now_;
         if (now_ - *cause.stands < after) return;
         list_.raise(id, text.toStdString(), severity, now_);
-        if (!std::exchange(cause.isRaised, true) && kOnlyHere.contains(id))
-            emit raised(text, severity);
+        if (cause.told == severity || cause.told == Severity::Critical) return;
+        cause.told = severity;
+        if (kOnlyHere.contains(id)) emit raised(text, severity);
         return;
     }
     if (!cause.stands) return;

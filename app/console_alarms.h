@@ -50,14 +50,14 @@ public:
     QString soundTrouble() const { return sounder_->trouble(); }
 
 signals:
-    /// It stands now, and no other part of the window tells of it.
+    /// It stands now, or is graver now, and no other part of the window tells of it.
     void raised(const QString& text, Severity severity);
     void sounded();  ///< just now: sound is wanted, or was tried
 
 private:
     struct Cause {
         std::optional<double> stands{}, gone{};  ///< [s] since
-        bool isRaised = false;
+        std::optional<Severity> told{};          ///< the gravest that was raised
     };
     /// after: [s] it has to stand before it is an alarm.
     void judge(const std::string& id, bool stands, const QString& text, Severity severity,

@@ -517,7 +517,7 @@ QList<Precondition> Exploration::toDrive() const
 /// Though this console knows of no probe, or gave it up.
 bool Exploration::armIsOut() const
 {
-    return linkAlive_ && !exploring(state_.phase)
+    return linkAlive_ && !following() && !exploring(state_.phase)
         && latest_->sample.measurement.activity == RobotActivity::Probing;
 }
 

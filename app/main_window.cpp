@@ -540,7 +540,7 @@ void MainWindow::tickPanel(double now)
     panel_->tick(now, {.mayExplore = atemPanel()->requestButton()->isEnabled(),
                        .shown = probeCard()->shown(),
                        .covered = terrainPage_->isVisible() && probeCard()->isCovered(),
-                       .mayAsk = alarms_->soundOn() && !silent});
+                       .mayAsk = alarms_->soundOn() && !silent && !probeCard()->isVoid()});
 }
 
 void MainWindow::releaseStop()

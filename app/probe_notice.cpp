@@ -47,18 +47,20 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
                        const std::optional<ProbeProposal>& proposal, bool isVoid, Terrain terrain)
 {
     const bool seen = terrain == Terrain::Seen, covered = terrain == Terrain::Covered;
-    const bool asks = proposal && !isVoid && state.phase == AtemPhase::ProposingProbe;
+    const bool asks = proposal && state.phase == AtemPhase::ProposingProbe;
     const bool expired = state.phase == AtemPhase::Presenting && state.approvalExpired;
     toldExpiry_ = expired && (toldExpiry_ || seen);
     const QString left = words::countdown(time ? time->seconds : 0.0);
     const bool looksAway = terrain == Terrain::Elsewhere;
     rail_.tell(rail_.pageOf(Qt::Key_F2),
-               asks        ? tr("arm? %1").arg(left)
+               asks        ? (isVoid ? tr("arm: void") : tr("arm? %1").arg(left))
                : looksAway ? progressWords(state.phase, time)
                            : QString(),
-               asks);
+               asks && !isVoid);
     QString text;
-    if (asks)
+    if (asks && isVoid)
+        text = tr("The question for a probe is void: F2 says why");
+    else if (asks)
         text = (covered ? tr("PROBE at %1? %2 left, then no: close the window that covers it")
                         : tr("PROBE at %1? %2 left, then no: F2 shows the question"))
                    .arg(words::binName(proposal->bin), left);

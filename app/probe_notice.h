@@ -27,7 +27,7 @@ public:
         Elsewhere,  ///< he looks at another page
     };
     /// To be called whenever the window is drawn.  proposal: where there is one, asked or not.  isVoid: it cannot be
-    /// approved any more, so nobody is called to it.
+    /// approved as things are.
     void show(const AtemState& state, const std::optional<PhaseTime>& time,
               const std::optional<ProbeProposal>& proposal, bool isVoid, Terrain terrain);
 

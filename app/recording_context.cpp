@@ -25,6 +25,7 @@ void RecordingContext::take(const SessionRow& row)
         std::vector<SessionRow> model;
         if (newest != ofScene_.rend()) model.push_back(*newest);
         ofScene_ = std::move(model);
+        standing_.erase({EventKind::Unheard, {}});
     }
     ofScene_.push_back(row);
 }
@@ -42,8 +43,11 @@ void RecordingContext::takeEvent(EventRow event)
     case EventKind::Arming:
     case EventKind::Link:
     case EventKind::Forgotten:
-    case EventKind::Unheard:
-    case EventKind::Override: standing_[{event.kind, {}}] = std::move(event); break;
+    case EventKind::Unheard: standing_[{event.kind, {}}] = std::move(event); break;
+    case EventKind::Override:
+        standing_.erase({event.kind, {}});
+        if (!event.text.empty()) standing_[{event.kind, {}}] = std::move(event);
+        break;
     case EventKind::Panel: standing_[{event.kind, event.subject}] = std::move(event); break;
     case EventKind::Alarm:
         if (event.number.value_or(0.0) > 0.0)

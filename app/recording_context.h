@@ -22,7 +22,8 @@ public:
     void take(const SessionRow& row);
 
     /// The model in use; all of the scene that was captured last, the operator's answers to its probes among it; of
-    /// arming, link, exploration, estimate and overrides the newest event, of alarms and contacts each one's.
+    /// arming, link, exploration and a forgotten estimate the newest event, of alarms and contacts each one's; what is
+    /// overridden; and whether the robot was unheard since the scene.
     std::vector<SessionRow> rows() const;
 
 private:

@@ -122,7 +122,9 @@ private:
         case EventKind::Forgotten: estimates_.end("estimate", at); break;
         case EventKind::Phase: takePhase(event, at); break;
         case EventKind::Alarm:
-            if (event.number.value_or(0.0) == 3.0)
+            // One that was seen already stands at the begin of a file that goes on after another.
+            if (const double state = event.number.value_or(0.0);
+                state == 3.0 || (state == 2.0 && !alarms_.has(event.subject)))
                 alarms_.begin(event.subject, {at, at, TimelineWeight::Bad, sentenceOf(event)});
             else if (event.number.value_or(0.0) != 2.0)
                 alarms_.end(event.subject, at);

@@ -79,6 +79,7 @@ SessionTime SessionRecorder::now() const
 void SessionRecorder::take(std::span<const BusFrame> frames)
 {
     const std::scoped_lock lock(mutex_);
+    if (!on_) return;
     for (const BusFrame& frame : frames) {
         const SessionTime time = sessionTimeOf(frame.time - began_);
         if (waiting_.frames.size() < options_.mostFrames) {
@@ -177,7 +178,7 @@ void SessionRecorder::run(const std::stop_token& stop)
             busySince_ = steadyNow();
         }
         if (!on) {
-            if (writer_) seal("recording was switched off");
+            if (writer_ && store()) seal("recording was switched off");
             remember();
             const std::scoped_lock lock(mutex_);
             state_.trouble.clear();
@@ -186,16 +187,22 @@ void SessionRecorder::run(const std::stop_token& stop)
         const bool nothing = batch_.frames.empty() && batch_.rows.empty();
         if (last && !writer_ && nothing) return;  // a console that did not come to be
         if (!open()) continue;
-        Status written = write();
-        if (written) written = writer_->commit();
-        if (!written) {
-            close(written.error().text);
-            continue;
-        }
-        remember();
-        measure();
+        if (store()) measure();
     }
     if (writer_) seal("closed with the console");
+}
+
+/// Whether all that waits is in the file now; else the file is closed, and it waits on.
+bool SessionRecorder::store()
+{
+    Status written = write();
+    if (written) written = writer_->commit();
+    if (!written) {
+        close(written.error().text);
+        return false;
+    }
+    remember();
+    return true;
 }
 
 /// Ends the file in good order.

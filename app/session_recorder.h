@@ -92,6 +92,7 @@ private:
     Status begin();
     Status write();
     Status writeContext();
+    bool store();
     void remember();
     void close(const std::string& why);
     void seal(const std::string& why);

@@ -57,6 +57,7 @@ std::string verdictText(const EstimateRow& row, const SceneRow& scene)
     std::string text =
         fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
                     name(v.outlook), row.stepLimit, 100.0 * v.step.p);
+    if (!v.unfelt.empty()) text += "; " + describeUnfelt(v);
     for (const Doubt doubt : v.doubts) text += "; " + describe(doubt);
     return text;
 }

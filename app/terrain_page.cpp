@@ -34,8 +34,7 @@ QString followedProbe(const AtemState& state)
 bool tellsWorth(const TerrainSight& sight)
 {
     if (!sight.estimate || sight.live || !sight.bestProbe) return false;
-    if (sight.verdict && !sight.verdict->doubts.empty())
-        return false;  // it does not count any more
+    if (sight.verdict && !sight.verdict->doubts.empty()) return false;  // nor does it count
     switch (sight.state.phase) {
     case AtemPhase::Presenting:
     case AtemPhase::Stopped:

@@ -31,10 +31,9 @@ QString likeliestText(const Verdict& verdict)
 
 QString unfeltText(const std::vector<int>& bins)
 {
-    if (bins.empty()) return {};
-    const QString first = words::binName(bins.front());
-    return bins.size() == 1 ? first
-                            : VerdictStrip::tr("%1 to %2").arg(first, words::binName(bins.back()));
+    QStringList names;
+    for (const int bin : bins) names << words::binName(bin);
+    return names.join(QStringLiteral(", "));
 }
 
 /// One of several reasons, which share two lines.
@@ -83,10 +82,10 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     question_->setObjectName(QStringLiteral("verdictQuestion"));
     question_->setWordWrap(true);
     question_->setToolTip(
-        tr("A step: two neighbouring bins, 0.1 m apart, that differ in height by more than the "
-           "limit, "
+        tr("A step: two bins at most %3 m apart that differ in height by more than the limit, "
            "anywhere from %1 to %2 m ahead of the IMU")
-            .arg(words::number(binBegin(kFirstAhead), 2), words::number(binEnd(kBins - 1), 2)));
+            .arg(words::number(binBegin(kFirstAhead), 2), words::number(binEnd(kBins - 1), 2),
+                 words::number(kStepBins * kBinWidth, 1)));
     question_->setAccessibleName(tr("Probability of a step ahead"));
     reason_ = new QLabel(this);
     reason_->setAccessibleName(tr("Why"));
@@ -182,10 +181,11 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
 {
     switch (verdict.outlook) {
     case Outlook::Clear:
-        return (verdict.unfelt.empty()
-                    ? tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
-                    : tr("up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2"))
-            .arg(words::percent(kClearBelow), unfeltText(verdict.unfelt));
+        return verdict.unfelt.empty()
+                 ? tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
+                       .arg(words::percent(kClearBelow))
+                 : tr("up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2")
+                       .arg(words::percent(kClearBelow), unfeltText(verdict.unfelt));
     case Outlook::Blocked: return likeliestText(verdict);
     case Outlook::CannotTell: break;
     }

@@ -1,5 +1,7 @@
 #include "core/infer/verdict.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -44,6 +46,14 @@ std::string describe(Doubt doubt)
     case Doubt::Asymmetry: return "the flippers differ, left and right ground differ";
     }
     throw std::invalid_argument("describe: no such Doubt");
+}
+
+std::string describeUnfelt(const Verdict& verdict)
+{
+    std::string text;
+    for (const int bin : verdict.unfelt)
+        text += fmt::format("{}{:+.1f} m", text.empty() ? "not felt: " : ", ", binCentre(bin));
+    return text;
 }
 
 Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, const Aftermath& since,

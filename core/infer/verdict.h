@@ -39,6 +39,9 @@ struct Verdict {
     bool operator==(const Verdict&) const = default;
 };
 
+/// "not felt: +0.6 m, +0.7 m"; empty: all ahead was.
+std::string describeUnfelt(const Verdict& verdict);
+
 /// The risks that decide.  An answer takes two Monte-Carlo sd of distance.
 inline constexpr double kClearBelow = 0.05;
 inline constexpr double kBlockedAbove = 0.95;

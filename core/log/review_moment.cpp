@@ -17,6 +17,12 @@ bool isHeard(const ReviewMoment& moment)
     return moment.measurement && secondsOf(moment.time - moment.measured) <= kReviewLinkLost;
 }
 
+/// [s] of the link that is up again; of older sessions, in which that was told at once, from when the two were told.
+double silenceBefore(const EventRow& up, SessionTime lost)
+{
+    return up.number.value_or(kReviewLinkLost + secondsOf(up.time - lost));
+}
+
 /// The value whose words these are, of first … last.
 template <class Enum>
 std::optional<Enum> fromWords(std::string_view words, Enum last)
@@ -157,7 +163,13 @@ void ReviewMoments::takeRows(ReviewMoment& moment)
 void ReviewMoments::takeEvents(ReviewMoment& moment)
 {
     std::map<std::string, Alarm> alarms;
+    std::optional<SessionTime> lost;
     const EventRow* nextUp = nullptr;
+    // Of sessions without EventKind::Unheard.
+    const auto endsSilence = [&](const EventRow& up) {
+        return lost && moment.scene && *lost > moment.scene->time
+            && silenceBefore(up, *lost) > kLongestSilence;
+    };
     for (const EventRow& event : reader_.events()) {
         if (event.time > moment.time) {
             const bool isUp = event.kind == EventKind::Link && event.subject == kLinkUp;
@@ -180,6 +192,8 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
             moment.linkAlive = event.subject == kLinkUp;
             moment.telemetryAlone = event.subject == kTelemetryLost;
             moment.linkSince = event.time;
+            if (moment.linkAlive && endsSilence(event)) moment.unbroken = false;
+            lost = moment.linkAlive ? std::nullopt : std::optional(lost.value_or(event.time));
             break;
         case EventKind::Unheard:
             if (moment.scene && event.time >= moment.scene->time) moment.unbroken = false;
@@ -199,7 +213,10 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         case EventKind::Session: break;
         }
     }
-    if (nextUp && nextUp->number && isHeard(moment)) moment.linkAlive = true;  // not yet told
+    if (!moment.linkAlive && nextUp && nextUp->number && isHeard(moment)) {  // not yet told
+        moment.linkAlive = true;
+        if (endsSilence(*nextUp)) moment.unbroken = false;
+    }
     for (auto& [id, alarm] : alarms) moment.alarms.push_back(std::move(alarm));
     moment.state.approvalExpired =
         moment.proposal && !moment.decision && moment.state.phase == AtemPhase::Presenting;

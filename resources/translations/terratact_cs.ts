@@ -613,6 +613,14 @@
         <source>failed</source>
         <translation>selhalo</translation>
     </message>
+    <message>
+        <source>arm: void</source>
+        <translation>rameno: neplatí</translation>
+    </message>
+    <message>
+        <source>The question for a probe is void: F2 says why</source>
+        <translation>Otázka na sondu neplatí: F2 řekne proč</translation>
+    </message>
 </context>
 <context>
     <name>RecordingDisplay</name>
@@ -6887,16 +6895,12 @@ vpředu</translation>
         <translation>spojení bylo ztraceno</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 až %2</translation>
-    </message>
-    <message>
-        <source>A step: two neighbouring bins, 0.1 m apart, that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
-        <translation>Schod: dva sousední úseky, 0.1 m od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 m před IMU</translation>
-    </message>
-    <message>
         <source>up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
         <translation>do 0.75 m před IMU, riziko pod %1 %, ale neohmatáno: %2</translation>
+    </message>
+    <message>
+        <source>A step: two bins at most %3 m apart that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
+        <translation>Schod: dva úseky nejvýše %3 m od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 m před IMU</translation>
     </message>
 </context>
 <context>

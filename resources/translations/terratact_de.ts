@@ -613,6 +613,14 @@
         <source>failed</source>
         <translation>misslungen</translation>
     </message>
+    <message>
+        <source>arm: void</source>
+        <translation>Arm: ungültig</translation>
+    </message>
+    <message>
+        <source>The question for a probe is void: F2 says why</source>
+        <translation>Die Frage nach der Probe ist ungültig: F2 sagt, warum</translation>
+    </message>
 </context>
 <context>
     <name>RecordingDisplay</name>
@@ -6887,16 +6895,12 @@ voraus</translation>
         <translation>Verbindung war verloren</translation>
     </message>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>A step: two neighbouring bins, 0.1 m apart, that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
-        <translation>Eine Stufe: zwei benachbarte Abschnitte, 0.1 m voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 m vor der IMU</translation>
-    </message>
-    <message>
         <source>up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
         <translation>bis 0.75 m vor der IMU, Risiko unter %1 %, aber nicht ertastet: %2</translation>
+    </message>
+    <message>
+        <source>A step: two bins at most %3 m apart that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
+        <translation>Eine Stufe: zwei Abschnitte, höchstens %3 m voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 m vor der IMU</translation>
     </message>
 </context>
 <context>

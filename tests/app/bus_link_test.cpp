@@ -13,6 +13,7 @@
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/signals_page.h"
+#include "core/log/review_moment.h"
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/frame_layout.h"
@@ -101,6 +102,48 @@ TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
     for (const EventRow& row : session->events())
         if (row.kind == EventKind::Link) recorded.push_back(row.subject);
     EXPECT_EQ(recorded, (std::vector<std::string>{"up", "telemetry lost", "lost"}));
+}
+
+TEST_F(BusConsole, aReviewKnowsWhatWasOverriddenAndThatTheRobotWasNotHeard)
+{
+    SimulatedRobot::Options simulation;
+    simulation.startX = 2.0;
+    StagedRobot tilted(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                       RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    tilted.stage({.roll = 0.2});
+    const TemporaryDirectory folder;
+    recording = std::make_shared<SessionRecorder>(
+        SessionRecorder::Options{.folder = folder.file("sessions"), .start = someStart()});
+    window = console(bus.join("can0"), CanSource::Mode::Transmit,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    Exploration& exploration = window->exploration();
+    ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
+    exploration.overrideDoubts();
+    ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
+    tilted.stage({.roll = 0.2, .isMute = true});
+    QTest::qWait(static_cast<int>(1000.0 * kLongestSilence) + 300);
+    tilted.stage({.roll = 0.2});
+    const auto isWithheld = [&] {
+        const auto verdict = exploration.estimation().verdict();
+        return verdict && std::ranges::count(verdict->doubts, Doubt::Unheard) == 1;
+    };
+    ASSERT_TRUE(eventually(isWithheld));
+    window.reset();
+    recording.reset();
+
+    auto session = SessionReader::open(sessionsIn(folder.file("sessions")).front());
+    ASSERT_TRUE(session) << session.error().text;
+    const auto kinds = [&](EventKind kind) {
+        return std::ranges::count(session->events(), kind, &EventRow::kind);
+    };
+    EXPECT_EQ(kinds(EventKind::Unheard), 1);
+    ReviewMoments moments(*session, model);
+    const ReviewMoment last = moments.at(session->end());
+    ASSERT_TRUE(last.scene);
+    EXPECT_FALSE(last.unbroken);
+    EXPECT_TRUE(last.overridden.find("roll") != std::string::npos) << last.overridden;
+    EXPECT_TRUE(moments.at(last.scene->time).unbroken);
 }
 
 TEST_F(BusConsole, aRobotThatDisarmsWhileItDrivesIsToldInEveryLayoutAndOnEveryPage)

@@ -83,6 +83,16 @@ TEST_F(Alarming, aBusWithManyErrorsIsToldBeforeItFails)
     pass(1.0);
     EXPECT_TRUE(says("bus", "can0 has errors"));
     EXPECT_EQ(find("bus")->severity, Severity::Caution);
+    sight.bus->bus = BusState::ErrorPassive;
+    pass(3.0);
+    EXPECT_TRUE(says("bus", "many errors"));
+    QStringList told;
+    QObject::connect(&alarms, &ConsoleAlarms::raised,
+                     [&](const QString& text, Severity) { told << text; });
+    sight.bus->bus = BusState::BusOff;
+    pass(1.0);
+    EXPECT_EQ(find("bus")->severity, Severity::Critical);
+    EXPECT_EQ(told.size(), 1) << "it has become worse";
 }
 
 TEST_F(Alarming, whatNothingElseTellsOfIsToldOnceItStands)

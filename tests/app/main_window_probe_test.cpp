@@ -179,9 +179,14 @@ TEST_F(Console, aProposedProbeIsToldOnEveryPageWithTheTimeThatIsLeft)
     ASSERT_TRUE(eventually(tells));
     if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty())
         window->grab().save(folder + "/probe-asked-on-another-page.png");
+    window->preferences().change([](Preferences& p) { p.forceThreshold += 0.5; });
+    EXPECT_TRUE(eventually([&] { return says("question for a probe is void: F2 says why"); }));
+    EXPECT_FALSE(tells());
+    EXPECT_TRUE(terrain.text().contains("arm: void")) << terrain.text().toStdString();
+    EXPECT_EQ(window->rail()->width(), wide);
     QTest::mouseClick(window->rail()->button(0), Qt::LeftButton);
     EXPECT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
-    EXPECT_TRUE(eventually([&] { return !tells(); }));
+    EXPECT_TRUE(eventually([&] { return !says("is void: F2"); }));
     QTest::keyClick(window.get(), Qt::Key_N);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_TRUE(eventually([&] { return terrain.text() == plain; }))

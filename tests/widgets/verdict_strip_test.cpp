@@ -56,8 +56,7 @@ TEST_F(Strip, aClearWayIsSaidToBeUnfeltWhereItIs)
     EXPECT_FALSE(strip.reason().contains("not felt"));
     v.unfelt = {9, 10};
     strip.setVerdict(v);
-    EXPECT_TRUE(strip.reason().contains("not felt: 0.6 m to 0.7 m"))
-        << strip.reason().toStdString();
+    EXPECT_TRUE(strip.reason().contains("not felt: 0.6 m, 0.7 m")) << strip.reason().toStdString();
     v.unfelt = {10};
     strip.setVerdict(v);
     EXPECT_TRUE(strip.reason().endsWith("not felt: 0.7 m")) << strip.reason().toStdString();

@@ -166,7 +166,40 @@ TEST_F(Review, showsWhatWasOverridden)
     EXPECT_EQ(at(2.1).overridden, "");
 }
 
-TEST_F(Review, theLinkIsUpWhereItsFramesAreThoughThatIsToldOnceItIsSteady)
+TEST_F(Review, tellsOfAnOlderSessionByItsLinkWhetherTheRobotWasHeardAllAlong)
+{
+    auto writer = robotSession(path, 3.3);
+    ASSERT_TRUE(writer) << writer.error().text;
+    std::int64_t id = 100;
+    const auto link = [&](const char* what, double at) {
+        ASSERT_TRUE(writer->add(EventRow{
+            .id = ++id, .time = sessionTimeOf(at), .kind = EventKind::Link, .subject = what}));
+    };
+    link("lost", 1.7);  // after 0.25 s of silence
+    link("up", 2.15);
+    link("lost", 2.3);
+    link("up", 3.15);
+    ASSERT_TRUE(writer->seal());
+    EXPECT_TRUE(at(2.2).unbroken) << "0.7 s are short";
+    EXPECT_TRUE(at(3.1).unbroken) << "it has not ended";
+    EXPECT_FALSE(at(3.2).unbroken) << "1.1 s";
+}
+
+TEST_F(Review, aSceneOfTheLineThatEndedASilenceIsAsGoodAsAnyOther)
+{
+    auto writer = robotSession(path, 3.3);
+    ASSERT_TRUE(writer) << writer.error().text;
+    // The link is told to be up once the scene is captured.
+    for (const auto& [id, what, when] :
+         {std::tuple(100, "lost", At::kScene - 1.1), std::tuple(101, "up", At::kScene + 0.01)})
+        ASSERT_TRUE(writer->add(EventRow{
+            .id = id, .time = sessionTimeOf(when), .kind = EventKind::Link, .subject = what}));
+    ASSERT_TRUE(writer->seal());
+    ASSERT_TRUE(at(3.2).scene);
+    EXPECT_TRUE(at(3.2).unbroken);
+}
+
+TEST_F(Review, readsHowLongASilenceWasWhereTheLinkWasToldToBeUpOnlyOnceItWasSteady)
 {
     auto writer = robotSession(path, 4.0);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -181,10 +214,15 @@ TEST_F(Review, theLinkIsUpWhereItsFramesAreThoughThatIsToldOnceItIsSteady)
     link(kTelemetryLost, 1.7);
     link(kLinkLost, 1.75);
     link(kLinkUp, 2.9, 0.3);
+    link(kLinkLost, 3.0);
+    link(kLinkUp, 3.15, 1.2);
     ASSERT_TRUE(writer->seal());
     EXPECT_TRUE(at(1.72).telemetryAlone);
     EXPECT_FALSE(at(1.8).telemetryAlone);
     EXPECT_TRUE(at(2.5).linkAlive) << "its frames are there";
+    EXPECT_TRUE(at(2.95).unbroken) << "0.3 s are short";
+    EXPECT_FALSE(at(3.2).unbroken) << "1.2 s";
+    EXPECT_FALSE(at(3.1).unbroken) << "and known as soon as frames came again";
 }
 
 TEST_F(Review, showsNoFrameOfADamagedSpanAndSaysSo)
