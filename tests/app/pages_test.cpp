@@ -345,8 +345,8 @@ TEST_F(Pages, diagnosticsCanBeCopied)
     QTest::mouseClick(window->diagnosticsPage()->copyButton(), Qt::LeftButton);
     const QString text = QApplication::clipboard()->text();
     for (const char* part : {"Qt: 6.", "Qwt: 6.", "Eigen: 3.", "OpenBLAS: ", "Linux",
-                             "CAN socket: ", "bus: can0 works", "estimator uses: ", "fake.ttm", "made up", "can0",
-                             "telemetry to screen: half ≤"})
+                             "CAN socket: ", "bus: can0 works", "estimator uses: ", "fake.ttm",
+                             "made up", "can0", "telemetry to screen: half ≤"})
         EXPECT_TRUE(text.contains(part)) << part << " is not in\n" << text.toStdString();
     EXPECT_GT(residentMemory(), 1e6);
 }

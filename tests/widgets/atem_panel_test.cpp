@@ -65,7 +65,8 @@ TEST_F(Atem, saysThatItFollowsAndOffersNothingThatMovesTheRobot)
     EXPECT_FALSE(panel.requestButton()->isEnabled());
     EXPECT_TRUE(panel.requestButton()->toolTip().contains("only listened to"));
     EXPECT_TRUE(panel.abortButton()->isEnabled());
-    EXPECT_TRUE(panel.abortButton()->text().contains("Forget")) << "it cannot end the robot's probe";
+    EXPECT_TRUE(panel.abortButton()->text().contains("Forget"))
+        << "it cannot end the robot's probe";
     panel.setState({.phase = AtemPhase::Stopped, .followed = true}, std::nullopt);
     EXPECT_FALSE(panel.releaseButton()->isVisible()) << "nothing is released from here";
     panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::LinkLost, .followed = true},
