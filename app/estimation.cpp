@@ -262,7 +262,7 @@ void Estimation::refuse(int job, const QString& why)
 
 void Estimation::tellOf(const TerrainEstimate& estimate)
 {
-    emit happened(tr("estimate in %1 s").arg(words::number(seconds_, 2)), Weight::Note);
+    emit happened(tr("estimate in %1").arg(words::age(seconds_)), Weight::Note);
     for (const std::string& warning : estimate.warnings)
         emit happened(words::sentence(warning), Weight::Doubt);
     for (const std::string& sentence : hiddenByBands(estimate))

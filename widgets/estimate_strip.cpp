@@ -104,10 +104,10 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
                                 : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
     headline_->setVisible(true);
     setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);
-    details_->setText(tr("%1 · %2 draws · %3 s")
+    details_->setText(tr("%1 · %2 draws · %3")
                           .arg(methodName(estimate.settings.method))
                           .arg(estimate.draws.size())
-                          .arg(words::number(seconds, 2)));
+                          .arg(words::age(seconds)));
     const QString ended = endingWords(estimate.ending);
     const QString all =
         ended.isEmpty() ? details_->text() : details_->text() + QStringLiteral(" · ") + ended;

@@ -3708,8 +3708,8 @@ F1</translation>
         <translation>Známo na ± %1 m, nejhůř v %2</translation>
     </message>
     <message>
-        <source>%1 · %2 draws · %3 s</source>
-        <translation>%1 · %2 vzorků · %3 s</translation>
+        <source>%1 · %2 draws · %3</source>
+        <translation>%1 · %2 vzorků · %3</translation>
     </message>
     <message>
         <source>the chains have not converged</source>
@@ -3771,8 +3771,8 @@ F1</translation>
         <translation>odhad selhal: %1</translation>
     </message>
     <message>
-        <source>estimate in %1 s</source>
-        <translation>odhad za %1 s</translation>
+        <source>estimate in %1</source>
+        <translation>odhad za %1</translation>
     </message>
     <message>
         <source>No ghost: %1</source>

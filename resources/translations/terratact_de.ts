@@ -3708,8 +3708,8 @@ F1</translation>
         <translation>Bekannt auf ± %1 m, am weitesten bei %2</translation>
     </message>
     <message>
-        <source>%1 · %2 draws · %3 s</source>
-        <translation>%1 · %2 Ziehungen · %3 s</translation>
+        <source>%1 · %2 draws · %3</source>
+        <translation>%1 · %2 Ziehungen · %3</translation>
     </message>
     <message>
         <source>the chains have not converged</source>
@@ -3771,8 +3771,8 @@ F1</translation>
         <translation>Schätzung fehlgeschlagen: %1</translation>
     </message>
     <message>
-        <source>estimate in %1 s</source>
-        <translation>Schätzung in %1 s</translation>
+        <source>estimate in %1</source>
+        <translation>Schätzung in %1</translation>
     </message>
     <message>
         <source>No ghost: %1</source>

@@ -335,6 +335,10 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
     ASSERT_TRUE(exploresAndProbes());
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
     const auto ledger = window->exploration().estimation().ledger().entries();
+    const auto isDrawn = [](const MainWindow& console) {  // what the arm found
+        return console.terrain()->accessibleDescription().contains(", arm");
+    };
+    ASSERT_TRUE(eventually([&] { return isDrawn(*window) && isDrawn(*listener); }));
     (void)eventually([&] { return lookOf(*listener) == lookOf(*window); }, 5000);
     EXPECT_EQ(lookOf(*listener).says.join('\n').toStdString(),
               lookOf(*window).says.join('\n').toStdString());
@@ -364,6 +368,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
     EXPECT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
         << "what a probe would buy is known here, too";
     EXPECT_FALSE(window->probeCard()->asks());
+    ASSERT_TRUE(eventually([&] { return isDrawn(*window); }));
     EXPECT_EQ(lookOf(*window).says.join('\n').toStdString(), look.says.join('\n').toStdString());
     EXPECT_EQ(lookOf(*window).places, look.places);
     EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
