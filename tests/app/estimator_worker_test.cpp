@@ -223,6 +223,7 @@ TEST(Worker, aModelMayComeAfterOneThatFailed)
     EstimatorWorker worker(modelFileLoader("/nowhere/none.ttm", RobotModel{}));
     Listener heard(worker);
     worker.start();
+    ASSERT_TRUE(gui::eventually([&] { return heard.noModel.size() == 1; }));
     worker.load(loaderOf(gate.estimator()));
     worker.request(withSeed(4));
     ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
