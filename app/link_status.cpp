@@ -44,19 +44,19 @@ void LinkStatus::show(const LinkSight& sight)
 {
     const double age = sight.newest ? sight.now - secondsOf(sight.newest->arrived) : 0.0;
     worstAge_ = std::max(worstAge_, age);
-    count(sight.now);
+    const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
+    if (view) count(*view, sight.now);
     showLink(sight, age);
-    showBus(sight.now);
+    if (view) showBus(*view, sight.now);
     showBanner(sight, age);
     tellChange(sight.link);
     showRobot(sight.newest, age);
 }
 
 /// What a doubt is only while it happens: the counts stand for ever.
-void LinkStatus::count(double now)
+void LinkStatus::count(const CanView& view, double now)
 {
-    if (!link_) return;
-    const BusCounters frames = link_->view().frames;
+    const BusCounters& frames = view.frames;
     droppedLately_ = dropped_.grewLately(frames.dropped, now);
     erredLately_ = errors_.grewLately(frames.errorFrames, now);
 }
@@ -84,10 +84,8 @@ void LinkStatus::showLink(const LinkSight& sight, double age)
     }
 }
 
-void LinkStatus::showBus(double now)
+void LinkStatus::showBus(const CanView& view, double now)
 {
-    if (!link_) return;
-    const CanView view = link_->view();
     if (now - busShownAt_ < kRateEvery && view.bus == busShown_) return;
     busShownAt_ = now;
     busShown_ = view.bus;

@@ -41,10 +41,10 @@ public:
     bool says(const QString& text) const;  ///< the banner does, in capitals
 
 private:
-    void count(double now);
+    void count(const CanView& view, double now);
     void showLink(const LinkSight& sight, double age);
     void showRate(double now);
-    void showBus(double now);
+    void showBus(const CanView& view, double now);
     void showBanner(const LinkSight& sight, double age);
     QString bannerText(const LinkSight& sight, double age) const;
     void tellChange(const LinkAccount& link);
