@@ -39,21 +39,21 @@ double contrast(const QColor& a, const QColor& b)
     return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-struct Pair {
+struct Colours {
     const char* name;
     QColor text, behind;
 };
 
-std::vector<Pair> textPairs(const Theme& t)
+std::vector<Colours> textPairs(const Theme& t)
 {
-    std::vector<Pair> pairs{{"tip", t.text, t.tip},
-                            {"header", t.headerText, t.header},
-                            {"source", t.source, t.header},
-                            {"source on a chosen page", t.source, t.chip.area},
-                            {"chip off", t.chipOffText, t.chip.area},
-                            {"prior only", t.doubt, t.priorZone},
-                            {"muted on the zone", t.muted, t.priorZone},
-                            {"contact", t.contact, t.card}};
+    std::vector<Colours> pairs{{"tip", t.text, t.tip},
+                               {"header", t.headerText, t.header},
+                               {"source", t.source, t.header},
+                               {"source on a chosen page", t.source, t.chip.area},
+                               {"chip off", t.chipOffText, t.chip.area},
+                               {"prior only", t.doubt, t.priorZone},
+                               {"muted on the zone", t.muted, t.priorZone},
+                               {"contact", t.contact, t.card}};
     const std::pair<const char*, QColor> inks[]{{"text", t.text}, {"muted", t.muted},
                                                 {"good", t.good}, {"doubt", t.doubt},
                                                 {"bad", t.bad},   {"accent", t.accent}};
@@ -80,7 +80,7 @@ TEST(Themes, everyTextCanBeRead)
 {
     for (const ThemeName name : kThemes) {
         const double least = name == ThemeName::HighContrast ? 7.0 : 4.5;
-        for (const Pair& pair : textPairs(themeOf(name)))
+        for (const Colours& pair : textPairs(themeOf(name)))
             EXPECT_GE(contrast(pair.text, pair.behind), least)
                 << terratact::name(name) << ": " << pair.name;
     }

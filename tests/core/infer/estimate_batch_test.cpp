@@ -25,15 +25,15 @@ ModelData everyMethod()
     return model;
 }
 
-struct Bench {
+struct BatchBench {
     RobotModel robot = absolem();
     Models models{everyMethod(), robot};
     std::vector<Scene> scenes = someScenes(3, 42);
 };
 
-const Bench& bench()
+const BatchBench& batchBench()
 {
-    static const Bench shared;
+    static const BatchBench shared;
     return shared;
 }
 
@@ -49,7 +49,7 @@ std::vector<Task> tasks(Method method, ScanOrder scan, int chains)
 {
     std::vector<Task> all;
     for (std::size_t k = 0; k < 9; ++k) {
-        Task task{bench().scenes[k], {}, {}};
+        Task task{batchBench().scenes[k], {}, {}};
         if (k % 3 == 1) task.arm.push_back({static_cast<int>(k), -0.1, 0.0005});
         task.settings.method = method;
         task.settings.scan = scan;
@@ -69,7 +69,7 @@ std::vector<TerrainEstimate> alone(const std::vector<Task>& tasks)
     std::vector<TerrainEstimate> estimates;
     for (const Task& t : tasks)
         estimates.push_back(
-            estimateTerrain(t.scene.s, t.arm, bench().robot, bench().models, t.settings));
+            estimateTerrain(t.scene.s, t.arm, batchBench().robot, batchBench().models, t.settings));
     return estimates;
 }
 
@@ -88,7 +88,7 @@ struct Batched {
 Batched together(const std::vector<Task>& tasks)
 {
     Batched result{std::vector<TerrainEstimate>(tasks.size()), 0, {}};
-    EstimateBatch batch(bench().robot, bench().models);
+    EstimateBatch batch(batchBench().robot, batchBench().models);
     std::size_t next = 0;
     while (true) {
         while (next < tasks.size() && batch.hasRoomFor(tasks[next].settings))
@@ -154,7 +154,7 @@ TEST(EstimateBatch, takesMethodsThatDoNotSampleAndScenesWithNothingToSample)
     scenes.resize(3);
     scenes[0].settings.method = Method::Local;
     for (int bin = 0; bin < kBins; ++bin) scenes[1].arm.push_back({bin, -0.1, 0.01});
-    EstimateBatch batch(bench().robot, bench().models);
+    EstimateBatch batch(batchBench().robot, batchBench().models);
     for (std::size_t k = 0; k < scenes.size(); ++k) add(batch, scenes, k);
     EXPECT_FALSE(batch.hasRoomFor(scenes[0].settings));  // an estimate is ready
     std::set<std::size_t> seen;
@@ -174,7 +174,7 @@ TEST(EstimateBatch, isAsItWasAfterASceneThatItRefuses)
     scenes.resize(3);
     const auto expected = alone(scenes);
     scenes[1].settings.draws = 0;
-    EstimateBatch batch(bench().robot, bench().models);
+    EstimateBatch batch(batchBench().robot, batchBench().models);
     add(batch, scenes, 0);
     EXPECT_THROW(add(batch, scenes, 1), std::invalid_argument);
     add(batch, scenes, 2);
@@ -192,7 +192,7 @@ TEST(EstimateBatch, isCancelledAtAnyBin)
         int polls = 0;
         Watch watch;
         watch.cancelled = [&] { return ++polls > most; };
-        EstimateBatch batch(bench().robot, bench().models);
+        EstimateBatch batch(batchBench().robot, batchBench().models);
         const auto run = [&] {
             for (std::size_t k = 0; k < 3; ++k) add(batch, scenes, k, watch);
             while (!batch.empty()) (void)batch.next();
@@ -209,7 +209,7 @@ TEST(EstimateBatch, endsASceneByItsOwnTime)
     int asked = 0;
     Watch hurried;
     hurried.outOfTime = [&] { return ++asked > 5; };
-    EstimateBatch batch(bench().robot, bench().models);
+    EstimateBatch batch(batchBench().robot, batchBench().models);
     add(batch, scenes, 0, hurried);
     add(batch, scenes, 1);
     const auto first = batch.next();
