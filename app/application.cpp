@@ -11,7 +11,10 @@
 
 #include "app/console_window.h"
 #include "app/language.h"
+#include "app/text_sheet.h"
 #include "widgets/look.h"
+#include "widgets/palette.h"
+#include "widgets/words.h"
 
 namespace terratact {
 namespace {
@@ -26,13 +29,13 @@ extern "C" void requestEnd(int /*signal*/)
     [[maybe_unused]] const ssize_t written = ::write(endingPipe[1], &byte, 1);
 }
 
-void closeOnSignals(QWidget& window)
+void closeOnSignals(ConsoleWindow& window)
 {
     if (endingPipe[0] < 0 && ::pipe2(endingPipe, O_CLOEXEC | O_NONBLOCK) != 0) return;
     auto* notifier = new QSocketNotifier(endingPipe[0], QSocketNotifier::Read, &window);
     QObject::connect(notifier, &QSocketNotifier::activated, &window, [&window, notifier] {
         notifier->setEnabled(false);
-        window.close();
+        window.closeUnasked();
     });
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, requestEnd);
 }
@@ -65,6 +68,21 @@ Status Application::start(const Preferences& preferences, bool pictures)
     installLanguage(*application_, preferences.language);
     applyLook(*application_, preferences.theme, preferences.fontScale);
     return Done{};
+}
+
+void tellRefusal(const std::string& why)
+{
+    constexpr int kWide = 620;  // [px] at 100 %
+    const QString title =
+        QCoreApplication::translate("Application", "Terratact could not open this");
+    TextSheet sheet(title, {Qt::Key_Return, Qt::Key_Enter}, nullptr);
+    sheet.setWindowFlags(Qt::Window);  // which the desktop lists, and whose end is the program's
+    sheet.setAttribute(Qt::WA_QuitOnClose);
+    sheet.setText(
+        QStringLiteral("<h3>%1</h3><p>%2</p>").arg(title, words::sentence(why).toHtmlEscaped()),
+        sheet.screen()->availableSize(), scaled(kWide));
+    sheet.show();
+    QApplication::exec();
 }
 
 void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "app/console_options.h"
 #include "app/preferences.h"
@@ -25,6 +26,9 @@ private:
     char** argv_;
     std::optional<WatchedApplication> application_;
 };
+
+/// Says in a window why there will be no other, until that is closed.  Not before Application::start().
+void tellRefusal(const std::string& why);
 
 /// Shows a window in the size that the command line says, else as it was left (QWidget::saveGeometry()), else in a
 /// usual one.  A polite signal closes it as its user would: the robot is halted and the recording closed.

@@ -101,6 +101,8 @@ void declareOptions(CLI::App& app, ConsoleOptions& options)
     app.add_option("--sessions", options.sessions,
                    "Folder of the recorded sessions (else one in the user's XDG state folder)");
     app.add_flag("--no-record", options.noRecord, "Record nothing, whatever the preferences say");
+    app.add_flag("--errors-in-window", options.errorsInWindow,
+                 "Say in a window, too, why it cannot start (for menus and file managers)");
     app.add_option_function<std::string>(
            "--size", [&options](const std::string& text) { options.size = sizeFrom(text); },
            "Size of the window, where its screen has that much (default: as it was left)")

@@ -31,6 +31,7 @@ struct ConsoleOptions {
     bool safeMode = false;
     std::string sessions;  ///< folder
     bool noRecord = false;
+    bool errorsInWindow = false;  ///< why it cannot start, for starters without a terminal
     std::optional<QSize> size{};
 
     bool isPicture() const { return !screenshot.empty(); }

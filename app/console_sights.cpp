@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/bus_words.h"
+#include "app/watched_application.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -136,6 +137,30 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
                            &sight.releasing})
             if (!list->isEmpty()) *list << *says;
     return sight;
+}
+
+ConsoleFacts ConsoleSights::facts(double now, const QString& source,
+                                  const QString& robotDetails) const
+{
+    ConsoleFacts facts{.telemetryRate = parts_.acquisition.rate(),
+                       .estimating = parts_.worker.progress().has_value(),
+                       .source = source,
+                       .robot = QString::fromStdString(robot_),
+                       .robotDetails = robotDetails,
+                       .model = parts_.exploration.estimation().model(),
+                       .longest = WatchedApplication::longestEvents()};
+    if (const auto latest = parts_.acquisition.latest())
+        facts.telemetryAge = now - secondsOf(latest->arrived);
+    if (parts_.link) {
+        facts.bus = busWords(parts_.link->view().bus, parts_.link->busName());
+        facts.waiting = parts_.link->waiting();
+    }
+    if (const PanelControl* panel = parts_.panel)
+        facts.panel = PanelFacts{.report = panel->report(),
+                                 .answers = panel->answers(now),
+                                 .presses = panel->reader().allPresses(),
+                                 .stopLatencies = panel->reader().stopLatencies()};
+    return facts;
 }
 
 std::optional<Precondition> ConsoleSights::panel(double now) const

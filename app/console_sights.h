@@ -2,10 +2,12 @@
 
 #include <QCoreApplication>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/acquisition.h"
 #include "app/console_alarms.h"
+#include "app/diagnostics_page.h"
 #include "app/exploration.h"
 #include "app/force_arrays.h"
 #include "app/link_status.h"
@@ -29,7 +31,8 @@ public:
         const SessionRecorder* recorder = nullptr;
     };
     /// All parts must outlive it.
-    ConsoleSights(const Parts& parts, const RobotModel& robot) : parts_(parts), forceArrays_(robot)
+    ConsoleSights(const Parts& parts, const RobotModel& robot)
+        : parts_(parts), robot_(robot.name), forceArrays_(robot)
     {
     }
 
@@ -39,6 +42,7 @@ public:
     AlarmSight alarms(double now, const std::optional<Received>& newest,
                       const LinkAccount& link) const;
     TerrainSight terrain(double now, const std::optional<Received>& newest);
+    ConsoleFacts facts(double now, const QString& source, const QString& robotDetails) const;
     /// What the panel says to setting something in motion; empty: there is none.
     std::optional<Precondition> panel(double now) const;
 
@@ -46,6 +50,7 @@ private:
     const std::vector<ForceArray>& forcesOf(const Received& newest);
 
     Parts parts_;
+    std::string robot_;  ///< its name
     LinkWatch link_;
     ForceArrays forceArrays_;
     std::vector<ForceArray> forces_;

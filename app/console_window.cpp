@@ -93,6 +93,17 @@ void ConsoleWindow::saySafeMode()
                       "without --safe-mode"));
 }
 
+void ConsoleWindow::closeUnasked()
+{
+    unasked_ = true;
+    close();
+}
+
+bool ConsoleWindow::mayAskBeforeClosing() const
+{
+    return !unasked_ && !qApp->isSavingSession();  // the desktop's own end waits for nobody
+}
+
 ElidedLabel* ConsoleWindow::addBanner()
 {
     auto* banner = new ElidedLabel(this);

@@ -44,11 +44,16 @@ public:
     QSize roomBelowHeader() const;  ///< [px] for such a window, without the frame the desktop draws
     /// From now on a thin line says so, and how to leave it.  Before the window is shown.
     void saySafeMode();
+    /// As a signal wants it, which waits for no answer.
+    void closeUnasked();
     /// [px] of any window, where its screen has that much.
     static constexpr QSize kLeast{1200, 680};
 
 protected:
     ConsoleWindow();
+
+    /// Somebody is there who can be asked whether the window, which is to be closed, may be.
+    bool mayAskBeforeClosing() const;
 
     /// A line over the whole width, below those added before.  look: its name in the style sheet.
     QLabel* addStrip(const QString& look);
@@ -104,6 +109,7 @@ private:
     int wanted_;         ///< letters [%]
     QSize room_;         ///< invalid: the screen's
     bool fits_ = false;  ///< the letters have been fitted
+    bool unasked_ = false;
 
     // Qt's parents own the widgets.
     StatusHeader* header_ = nullptr;

@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "app/big_blocks.h"
+#include "app/console_setup.h"
 #include "app/open_console.h"
 #include "app/open_file.h"
 #include "app/open_recorded.h"
@@ -32,6 +33,15 @@ Result<int> openWindow(Application& application, const ConsoleOptions& options)
     return openConsole(application, options);
 }
 
+int refused(Application& application, const ConsoleOptions& options, const std::string& why)
+{
+    const int code = failed(why);
+    if (options.errorsInWindow
+        && application.start(inForce(preferencesFor(options).preferences, options), false))
+        tellRefusal(why);
+    return code;
+}
+
 int run(int& argc, char** argv)
 {
     CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
@@ -44,7 +54,7 @@ int run(int& argc, char** argv)
     }
     Application application(argc, argv);
     const auto ended = openWindow(application, options);
-    return ended ? *ended : failed(ended.error().text);
+    return ended ? *ended : refused(application, options, ended.error().text);
 }
 
 }  // namespace

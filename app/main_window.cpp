@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "app/alarms_page.h"
-#include "app/bus_words.h"
 #include "app/console_keys.h"
 #include "app/numbers_page.h"
 #include "app/open_file.h"
@@ -23,7 +22,6 @@
 #include "app/signals_page.h"
 #include "app/training_page.h"
 #include "app/view_menu.h"
-#include "app/watched_application.h"
 #include "widgets/alarm_table.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
@@ -46,6 +44,8 @@ using namespace std::chrono_literals;
 
 constexpr auto kLook = 10ms;      // at the world
 constexpr double kRedraw = 0.04;  // [s] 25 Hz
+constexpr double kUnheard =
+    0.06;  // [s] without telemetry that is new: ages go on, and so does the picture
 constexpr double kNumbers = 0.2;  // [s]; what changes more often cannot be read
 
 }  // namespace
@@ -82,8 +82,7 @@ MainWindow::MainWindow(Options options)
     profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
     viewButton()->setMenu(profileMenu_);
     defineKeys();
-    for (const QString& trouble : preferences_->troubles())
-        events()->add(trouble, Weight::Doubt, QTime::currentTime());
+    for (const QString& trouble : preferences_->troubles()) tell(trouble, Weight::Doubt);
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
@@ -104,6 +103,7 @@ void MainWindow::build(const Options& options)
 {
     header()->setSource(words::sourceName(source_->name()));
     header()->setModel(tr("model loading …"), Tone::Doubt);
+    sharedStop_ = std::make_unique<SharedStop>(*exploration_);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());
     probeNotice_ = std::make_unique<ProbeNotice>(*rail(), *addBanner());
@@ -121,7 +121,7 @@ void MainWindow::build(const Options& options)
             &QPushButton::clicked, this, &MainWindow::open);
     addViewTool(*preferences_, tr("opens the console anew"));
     addHelpTool(demonstration(), [this](const QString& path) {
-        openInAnotherWindow(path, ownStopLine(), notOpened());
+        openInAnotherWindow(path, sharedStop_->line(), notOpened());
     });
     arrange();
 }
@@ -157,7 +157,12 @@ void MainWindow::addPages(const Options& options)
     settings_ = new SettingsPage(*preferences_, this);
     connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::takeRobot);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
-    diagnosticsPage_ = new DiagnosticsPage([this] { return diagnostics(); }, this);
+    const QString source = words::sourceName(source_->name());
+    diagnosticsPage_ = new DiagnosticsPage(
+        [this, source] {
+            return consoleDiagnostics(sights_->facts(steadyNow(), source, robotDetails_), meter_);
+        },
+        this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
             tr("Versions, permissions and how fast the console is"));
     cardsPage_ = new QWidget(this);
@@ -240,15 +245,14 @@ void MainWindow::applyPreferences(const Preferences& before)
 void MainWindow::takeRobot(const QString& path)
 {
     if (const QString why = whyNotReopening(); !why.isEmpty())
-        return events()->add(tr("the robot stays: %1").arg(why), Weight::Bad, QTime::currentTime());
+        return tell(tr("the robot stays: %1").arg(why), Weight::Bad);
     preferences_->change([path](Preferences& p) { p.robot = path; });
 }
 
 void MainWindow::reopen()
 {
     if (const QString why = whyNotReopening(); !why.isEmpty()) {
-        events()->add(tr("robot and language change at the next start: %1").arg(why), Weight::Doubt,
-                      QTime::currentTime());
+        tell(tr("robot and language change at the next start: %1").arg(why), Weight::Doubt);
         return;
     }
     leave();
@@ -291,15 +295,14 @@ void MainWindow::connectAll()
     connectHeader();
     connect(events(), &EventList::added, this, &MainWindow::notice);
     connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
-    connect(preferences_.get(), &PreferenceStore::notSaved, this, [this](const QString& why) {
-        events()->add(why, Weight::Doubt, QTime::currentTime());
-    });
+    connect(preferences_.get(), &PreferenceStore::notSaved, this,
+            [this](const QString& why) { tell(why, Weight::Doubt); });
     connectExploration();
     connectStop();
     connect(alarms_.get(), &ConsoleAlarms::raised, this,
             [this](const QString& text, Severity severity) {
                 const Weight weight = severity == Severity::Critical ? Weight::Bad : Weight::Doubt;
-                events()->add(text, weight, QTime::currentTime());
+                tell(text, weight);
             });
     if (panel_) connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
     connectWorker();
@@ -342,11 +345,8 @@ void MainWindow::connectExploration()
     });
     connect(drivePad(), &DrivePad::driveRequested, exploration, &Exploration::drive);
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
-    const auto note = [this](const QString& text, Weight weight) {
-        events()->add(text, weight, QTime::currentTime());
-    };
-    connect(exploration, &Exploration::happened, events(), note);
-    if (panel_) connect(panel_.get(), &PanelControl::happened, events(), note);
+    connect(exploration, &Exploration::happened, this, &MainWindow::tell);
+    if (panel_) connect(panel_.get(), &PanelControl::happened, this, &MainWindow::tell);
 }
 
 /// What goes wrong is told on every page, and where the list of events is not seen.
@@ -374,45 +374,26 @@ void MainWindow::connectWorker()
     });
 }
 
-/// STOP from windows that were opened here; and from here, where only the console that opened this window can stop.
 void MainWindow::connectStop()
 {
-    const auto say = [this](const QString& text) { notice_->say(text, steadyNow()); };
-    connect(&remoteStop_, &RemoteStop::said, this, [this, say](const QString& text, Weight weight) {
-        events()->add(text, weight, QTime::currentTime());
-        say(text);
-    });
-    connect(
-        exploration_.get(), &Exploration::stoppedNothing, this, [this, say](const QString& why) {
-            if (remoteStop_.exists()) return remoteStop_.press();
-            events()->add(tr("STOP has no effect: %1").arg(why), Weight::Bad, QTime::currentTime());
-            say(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
-        });
-    if (exploration_->following()) return;
-    auto line = StopLine::listen(stopLineName());
-    if (line)
-        stopLine_.emplace(std::move(*line));
-    else
-        events()->add(tr("STOP in windows that are opened from here stops nothing: %1")
-                          .arg(words::sentence(line.error().text)),
-                      Weight::Doubt, QTime::currentTime());
+    connect(sharedStop_.get(), &SharedStop::happened, this, &MainWindow::tell);
+    connect(sharedStop_.get(), &SharedStop::said, this,
+            [this](const QString& text) { notice_->say(text, steadyNow()); });
+    sharedStop_->listen();
 }
 
 void MainWindow::look()
 {
     const double now = steadyNow();
-    if (stopLine_ && stopLine_->take()) {
-        events()->add(tr("STOP was pressed in a window that was opened from here"), Weight::Note,
-                      QTime::currentTime());
-        exploration_->stop();
-    }
+    sharedStop_->look();
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     latest_ = acquisition_->latest();
     exploration_->tick(now, latest_);
-    // An estimate is shown as soon as it is there; all else waits for its turn.
+    // An estimate is shown as soon as it is there, telemetry as often as can be seen; all else waits for its turn.
     const bool news = exploration_->estimation().estimate().has_value() && !showsEstimate();
-    if (news || now - redrawn_ >= kRedraw - 1e-3) redraw(now);
+    const bool heard = latest_ && latest_->count != drawn_;
+    if (news || now - redrawn_ >= (heard ? kRedraw : kUnheard) - 1e-3) redraw(now);
 }
 
 void MainWindow::redraw(double now)
@@ -431,7 +412,7 @@ void MainWindow::redraw(double now)
                        : probeCard()->isCovered() ? Terrain::Covered
                                                   : Terrain::Seen);
     const StopSight stop = exploration_->stopSight();
-    const bool elsewhere = stop.state == StopSight::State::NoEffect && remoteStop_.exists();
+    const bool elsewhere = stop.state == StopSight::State::NoEffect && sharedStop_->hasOther();
     stopDisplay_->show(elsewhere ? StopSight{.state = StopSight::State::Elsewhere} : stop);
     showPanelLost();
     notice_->look(now, !stopDisplay_->isLate());
@@ -440,9 +421,9 @@ void MainWindow::redraw(double now)
     if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
 
     prepared_ = steadyNow() - now;
-    if (latest_ && latest_->count != paintedCount_) {
+    if (latest_ && latest_->count != drawn_) {
         newestIn_ = secondsOf(latest_->arrived);
-        paintedCount_ = latest_->count;
+        drawn_ = latest_->count;
     }
 }
 
@@ -462,7 +443,7 @@ void MainWindow::showTerrain(double now)
 {
     TerrainSight sight = sights_->terrain(now, latest_);
     sight.numbersDue = now - numbersShown_ >= kNumbers;
-    sight.numbersFor = kNumbers + kRedraw;
+    sight.numbersFor = kNumbers + kUnheard;
     if (sight.numbersDue) numbersShown_ = now;
     terrainPage_->setSight(sight);
 }
@@ -504,33 +485,9 @@ void MainWindow::showRecording(const LinkAccount& link)
 void MainWindow::mark()
 {
     if (!scribe_ || !recorder_->state().recording)
-        return events()->add(tr("not marked: nothing is recorded"), Weight::Doubt,
-                             QTime::currentTime());
+        return tell(tr("not marked: nothing is recorded"), Weight::Doubt);
     scribe_->mark({});
-    events()->add(tr("marked in the recording"), Weight::Note, QTime::currentTime());
-}
-
-QList<DiagnosticsSection> MainWindow::diagnostics() const
-{
-    const auto latest = acquisition_->latest();
-    ConsoleFacts facts{.telemetryRate = acquisition_->rate(),
-                       .estimating = worker_->progress().has_value(),
-                       .source = words::sourceName(source_->name()),
-                       .robot = QString::fromStdString(robot_.name),
-                       .robotDetails = robotDetails_,
-                       .model = exploration_->estimation().model(),
-                       .longest = WatchedApplication::longestEvents()};
-    if (latest) facts.telemetryAge = steadyNow() - secondsOf(latest->arrived);
-    if (link_) {
-        facts.bus = busWords(link_->view().bus, link_->busName());
-        facts.waiting = link_->waiting();
-    }
-    if (panel_)
-        facts.panel = PanelFacts{.report = panel_->report(),
-                                 .answers = panel_->answers(steadyNow()),
-                                 .presses = panel_->reader().allPresses(),
-                                 .stopLatencies = panel_->reader().stopLatencies()};
-    return consoleDiagnostics(facts, meter_);
+    tell(tr("marked in the recording"), Weight::Note);
 }
 
 void MainWindow::tickPanel(double now)
@@ -546,7 +503,7 @@ void MainWindow::tickPanel(double now)
 void MainWindow::releaseStop()
 {
     const QString why = panel_ ? panel_->whyNotReleased() : QString();
-    if (!why.isEmpty()) return events()->add(why, Weight::Bad, QTime::currentTime());
+    if (!why.isEmpty()) return tell(why, Weight::Bad);
     exploration_->releaseStop();
 }
 
@@ -554,17 +511,17 @@ void MainWindow::open()
 {
     askAndOpenInAnotherWindow(
         *this, QString::fromStdString(recorder_ ? recorder_->folder() : sessionFolder()),
-        ownStopLine(), notOpened());
-}
-
-std::string MainWindow::ownStopLine() const
-{
-    return stopLine_ ? stopLineName() : std::string();
+        sharedStop_->line(), notOpened());
 }
 
 std::function<void(const QString&)> MainWindow::notOpened()
 {
-    return [this](const QString& why) { events()->add(why, Weight::Bad, QTime::currentTime()); };
+    return [this](const QString& why) { tell(why, Weight::Bad); };
+}
+
+void MainWindow::tell(const QString& text, Weight weight)
+{
+    events()->add(text, weight, QTime::currentTime());
 }
 
 void MainWindow::defineKeys()
@@ -598,6 +555,17 @@ void MainWindow::leave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    const double now = steadyNow();
+    if (mayAskBeforeClosing() && link_ && exploration_->armed()
+        && now - std::exchange(closeAsked_, now) > ShortNotice::kFor) {
+        const QString why =
+            tr("THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and "
+               "disarmed; or disarm it first (M)")
+                .arg(words::number(ShortNotice::kFor, 0));
+        notice_->say(why, now);
+        tell(why, Weight::Doubt);
+        return event->ignore();
+    }
     leave();
     event->accept();
 }

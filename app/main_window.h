@@ -21,8 +21,8 @@
 #include "app/preference_store.h"
 #include "app/probe_notice.h"
 #include "app/recording_display.h"
-#include "app/remote_stop.h"
 #include "app/session_recorder.h"
+#include "app/shared_stop.h"
 #include "app/short_notice.h"
 #include "app/stop_display.h"
 #include "app/terrain_page.h"
@@ -42,8 +42,8 @@ class NumbersPage;
 class ProfileMenu;
 class TrainingPage;
 
-/// The operator's console: lays the widgets out, shows them the newest state every 40 ms at most and passes on
-/// what the operator does.  It owns the source and everything that runs.
+/// The operator's console: lays the widgets out, shows them the newest telemetry, 25 times a second at most, and what
+/// time changes every 60 ms, and passes on what the operator does.  It owns the source and everything that runs.
 class MainWindow final : public ConsoleWindow {
     Q_OBJECT
 public:
@@ -99,6 +99,7 @@ signals:
     void reopenWanted();
 
 protected:
+    /// Of an armed robot it closes when that was asked for twice, or by a signal.
     void closeEvent(QCloseEvent* event) override;
     bool event(QEvent* event) override;
 
@@ -110,10 +111,10 @@ private:
     void notice(const QString& text, Weight weight);
     void showPanelLost();
     void mark();
-    QList<DiagnosticsSection> diagnostics() const;
     void connectAll();
     void connectHeader();
     void connectExploration();
+    void tell(const QString& text, Weight weight);  ///< among the events
     void connectWorker();
     void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
     void redraw(double now);
@@ -123,7 +124,6 @@ private:
     void connectStop();
     void addTraining(const Options& options);
     void open();
-    std::string ownStopLine() const;  ///< for windows that are opened here; empty: they have none
     std::function<void(const QString& why)> notOpened();
     void defineKeys();
     void applyPreferences(const Preferences& before);
@@ -153,20 +153,20 @@ private:
     std::unique_ptr<StopDisplay> stopDisplay_;
     std::unique_ptr<ShortNotice> notice_;
     std::unique_ptr<ProbeNotice> probeNotice_;
-    std::optional<StopLine> stopLine_;  ///< from windows opened here; empty: this one stops nothing
-    RemoteStop remoteStop_;             ///< where this one stops nothing
+    std::unique_ptr<SharedStop> sharedStop_;
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
     std::unique_ptr<SessionScribe> scribe_;      ///< likewise
     std::unique_ptr<ConsoleSights> sights_;
     LoopMeter meter_;
-    double prepared_ = 0.0;   ///< [s] the frame that is to be painted took to prepare
-    double newestIn_ = -1.0;  ///< [s] when the telemetry in it came, where that is new
-    std::uint64_t paintedCount_ = 0;
+    double prepared_ = 0.0;    ///< [s] the frame that is to be painted took to prepare
+    double newestIn_ = -1.0;   ///< [s] when the telemetry in it came, where that is new
+    std::uint64_t drawn_ = 0;  ///< Received::count of the telemetry that was drawn last
     QTimer look_;
     std::optional<Received> latest_;
     double redrawn_ = 0.0;       ///< [s] steady clock
     double numbersShown_ = 0.0;  ///< [s] those of the robot
+    double closeAsked_ = -1e9;   ///< [s] the armed robot's window was to be closed
 
     // Qt's parents own the widgets.
     QWidget* cardsPage_ = nullptr;

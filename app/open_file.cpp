@@ -43,7 +43,7 @@ void openInAnotherWindow(const QString& path, const std::string& stopLine,
 {
     QProcess program;
     program.setProgram(QCoreApplication::applicationFilePath());
-    program.setArguments({path});
+    program.setArguments({QStringLiteral("--errors-in-window"), path});
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     if (!stopLine.empty())
         environment.insert(QLatin1String(kStopLineVariable), QString::fromStdString(stopLine));

@@ -17,9 +17,9 @@ enum class FileKind : std::uint8_t {
 };
 FileKind kindOfFile(const QString& path);
 
-/// Opens a file in another process of this program, so that nothing that runs here is touched.  Does not wait.
-/// stopLine: where its STOP goes, see app/remote_stop.h; empty: where that of this program goes.  failed: it could not,
-/// and why.
+/// Opens a file in another process of this program, so that nothing that runs here is touched.  Does not wait: a file
+/// that cannot be read is refused there, in a window.  stopLine: where its STOP goes, see app/remote_stop.h; empty: where
+/// that of this program goes.  failed: there is no other process, and why.
 void openInAnotherWindow(const QString& path, const std::string& stopLine,
                          const std::function<void(const QString& why)>& failed);
 

@@ -1,5 +1,6 @@
 #include "app/preconditions.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/words.h"
@@ -153,6 +154,8 @@ QStringList PlanarGround::overrideDoubts(const Measurement& m, const Settings& s
 
 QStringList PlanarGround::endOverrides(const Measurement& m, const Settings& settings)
 {
+    const auto stands = [](const auto& doubt) { return doubt.has_value(); };
+    if (std::ranges::none_of(overridden_, stands)) return {};  // asked often
     const auto all = doubts(m, settings);
     QStringList reasons;
     for (std::size_t kind = 0; kind < kKinds; ++kind) {

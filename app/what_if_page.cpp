@@ -15,6 +15,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/file_dialog.h"
@@ -38,13 +39,15 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     result_->setWordWrap(true);
     result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     result_->setAccessibleName(tr("What differs"));
-    table_ = new QTableWidget(kBins, 8, card);
+    table_ = new HeadedTable(kBins, 8, card);
     table_->setAccessibleName(tr("Recorded estimate and the other, bin by bin"));
     table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("then [m]"), tr("now [m]"), tr("by"),
                                        tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
     table_->verticalHeader()->hide();
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->setAlternatingRowColors(true);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setTabKeyNavigation(false);
     table_->setFrameShape(QFrame::NoFrame);
     auto* answers = new QVBoxLayout;
@@ -181,8 +184,11 @@ void WhatIfPage::drop()
         answer_.reset();
         emit answered();
     }
-    say(QString(), Tone::Muted);
-    table_->clearContents();
+    say(recorded_
+            ? tr("Change what you like, then estimate again: the page Terrain (F2) draws both.")
+            : QString(),
+        Tone::Muted);
+    showBins(nullptr);
 }
 
 void WhatIfPage::asRecorded()
@@ -305,15 +311,24 @@ void WhatIfPage::showAnswer()
                      words::sentence(name(found.after.outlook)),
                      words::number(100.0 * found.after.step.p, 1));
     say(text, tone);
+    showBins(&found);
+}
+
+void WhatIfPage::showBins(const Differences* found)
+{
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        const BinDifference& by = found.bin[i];
+        const TerrainEstimate* before = recorded_ ? &recorded_->estimate : nullptr;
+        const TerrainEstimate* now = found ? &*answer_ : nullptr;
+        const BinDifference by =
+            found ? found->bin[i] : BinDifference{nothing, nothing, nothing, nothing, nothing};
         const QStringList cells{words::signedNumber(binCentre(bin), 1),
-                                words::signedNumber(before.height[i], 3),
-                                words::signedNumber(answer_->height[i], 3),
+                                words::signedNumber(before ? before->height[i] : nothing, 3),
+                                words::signedNumber(now ? now->height[i] : nothing, 3),
                                 words::signedNumber(by.height, 3),
-                                words::number(before.sd[i], 3),
-                                words::number(answer_->sd[i], 3),
+                                words::number(before ? before->sd[i] : nothing, 3),
+                                words::number(now ? now->sd[i] : nothing, 3),
                                 words::signedNumber(by.q10, 3),
                                 words::signedNumber(by.q90, 3)};
         for (int column = 0; column < cells.size(); ++column) {

@@ -19,6 +19,7 @@ class QTableWidget;
 
 namespace terratact {
 
+struct Differences;
 enum class Tone;
 
 /// Estimates a recorded scene again, as it was or with another method, quality, threshold, seed or model, beside
@@ -64,6 +65,7 @@ private:
     void useModel(const QString& path);
     void take(int job, const TerrainEstimate& estimate);
     void showAnswer();
+    void showBins(const Differences* found);  ///< null: of what was recorded alone
     void drop();
     void say(const QString& text, Tone tone);
 

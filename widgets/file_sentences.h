@@ -144,6 +144,30 @@ namespace terratact {
     QT_TRANSLATE_NOOP("core", "the least of the range"),
     QT_TRANSLATE_NOOP("core", "the most of the range"),
     QT_TRANSLATE_NOOP("core", "the signal's unit"),
+    // Of a log of candump.
+    QT_TRANSLATE_NOOP("core", "is longer than %1 bytes"),
+    QT_TRANSLATE_NOOP("core", "the log does not end with a line end"),
+    QT_TRANSLATE_NOOP("core", "has no time; record with candump -L"),
+    QT_TRANSLATE_NOOP("core", "an error frame cannot be a remote frame"),
+    QT_TRANSLATE_NOOP("core", "an error frame cannot be a CAN FD frame"),
+    QT_TRANSLATE_NOOP("core", "only a classic data frame can be requested"),
+    QT_TRANSLATE_NOOP("core", "the end of the line"),
+    QT_TRANSLATE_NOOP("core", "a time like (%1)"),
+    QT_TRANSLATE_NOOP("core", "the name of an interface"),
+    QT_TRANSLATE_NOOP("core", "an identifier of %1 or %2 hexadecimal digits"),
+    QT_TRANSLATE_NOOP("core", "a standard identifier up to %1FF"),
+    QT_TRANSLATE_NOOP("core", "an identifier up to %1FFFFFFF"),
+    QT_TRANSLATE_NOOP("core", "as many bytes as CAN FD can have"),
+    QT_TRANSLATE_NOOP("core", "at most %1 bytes"),
+    QT_TRANSLATE_NOOP("core", "a byte of two hexadecimal digits"),
+    QT_TRANSLATE_NOOP("core", "a length from %1 to %2 after R"),
+    QT_TRANSLATE_NOOP("core", "an even number of hexadecimal digits"),
+    QT_TRANSLATE_NOOP("core", "a digit of flags after ##"),
+    QT_TRANSLATE_NOOP("core", "a length like [%1]"),
+    QT_TRANSLATE_NOOP("core", "no more than the bytes"),
+    QT_TRANSLATE_NOOP("core", "a direction R or T"),
+    QT_TRANSLATE_NOOP("core", "the words remote request"),
+    QT_TRANSLATE_NOOP("core", "the word ERRORFRAME"),
     // Of what a session tells.
     QT_TRANSLATE_NOOP("core", "closed with the console"),
     QT_TRANSLATE_NOOP("core", "the program that recorded ended without closing the session"),
@@ -263,6 +287,9 @@ inline constexpr const char* kOpenFileSentences[]{
     QT_TRANSLATE_NOOP("core", "after %1"),
     QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3, %4 batches of which are not what was recorded and left out"),
     QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3"),
+    // Of a log of candump; whatever else says so fits no longer sentence.
+    QT_TRANSLATE_NOOP("core", "%1 (a replay needs a log of candump -L)"),
+    QT_TRANSLATE_NOOP("core", "expected %1, found %2"),
 };
 // clang-format on
 

@@ -101,7 +101,7 @@ QWidget* ProbeCard::questionPage()
     decided_->setAccessibleName(tr("Whether a probe is needed"));
     setTone(*decided_, Tone::Good);
     facts_->column()->addWidget(decided_);
-    facts_->column()->addLayout(rows);
+    facts_->column()->addLayout(rows, 2);
     ranking_ = new QLabel(question);
     ranking_->setWordWrap(true);
     ranking_->setAccessibleName(tr("The other bins, the best first"));

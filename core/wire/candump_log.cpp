@@ -188,7 +188,7 @@ Status takeLongBytes(CanFrame& frame, Words& words)
         if (Status done = setByte(frame, i, words.next()); !done) return done;
     if (frame.error) {
         const std::string_view word = words.next();
-        if (word != "ERRORFRAME") return expected("ERRORFRAME", word);
+        if (word != "ERRORFRAME") return expected("the word ERRORFRAME", word);
     }
     const std::string_view rest = words.rest();
     if (rest.empty() || (rest.size() > 1 && rest.front() == '\'')) return Done{};  // candump -a
@@ -204,7 +204,7 @@ Result<CanFrame> longFrame(std::string_view id, Words& words)
     const std::string_view rest = words.rest();
     if (rest.starts_with("remote")) {
         if (words.next() != "remote" || words.next() != "request" || !words.rest().empty())
-            return expected("remote request", rest);
+            return expected("the words remote request", rest);
         if (frame->error || frame->fd) return Error{"only a classic data frame can be requested"};
         frame->remote = true;
         return frame;

@@ -38,7 +38,7 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | *:--safe-mode | *:--no-record | *:--measured | *:--all | *:--card | \
+      *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
     *:--model) _terratact_files ttm ;;
@@ -87,7 +87,7 @@ _terratact_options() {
     --full --seconds --scan --seed"
   case $1 in
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --at --speed --panel --dbc --seed \
-      --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record ;;
+      --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;

@@ -29,6 +29,13 @@
     </message>
 </context>
 <context>
+    <name>Application</name>
+    <message>
+        <source>Terratact could not open this</source>
+        <translation>Terratact to nemohl otevřít</translation>
+    </message>
+</context>
+<context>
     <name>BusWords</name>
     <message>
         <source>%1 works</source>
@@ -2767,6 +2774,106 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>from %1, %2 frames, last link %3</source>
         <translation>z %1, rámců %2, poslední článek %3</translation>
     </message>
+    <message>
+        <source>is longer than %1 bytes</source>
+        <translation>je delší než %1 bajtů</translation>
+    </message>
+    <message>
+        <source>the log does not end with a line end</source>
+        <translation>záznam nekončí koncem řádku</translation>
+    </message>
+    <message>
+        <source>has no time; record with candump -L</source>
+        <translation>nemá čas; zaznamenávejte pomocí candump -L</translation>
+    </message>
+    <message>
+        <source>an error frame cannot be a remote frame</source>
+        <translation>chybový rámec nemůže být vyžádáním</translation>
+    </message>
+    <message>
+        <source>an error frame cannot be a CAN FD frame</source>
+        <translation>chybový rámec nemůže být rámcem CAN FD</translation>
+    </message>
+    <message>
+        <source>only a classic data frame can be requested</source>
+        <translation>vyžádat lze jen klasický datový rámec</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>konec řádku</translation>
+    </message>
+    <message>
+        <source>a time like (%1)</source>
+        <translation>čas jako (%1)</translation>
+    </message>
+    <message>
+        <source>the name of an interface</source>
+        <translation>název rozhraní</translation>
+    </message>
+    <message>
+        <source>an identifier of %1 or %2 hexadecimal digits</source>
+        <translation>identifikátor o %1 nebo %2 šestnáctkových číslicích</translation>
+    </message>
+    <message>
+        <source>a standard identifier up to %1FF</source>
+        <translation>standardní identifikátor do %1FF</translation>
+    </message>
+    <message>
+        <source>an identifier up to %1FFFFFFF</source>
+        <translation>identifikátor do %1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>as many bytes as CAN FD can have</source>
+        <translation>tolik bajtů, kolik CAN FD může mít</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>nejvýše %1 bajtů</translation>
+    </message>
+    <message>
+        <source>a byte of two hexadecimal digits</source>
+        <translation>bajt o dvou šestnáctkových číslicích</translation>
+    </message>
+    <message>
+        <source>a length from %1 to %2 after R</source>
+        <translation>délka od %1 do %2 za R</translation>
+    </message>
+    <message>
+        <source>an even number of hexadecimal digits</source>
+        <translation>sudý počet šestnáctkových číslic</translation>
+    </message>
+    <message>
+        <source>a digit of flags after ##</source>
+        <translation>číslice příznaků za ##</translation>
+    </message>
+    <message>
+        <source>a length like [%1]</source>
+        <translation>délka jako [%1]</translation>
+    </message>
+    <message>
+        <source>no more than the bytes</source>
+        <translation>nic kromě bajtů</translation>
+    </message>
+    <message>
+        <source>a direction R or T</source>
+        <translation>směr R nebo T</translation>
+    </message>
+    <message>
+        <source>the words remote request</source>
+        <translation>slova remote request</translation>
+    </message>
+    <message>
+        <source>the word ERRORFRAME</source>
+        <translation>slovo ERRORFRAME</translation>
+    </message>
+    <message>
+        <source>%1 (a replay needs a log of candump -L)</source>
+        <translation>%1 (k přehrání je třeba záznam candump -L)</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>očekáváno: %1, nalezeno: %2</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -4209,10 +4316,6 @@ F1</translation>
         <translation>Síly, náklon a poslední události</translation>
     </message>
     <message>
-        <source>STOP HAS NO EFFECT HERE: %1</source>
-        <translation>STOP TU NEPŮSOBÍ: %1</translation>
-    </message>
-    <message>
         <source>opens the console anew</source>
         <translation>otevře konzoli znovu</translation>
     </message>
@@ -4229,10 +4332,6 @@ F1</translation>
         <translation>co potřebují jednotlivé povely, jeden po druhém</translation>
     </message>
     <message>
-        <source>STOP was pressed in a window that was opened from here</source>
-        <translation>STOP byl stisknut v okně otevřeném odtud</translation>
-    </message>
-    <message>
         <source>PANEL LOST: connect the operator&apos;s panel</source>
         <translation>PANEL ZTRACEN: připojte panel operátora</translation>
     </message>
@@ -4245,16 +4344,12 @@ F1</translation>
         <translation>robot zůstává: %1</translation>
     </message>
     <message>
-        <source>STOP has no effect: %1</source>
-        <translation>STOP nepůsobí: %1</translation>
-    </message>
-    <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PANEL ZTRACEN: připojte panel operátora, nebo spusťte bez --panel</translation>
     </message>
     <message>
-        <source>STOP in windows that are opened from here stops nothing: %1</source>
-        <translation>STOP v oknech otevřených odtud nic nezastaví: %1</translation>
+        <source>THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and disarmed; or disarm it first (M)</source>
+        <translation>ROBOT JE AKTIVNÍ: zavřít okno znovu do %1 s, pak se zastaví a deaktivuje; nebo nejdřív deaktivovat (M)</translation>
     </message>
 </context>
 <context>
@@ -5832,6 +5927,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SharedStop</name>
+    <message>
+        <source>STOP in windows that are opened from here stops nothing: %1</source>
+        <translation>STOP v oknech otevřených odtud nic nezastaví: %1</translation>
+    </message>
+    <message>
+        <source>STOP was pressed in a window that was opened from here</source>
+        <translation>STOP byl stisknut v okně otevřeném odtud</translation>
+    </message>
+    <message>
+        <source>STOP has no effect: %1</source>
+        <translation>STOP nepůsobí: %1</translation>
+    </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: %1</source>
+        <translation>STOP TU NEPŮSOBÍ: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SignalTable</name>
     <message>
         <source>Frame</source>
@@ -7115,6 +7229,10 @@ vpředu</translation>
     <message>
         <source>No estimate stood at this time</source>
         <translation>V tomto čase neplatil žádný odhad</translation>
+    </message>
+    <message>
+        <source>Change what you like, then estimate again: the page Terrain (F2) draws both.</source>
+        <translation>Změňte, co chcete, a odhadněte znovu: stránka Terén (F2) nakreslí oba odhady.</translation>
     </message>
 </context>
 </TS>

@@ -29,6 +29,13 @@
     </message>
 </context>
 <context>
+    <name>Application</name>
+    <message>
+        <source>Terratact could not open this</source>
+        <translation>Terratact konnte das nicht öffnen</translation>
+    </message>
+</context>
+<context>
     <name>BusWords</name>
     <message>
         <source>%1 works</source>
@@ -2767,6 +2774,106 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>from %1, %2 frames, last link %3</source>
         <translation>aus %1, %2 Rahmen, letztes Glied %3</translation>
     </message>
+    <message>
+        <source>is longer than %1 bytes</source>
+        <translation>ist länger als %1 Byte</translation>
+    </message>
+    <message>
+        <source>the log does not end with a line end</source>
+        <translation>die Aufzeichnung endet nicht mit einem Zeilenende</translation>
+    </message>
+    <message>
+        <source>has no time; record with candump -L</source>
+        <translation>hat keine Zeit; mit candump -L aufzeichnen</translation>
+    </message>
+    <message>
+        <source>an error frame cannot be a remote frame</source>
+        <translation>ein Fehlerrahmen kann keine Anforderung sein</translation>
+    </message>
+    <message>
+        <source>an error frame cannot be a CAN FD frame</source>
+        <translation>ein Fehlerrahmen kann kein Rahmen von CAN FD sein</translation>
+    </message>
+    <message>
+        <source>only a classic data frame can be requested</source>
+        <translation>nur ein klassischer Datenrahmen kann angefordert werden</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>das Ende der Zeile</translation>
+    </message>
+    <message>
+        <source>a time like (%1)</source>
+        <translation>eine Zeit wie (%1)</translation>
+    </message>
+    <message>
+        <source>the name of an interface</source>
+        <translation>der Name einer Schnittstelle</translation>
+    </message>
+    <message>
+        <source>an identifier of %1 or %2 hexadecimal digits</source>
+        <translation>eine Kennung aus %1 oder %2 hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>a standard identifier up to %1FF</source>
+        <translation>eine Standardkennung bis %1FF</translation>
+    </message>
+    <message>
+        <source>an identifier up to %1FFFFFFF</source>
+        <translation>eine Kennung bis %1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>as many bytes as CAN FD can have</source>
+        <translation>so viele Byte, wie CAN FD haben kann</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>höchstens %1 Byte</translation>
+    </message>
+    <message>
+        <source>a byte of two hexadecimal digits</source>
+        <translation>ein Byte aus zwei hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>a length from %1 to %2 after R</source>
+        <translation>eine Länge von %1 bis %2 nach R</translation>
+    </message>
+    <message>
+        <source>an even number of hexadecimal digits</source>
+        <translation>eine gerade Zahl hexadezimaler Ziffern</translation>
+    </message>
+    <message>
+        <source>a digit of flags after ##</source>
+        <translation>eine Ziffer mit Merkmalen nach ##</translation>
+    </message>
+    <message>
+        <source>a length like [%1]</source>
+        <translation>eine Länge wie [%1]</translation>
+    </message>
+    <message>
+        <source>no more than the bytes</source>
+        <translation>nichts außer den Bytes</translation>
+    </message>
+    <message>
+        <source>a direction R or T</source>
+        <translation>eine Richtung R oder T</translation>
+    </message>
+    <message>
+        <source>the words remote request</source>
+        <translation>die Wörter remote request</translation>
+    </message>
+    <message>
+        <source>the word ERRORFRAME</source>
+        <translation>das Wort ERRORFRAME</translation>
+    </message>
+    <message>
+        <source>%1 (a replay needs a log of candump -L)</source>
+        <translation>%1 (eine Wiedergabe braucht eine Aufzeichnung von candump -L)</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>erwartet: %1, gefunden: %2</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -4209,10 +4316,6 @@ F1</translation>
         <translation>Kräfte, Lage und die letzten Ereignisse</translation>
     </message>
     <message>
-        <source>STOP HAS NO EFFECT HERE: %1</source>
-        <translation>STOP WIRKT HIER NICHT: %1</translation>
-    </message>
-    <message>
         <source>opens the console anew</source>
         <translation>öffnet die Konsole neu</translation>
     </message>
@@ -4229,10 +4332,6 @@ F1</translation>
         <translation>was jeder Befehl braucht, einer nach dem anderen</translation>
     </message>
     <message>
-        <source>STOP was pressed in a window that was opened from here</source>
-        <translation>STOP wurde in einem Fenster gedrückt, das von hier geöffnet wurde</translation>
-    </message>
-    <message>
         <source>PANEL LOST: connect the operator&apos;s panel</source>
         <translation>PULT VERLOREN: das Bedienpult anschließen</translation>
     </message>
@@ -4245,16 +4344,12 @@ F1</translation>
         <translation>der Roboter bleibt: %1</translation>
     </message>
     <message>
-        <source>STOP has no effect: %1</source>
-        <translation>STOP wirkt nicht: %1</translation>
-    </message>
-    <message>
         <source>PANEL LOST: connect the operator&apos;s panel, or start without --panel</source>
         <translation>PULT VERLOREN: das Bedienpult anschließen oder ohne --panel starten</translation>
     </message>
     <message>
-        <source>STOP in windows that are opened from here stops nothing: %1</source>
-        <translation>STOP in Fenstern, die von hier geöffnet werden, hält nichts an: %1</translation>
+        <source>THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and disarmed; or disarm it first (M)</source>
+        <translation>DER ROBOTER IST FREIGEGEBEN: das Fenster binnen %1 s noch einmal schließen, dann wird er angehalten und gesperrt; oder ihn erst sperren (M)</translation>
     </message>
 </context>
 <context>
@@ -5832,6 +5927,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SharedStop</name>
+    <message>
+        <source>STOP in windows that are opened from here stops nothing: %1</source>
+        <translation>STOP in Fenstern, die von hier geöffnet werden, hält nichts an: %1</translation>
+    </message>
+    <message>
+        <source>STOP was pressed in a window that was opened from here</source>
+        <translation>STOP wurde in einem Fenster gedrückt, das von hier geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>STOP has no effect: %1</source>
+        <translation>STOP wirkt nicht: %1</translation>
+    </message>
+    <message>
+        <source>STOP HAS NO EFFECT HERE: %1</source>
+        <translation>STOP WIRKT HIER NICHT: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SignalTable</name>
     <message>
         <source>Frame</source>
@@ -7115,6 +7229,10 @@ voraus</translation>
     <message>
         <source>No estimate stood at this time</source>
         <translation>Zu dieser Zeit galt keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Change what you like, then estimate again: the page Terrain (F2) draws both.</source>
+        <translation>Ändern, was gewünscht ist, dann neu schätzen: die Seite Gelände (F2) zeichnet beide.</translation>
     </message>
 </context>
 </TS>

@@ -41,9 +41,7 @@ TEST_F(BusConsole, showsTheForcesOfBothArraysTheirVoltagesAndADriftedBias)
 {
     startQuickRobot();
     model.forceCalibration.biasLeft[1] += 0.5;  // the robot's own is smaller
-    window = console(bus.join("can0"), CanSource::Mode::Listen,
-                     [] { return Result<LoadedModel>(madeUp()); });
-    gui::showActive(*window);
+    openOn(CanSource::Mode::Listen);
     const ForceBars& bars = *window->forces();
     ASSERT_TRUE(eventually([&] { return bars.arrays() == 2 && bars.numberText(0, 1) != "--"; }));
     EXPECT_EQ(bars.legend(), "■ L  □ R");
@@ -179,6 +177,33 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     EXPECT_TRUE(drivesOn) << "it had to be armed anew each time";
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
+}
+
+TEST_F(BusConsole, theWindowOfAnArmedRobotClosesWhenThatIsAskedForTwice)
+{
+    open();
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    window->close();
+    EXPECT_FALSE(window->isVisible()) << "of a disarmed one at once";
+    window->show();
+    ASSERT_TRUE(inSomeGo([&] { return armsOnce(); }));
+    window->close();
+    EXPECT_TRUE(window->isVisible());
+    EXPECT_TRUE(eventually([&] { return says("THE ROBOT IS ARMED: close the window again"); }));
+    picture("closing-armed");
+    ASSERT_TRUE(inSomeGo([&] { return arming() == ArmingPhase::Armed || armsOnce(); }));
+    window->close();
+    EXPECT_FALSE(window->isVisible());
+    EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
+}
+
+TEST_F(BusConsole, aSignalClosesTheWindowOfAnArmedRobotAtOnce)
+{
+    open();
+    ASSERT_TRUE(inSomeGo([&] { return armsOnce(); }));
+    window->closeUnasked();
+    EXPECT_FALSE(window->isVisible());
+    EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
 }
 
 TEST_F(BusConsole, saysWhyTheRobotRefusedTheProbeInEveryLayout)

@@ -3,14 +3,16 @@
 The operator goes by what the console records and shows, never by the clock.
 """
 
+import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
-from x_operator import Operator, Screen, begin_console, begin_display  # noqa: E402
+from x_operator import Operator, Screen, begin, begin_console, begin_display  # noqa: E402
 
 CONSOLE = sys.argv.pop()
 APPROVE = 0x5A1490  # the button's colour, of widgets/palette.h
@@ -121,6 +123,20 @@ class Console(unittest.TestCase):
         self.operator.presses("ctrl+4")
         self.operator.until(lambda: blue() > 0.5, what="day again")
         self.ends_well()
+
+    def test_a_file_that_cannot_be_opened_is_refused_in_a_window_in_the_operators_language(self):
+        begin_display(self, size="1280x800")
+        with tempfile.TemporaryDirectory() as folder:
+            broken = pathlib.Path(folder) / "broken.log"
+            broken.write_text("nothing that candump has written\n")
+            console = begin(self, CONSOLE, "--errors-in-window", "--safe-mode", "--language", "de", broken,
+                            stderr=subprocess.PIPE, text=True, env=os.environ | {"QT_QPA_PLATFORM": "xcb"})
+            subprocess.run(["xdotool", "search", "--sync", "--onlyvisible", "--name",
+                            "Terratact konnte das nicht öffnen", "windowfocus", "--sync"],
+                           check=True, timeout=60, stdout=subprocess.DEVNULL)
+            subprocess.run(["xdotool", "key", "Escape"], check=True, timeout=60)
+            self.assertEqual(console.wait(timeout=60), 1)
+            self.assertIn(str(broken), console.stderr.read(), "and to whoever has a terminal")
 
 
 if __name__ == "__main__":

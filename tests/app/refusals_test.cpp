@@ -21,6 +21,7 @@
 #include "core/learn/scene_file.h"
 #include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
+#include "core/wire/candump_log.h"
 #include "core/wire/dbc_file.h"
 #include "tests/support/random_model.h"
 #include "tests/support/sessions.h"
@@ -94,9 +95,9 @@ private:
     {
         // Names, units, and words that the languages have in common.
         static const QSet<QString> kSame{
-            "SQLite", "TOML",  "Terratact", "ISO",           "IEEE",   "CAN",
-            "DBC",    "float", "double",    "little-endian", "rad",    "in",
-            "model",  "text",  "bit",       "program",       "offset", "multiplexor"};
+            "SQLite", "TOML",       "Terratact", "ISO",     "IEEE",          "CAN",        "DBC",
+            "FD",     "ERRORFRAME", "float",     "double",  "little-endian", "rad",        "in",
+            "model",  "text",       "bit",       "program", "offset",        "multiplexor"};
         const QStringList left = plainWords(translated);
         QStringList found;
         for (const QString& word : plainWords(english))
@@ -431,6 +432,34 @@ TEST(Refusals, ofDbcFiles)
     refusals.take(book.add(dir.write("ours.dbc", "BO_ 34 Ours_1: 8 G1\n")));
     for (const std::string& remark : book.remarks()) refusals.add(remark);
     EXPECT_GE(refusals.size(), 60U);
+    refusals.expectTranslated();
+}
+
+TEST(Refusals, ofLogs)
+{
+    Refusals refusals({"remote", "request", "candump", "-L"});
+    const auto read = [&](const std::string& log) {
+        CandumpReader reader("broken.log", std::make_unique<std::istringstream>(log));
+        for (;;) {
+            const auto frame = reader.next();
+            if (!frame) refusals.add(frame.error().text + " (a replay needs a log of candump -L)");
+            if (!frame || !*frame) return;
+        }
+    };
+    for (const std::string line :
+         {"(1436509052.249713) vcan0 044#2A366C2BBA R", "(1436509052.249713) vcan0 044#R3",
+          "(1436509052.249713) vcan0 12345678##1112233", "(1.5) vcan0 20000004#0000000000000000",
+          "  vcan0  RX - -  044   [5]  2A 36 6C 2B BA", "  vcan0  044   [0]  remote request",
+          "  vcan0  20000004   [8]  00 00 00 00 00 00 00 00   ERRORFRAME"}) {
+        read(line);
+        read(line + "\n" + std::string(9'000, 'x') + "\n");
+        for (std::size_t at = 0; at < line.size(); ++at) {
+            read(line.substr(0, at) + "\n");
+            for (const char* const instead : {"", "!", "9", "x", "F", " ", "#", "R", "[99]"})
+                read(line.substr(0, at) + instead + line.substr(at + 1) + "\n");
+        }
+    }
+    EXPECT_GE(refusals.size(), 18U);
     refusals.expectTranslated();
 }
 

@@ -108,7 +108,7 @@ class Desktop(unittest.TestCase):
         self.assertEqual(metainfo.findtext("launchable"), f"{ID}.desktop")
         self.assertEqual(entry()["MimeType"], mime.get("type") + ";")
         self.assertEqual(metainfo.findtext("provides/mediatype"), mime.get("type"))
-        self.assertEqual(entry()["Exec"], metainfo.findtext("provides/binary") + " %f")
+        self.assertEqual(entry()["Exec"], metainfo.findtext("provides/binary") + " --errors-in-window %f")
         self.assertEqual({ID}, {entry()["Icon"], metainfo.findtext("icon"), mime.find(f"{MIME}icon").get("name")})
         self.assertTrue(xml.parse(DESKTOP / f"{ID}.svg").getroot().tag.endswith("svg"))
 

@@ -14,7 +14,9 @@
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/robot_on_bench.h"
+#include "tests/support/sessions.h"
 #include "tests/support/staged_robot.h"
+#include "tests/support/temporary_directory.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
 #include "widgets/drive_pad.h"
@@ -84,8 +86,28 @@ struct BusConsole : testing::Test, RobotOnBench {
     void open(CanSource::Mode mode = CanSource::Mode::Transmit, RobotFault fault = RobotFault::None)
     {
         startQuickRobot(fault);
+        openOn(mode);
+    }
+    /// A quick one that tells what is staged.
+    StagedRobot stagedRobot()
+    {
+        SimulatedRobot::Options simulation;
+        simulation.startX = 2.0;
+        return {bus, model, SimulatedRobot(model, demoTerrain(), simulation),
+                RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0}};
+    }
+    /// On whatever robot is there.
+    void openOn(CanSource::Mode mode = CanSource::Mode::Transmit)
+    {
         window = console(bus.join("can0"), mode, [] { return Result<LoadedModel>(madeUp()); });
         gui::showActive(*window);
+    }
+    /// Likewise, and all that happens is recorded below `folder`.
+    void openRecordedOn(const TemporaryDirectory& folder)
+    {
+        recording = std::make_shared<SessionRecorder>(
+            SessionRecorder::Options{.folder = folder.file("sessions"), .start = someStart()});
+        openOn();
     }
     void startQuickRobot(RobotFault fault = RobotFault::None)
     {
@@ -94,10 +116,11 @@ struct BusConsole : testing::Test, RobotOnBench {
     std::unique_ptr<MainWindow> console(std::unique_ptr<CanBus> end, CanSource::Mode mode,
                                         ModelLoader loader) const
     {
-        MainWindow::Options options =
-            linked(std::move(end), {.mode = mode,
-                                    .link = {.gate = {.operatorAge = operatorAge}},
-                                    .waits = mode == CanSource::Mode::Replay});
+        CanSource::Options source{.mode = mode,
+                                  .link = {.gate = {.operatorAge = operatorAge}},
+                                  .waits = mode == CanSource::Mode::Replay};
+        if (recording) source.heard = [to = recording](auto frames) { to->take(frames); };
+        MainWindow::Options options = linked(std::move(end), std::move(source));
         options.model = std::move(loader);
         options.recorder = recording;
         options.exploration.driveSpeed = 0.02;
