@@ -284,10 +284,13 @@ std::optional<Ghost> Estimation::ghost() const
 
 QString Estimation::whyNoGhost() const
 {
-    if (!wantsGhost()) return {};
-    if (const auto why = track_->why())
-        return tr("No ghost: %1").arg(words::sentence(describe(*why)));
-    return heard_ ? QString() : tr("No ghost while telemetry is missing");
+    return wantsGhost() ? noGhostWords(track_->why(), heard_) : QString();
+}
+
+QString noGhostWords(std::optional<NoGhost> why, bool heard)
+{
+    if (why) return Estimation::tr("No ghost: %1").arg(words::sentence(describe(*why)));
+    return heard ? QString() : Estimation::tr("No ghost while telemetry is missing");
 }
 
 }  // namespace terratact

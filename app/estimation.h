@@ -153,4 +153,7 @@ private:
     std::uint64_t tracked_ = 0;        ///< count of the telemetry it has taken last
 };
 
+/// Why no ghost of an estimate is shown: it has none, or the robot is not heard.  Empty: it is shown.
+QString noGhostWords(std::optional<NoGhost> why, bool heard);
+
 }  // namespace terratact

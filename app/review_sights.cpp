@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "app/estimation.h"
 #include "app/force_arrays.h"
 #include "widgets/words.h"
 
@@ -33,10 +34,16 @@ ProbeProposal proposalOf(const ProposalRow& row)
     return p;
 }
 
+bool isHeard(const ReviewMoment& moment)
+{
+    return moment.linkAlive && moment.measurement
+        && secondsOf(moment.time - moment.measured) <= kStaleAfter;
+}
+
 }  // namespace
 
 ReviewSights::ReviewSights(SessionReader& session, const RobotModel& robot)
-    : robot_(robot), felt_(session, robot)
+    : robot_(robot), felt_(session, robot), ghost_(session, robot)
 {
 }
 
@@ -48,10 +55,8 @@ double ReviewSights::limit(const ReviewMoment& moment) const
 std::optional<Verdict> ReviewSights::verdict(const ReviewMoment& moment) const
 {
     if (!moment.estimate || !moment.scene) return std::nullopt;
-    const bool heard = moment.linkAlive && moment.measurement
-                    && secondsOf(moment.time - moment.measured) <= kStaleAfter;
     return verdictOf(moment.estimate->estimate, moment.scene->measurement,
-                     {.heard = heard, .unbroken = moment.unbroken}, limit(moment));
+                     {.heard = isHeard(moment), .unbroken = moment.unbroken}, limit(moment));
 }
 
 double ReviewSights::threshold(const ReviewMoment& moment, const Preferences& preferences)
@@ -68,6 +73,7 @@ TerrainSight ReviewSights::terrain(const ReviewMoment& moment,
     sight.count = ++shows_;  // every moment is drawn anew
     addMeasured(sight, moment, threshold(moment, preferences));
     addEstimates(sight, moment, whatIf);
+    addGhost(sight, moment);
     sight.state = moment.state;
     sight.secondsInPhase = sight.now - moment.state.since;
     addProbe(sight, moment, preferences.probes);
@@ -114,6 +120,14 @@ void ReviewSights::addEstimates(TerrainSight& sight, const ReviewMoment& moment,
     }
     sight.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate stood at this time")
                                                    : words::sentence(moment.forgotten);
+}
+
+void ReviewSights::addGhost(TerrainSight& sight, const ReviewMoment& moment)
+{
+    const auto [ghost, why] = ghost_.at(moment);
+    if (!ghost && !why) return;
+    sight.whyNoGhost = noGhostWords(why, isHeard(moment));
+    if (sight.whyNoGhost.isEmpty()) sight.ghost = ghost;
 }
 
 void ReviewSights::addProbe(TerrainSight& sight, const ReviewMoment& moment, ProbePolicy policy)

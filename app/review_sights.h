@@ -10,6 +10,7 @@
 #include "app/review_forces.h"
 #include "app/terrain_page.h"
 #include "core/atem/arm_choice.h"
+#include "core/log/review_ghost.h"
 #include "core/log/review_moment.h"
 
 namespace terratact {
@@ -40,11 +41,13 @@ private:
     void addMeasured(TerrainSight& sight, const ReviewMoment& moment, double threshold);
     void addEstimates(TerrainSight& sight, const ReviewMoment& moment,
                       const std::optional<TerrainEstimate>& whatIf) const;
+    void addGhost(TerrainSight& sight, const ReviewMoment& moment);
     void addProbe(TerrainSight& sight, const ReviewMoment& moment, ProbePolicy policy);
     const ProbeAdvice& adviceOf(const std::shared_ptr<const EstimateRow>& estimate, double limit);
 
     RobotModel robot_;
     ReviewForces felt_;
+    ReviewGhost ghost_;
     std::optional<double> limit_;                 ///< [m] where the reviewer asks for another
     std::shared_ptr<const EstimateRow> advised_;  ///< what advice_ is of
     ProbeAdvice advice_;

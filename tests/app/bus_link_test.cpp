@@ -4,7 +4,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/signals_page.h"
+#include "core/log/review_ghost.h"
 #include "core/log/review_moment.h"
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
@@ -55,16 +58,9 @@ TEST_F(BusConsole, lostLinkIsSaidWithItsCure)
 
 TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
 {
-    SimulatedRobot::Options simulation;
-    simulation.startX = 2.0;
-    StagedRobot numb(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-                     RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    StagedRobot numb = stagedRobot();
     const TemporaryDirectory folder;
-    recording = std::make_shared<SessionRecorder>(
-        SessionRecorder::Options{.folder = folder.file("sessions"), .start = someStart()});
-    window = console(bus.join("can0"), CanSource::Mode::Transmit,
-                     [] { return Result<LoadedModel>(madeUp()); });
-    gui::showActive(*window);
+    openRecordedOn(folder);
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
     numb.stage({.isNumb = true});
     EXPECT_TRUE(eventually([&] {
@@ -106,17 +102,10 @@ TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
 
 TEST_F(BusConsole, aReviewKnowsWhatWasOverriddenAndThatTheRobotWasNotHeard)
 {
-    SimulatedRobot::Options simulation;
-    simulation.startX = 2.0;
-    StagedRobot tilted(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-                       RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    StagedRobot tilted = stagedRobot();
     tilted.stage({.roll = 0.2});
     const TemporaryDirectory folder;
-    recording = std::make_shared<SessionRecorder>(
-        SessionRecorder::Options{.folder = folder.file("sessions"), .start = someStart()});
-    window = console(bus.join("can0"), CanSource::Mode::Transmit,
-                     [] { return Result<LoadedModel>(madeUp()); });
-    gui::showActive(*window);
+    openRecordedOn(folder);
     Exploration& exploration = window->exploration();
     ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
     exploration.overrideDoubts();
@@ -146,15 +135,74 @@ TEST_F(BusConsole, aReviewKnowsWhatWasOverriddenAndThatTheRobotWasNotHeard)
     EXPECT_TRUE(moments.at(last.scene->time).unbroken);
 }
 
+/// [m] of their ways, and of the heights and sd of any bin; infinite where one of them has a bin that the other lacks.
+double farthestApart(const Ghost& a, const Ghost& b)
+{
+    double most = std::abs(a.motion.forward - b.motion.forward);
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+        if (a.bin[bin].has_value() != b.bin[bin].has_value())
+            return std::numeric_limits<double>::infinity();
+        if (a.bin[bin])
+            most = std::max({most, std::abs(a.bin[bin]->height - b.bin[bin]->height),
+                             std::abs(a.bin[bin]->sd - b.bin[bin]->sd)});
+    }
+    return most;
+}
+
+TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
+{
+    const TemporaryDirectory folder;
+    startQuickRobot();
+    openRecordedOn(folder);
+    const Estimation& estimation = window->exploration().estimation();
+    ASSERT_TRUE(inSomeGo([&] { return exploresAndProbes() && drives(); }));
+    ASSERT_TRUE(eventually([&] {
+        const auto ghost = estimation.ghost();
+        return ghost && ghost->motion.forward > 0.05;
+    }));
+    QTest::keyRelease(window.get(), Qt::Key_W);
+    ASSERT_TRUE(robotIs(RobotActivity::Halted));
+    QTest::qWait(300);
+    QTest::keyClick(window.get(), Qt::Key_K);  // marks this moment
+    const auto shown = estimation.ghost();
+    ASSERT_TRUE(shown);
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    ASSERT_TRUE(eventually([&] { return !estimation.ghost(); })) << "it was forgotten";
+    QTest::qWait(100);
+    window.reset();
+    recording.reset();
+
+    auto session = SessionReader::open(sessionsIn(folder.file("sessions")).front());
+    ASSERT_TRUE(session) << session.error().text;
+    const auto timeOf = [&](EventKind kind) {
+        const auto found = std::ranges::find(session->events(), kind, &EventRow::kind);
+        return found == session->events().end() ? 0 : found->time;
+    };
+    const SessionTime marked = timeOf(EventKind::Marker);
+    ReviewMoments moments(*session, model);
+    ReviewGhost ghosts(*session, model);
+    const auto reviewed = ghosts.at(moments.at(marked)).ghost;
+    ASSERT_TRUE(reviewed);
+    // Which line of telemetry was the newest then, the file tells to some lines; they differ by the pitch's noise.
+    double nearest = std::numeric_limits<double>::infinity();
+    for (auto t = moments.frameAfter(marked - sessionTimeOf(0.3));
+         t && *t < marked + sessionTimeOf(0.1); t = moments.frameAfter(*t))
+        if (const auto then = ghosts.at(moments.at(*t)).ghost)
+            nearest = std::min(nearest, farthestApart(*then, *shown));
+    EXPECT_LT(nearest, 2e-3);
+    const SessionTime gone = timeOf(EventKind::Forgotten);
+    ASSERT_GT(gone, 0);
+    EXPECT_EQ(ghosts.at(moments.at(gone - sessionTimeOf(0.1))), ReviewGhost::Sight{})
+        << "the estimate itself stood";
+    EXPECT_EQ(ghosts.at(moments.at(session->end())), ReviewGhost::Sight{}) << "it was forgotten";
+    (void)ghosts.at(moments.at(gone + sessionTimeOf(0.1)));
+    EXPECT_EQ(ghosts.at(moments.at(marked)).ghost, reviewed) << "however one came there";
+}
+
 TEST_F(BusConsole, aRobotThatDisarmsWhileItDrivesIsToldInEveryLayoutAndOnEveryPage)
 {
-    SimulatedRobot::Options simulation;
-    simulation.startX = 2.0;
-    StagedRobot moody(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-                      RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
-    window = console(bus.join("can0"), CanSource::Mode::Transmit,
-                     [] { return Result<LoadedModel>(madeUp()); });
-    gui::showActive(*window);
+    StagedRobot moody = stagedRobot();
+    openOn();
     const auto alarm = [&] {
         for (const Alarm& one : window->alarms().list().alarms())
             if (one.id == "disarmed") return std::optional(one);
@@ -181,13 +229,8 @@ TEST_F(BusConsole, aRobotThatDisarmsWhileItDrivesIsToldInEveryLayoutAndOnEveryPa
 
 TEST_F(BusConsole, aDriveThatWaitsForTheRobotGoesWithItsKey)
 {
-    SimulatedRobot::Options simulation;
-    simulation.startX = 2.0;
-    StagedRobot slow(bus, model, SimulatedRobot(model, demoTerrain(), simulation),
-                     RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
-    window = console(bus.join("can0"), CanSource::Mode::Transmit,
-                     [] { return Result<LoadedModel>(madeUp()); });
-    gui::showActive(*window);
+    StagedRobot slow = stagedRobot();
+    openOn();
     Exploration& exploration = window->exploration();
     ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
     const auto way = [&] { return window->acquisition().latest()->sample.measurement.travelled; };
@@ -247,9 +290,7 @@ TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
 TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
 {
     startQuickRobot();
-    window = console(bus.join("can0"), CanSource::Mode::Listen,
-                     [] { return Result<LoadedModel>(madeUp()); });
-    gui::showActive(*window);
+    openOn(CanSource::Mode::Listen);
     const QPushButton& chip = *window->header()->busButton();
     ASSERT_TRUE(eventually([&] { return chip.text().startsWith("can0 ACTIVE"); }));
     EXPECT_TRUE(chip.isVisible());
