@@ -298,6 +298,14 @@ double ForceBars::top(int element) const
     return top;
 }
 
+/// Lines of letters above a bar, that of the word "contact" not among them, so that the bars have some height.
+int ForceBars::labelRows() const
+{
+    constexpr double kShare = 0.7;  // of the canvas
+    const double line = QFontMetricsF(labelFont(true)).height();
+    return std::max(1, static_cast<int>(kShare * canvas()->height() / line) - 1);
+}
+
 QString ForceBars::labelText(int element) const
 {
     QStringList numbers;
@@ -314,7 +322,15 @@ QString ForceBars::labelText(int element) const
     QString text = fits(row) ? row : numbers.join(QLatin1Char('\n'));
     const QString mark = tr("▲ sat.");
     if (saturated) text += QLatin1Char('\n') + (fits(mark) ? mark : mark.left(1));
-    return text;
+    if (text.count(QLatin1Char('\n')) < labelRows()) return text;
+    // In a low chart the largest alone, of which a saturated one only says the least it is; the tip has all.
+    const std::vector<int> with = arraysWith(element);
+    const int largest = *std::ranges::max_element(with, {}, [&](int a) {
+        return std::pair(at(element, a).saturated, shown(element, a).value_or(-1.0));
+    });
+    text = numberText(element, largest);
+    const QString marked = text + QLatin1Char(' ') + mark.left(1);
+    return saturated && fits(marked) ? marked : text;
 }
 
 QString ForceBars::spoken(int element) const

@@ -119,6 +119,7 @@ private:
     std::optional<double> shown(int element, int array) const;  ///< in unit()
     double top(int element) const;  ///< of bars, peaks and threshold line: numbers stand above
     QString labelText(int element) const;
+    int labelRows() const;
     QString spoken(int element) const;
     QString unitText() const;
     QFont labelFont(bool bold) const;

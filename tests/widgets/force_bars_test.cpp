@@ -41,6 +41,31 @@ struct Forces : testing::Test {
         return gui::painted(*bars.canvas())
             .pixelColor(QPointF(rect.center().x(), rect.bottom() - up).toPoint());
     }
+    /// Where letters stand on the canvas [px].
+    std::vector<QRectF> letters() const
+    {
+        std::vector<QRectF> all;
+        for (const QwtPlotItem* item : bars.itemList(QwtPlotItem::Rtti_PlotMarker)) {
+            const auto* marker = static_cast<const QwtPlotMarker*>(item);
+            if (!marker->isVisible() || marker->label().isEmpty()) continue;
+            const QSizeF size = marker->label().textSize();
+            const QPointF foot(bars.transform(QwtPlot::xBottom, marker->xValue()),
+                               bars.transform(QwtPlot::yLeft, marker->yValue()));
+            // Empty lines at the end are the place of another's.
+            const QString text = marker->label().text();
+            const double line = size.height() / static_cast<double>(text.count('\n') + 1);
+            all.emplace_back(foot.x() - size.width() / 2.0, foot.y() - size.height(), size.width(),
+                             line * static_cast<double>(text.trimmed().count('\n') + 1));
+        }
+        return all;
+    }
+    static void expectApart(const std::vector<QRectF>& labels)
+    {
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_FALSE(labels[i].adjusted(0.5, 0.5, -0.5, -0.5).intersects(labels[j]))
+                    << lookInForce().fontScale << " %: " << i << " and " << j;
+    }
     ForceBars bars;
 };
 
@@ -72,25 +97,9 @@ TEST_F(Forces, noLabelTouchesAnother)
         bars.resize(bars.minimumSizeHint() * (scale / 100.0));
         both({15.2, 18.1, 17.0, 0.1, 12.5, 2.6}, {14.9, 18.4, 16.6, 0.3, 13.5, 2.8});
         QTest::qWait(20);
-        std::vector<QRectF> labels;
-        for (const QwtPlotItem* item : bars.itemList(QwtPlotItem::Rtti_PlotMarker)) {
-            const auto* marker = static_cast<const QwtPlotMarker*>(item);
-            if (!marker->isVisible() || marker->label().isEmpty()) continue;
-            const QSizeF size = marker->label().textSize();
-            const QPointF foot(bars.transform(QwtPlot::xBottom, marker->xValue()),
-                               bars.transform(QwtPlot::yLeft, marker->yValue()));
-            // Empty lines at the end are the place of another's.
-            const QString text = marker->label().text();
-            const double line = size.height() / static_cast<double>(text.count('\n') + 1);
-            labels.emplace_back(foot.x() - size.width() / 2.0, foot.y() - size.height(),
-                                size.width(),
-                                line * static_cast<double>(text.trimmed().count('\n') + 1));
-        }
+        const std::vector<QRectF> labels = letters();
         EXPECT_EQ(labels.size(), 8U) << "six elements, two groups in contact";
-        for (std::size_t i = 0; i < labels.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                EXPECT_FALSE(labels[i].adjusted(0.5, 0.5, -0.5, -0.5).intersects(labels[j]))
-                    << scale << " %: " << i << " and " << j;
+        expectApart(labels);
     }
     applyLook(*qApp);
 }
@@ -229,6 +238,25 @@ TEST_F(Forces, aSaturatedElementSaysNoExactNumber)
     EXPECT_EQ(bars.toolTip(), bars.accessibleDescription());
     const QColor mark = colourIn(4, 0, bars.barRect(4, 0).height() - 8.0);
     EXPECT_EQ(mark, theme().text) << "a triangle";
+}
+
+TEST_F(Forces, lettersStayOnALowChart)
+{
+    for (const int scale : {100, 200}) {
+        applyLook(*qApp, ThemeName::Day, scale);
+        bars.resize(bars.minimumSizeHint() * (scale / 100.0));
+        ForceArray left = arrayOf({0.0, 19.7, 19.7, 0.0, 4.0, 12.0}, "L"), right = left;
+        for (const std::size_t element : {1U, 2U})
+            left.elements[element].saturated = right.elements[element].saturated = true;
+        right.name = "R";
+        right.elements[1].newtons = 19.8;
+        bars.setForces({left, right}, 0.0);
+        QTest::qWait(20);
+        for (const QRectF& label : letters()) EXPECT_GE(label.top(), 0.0) << scale;
+        expectApart(letters());
+        EXPECT_TRUE(bars.accessibleDescription().contains("L >19 N saturated, R >19 N saturated"));
+    }
+    applyLook(*qApp);
 }
 
 TEST_F(Forces, rawIsTheSameInVolts)
