@@ -70,7 +70,10 @@ void Estimation::look(const std::optional<Received>& latest, bool heard)
     if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))
         emit unheard();
     if (latest->count == tracked_) return;
-    if (track_ && latest->unbrokenFrom > tracked_) track_->takeSilence();
+    if (track_ && latest->unbrokenFrom > tracked_) {
+        track_->takeSilence();
+        if (!scene_) emit unheard();
+    }
     tracked_ = latest->count;
     if (track_) track_->take(newest);
 }

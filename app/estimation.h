@@ -98,7 +98,7 @@ signals:
     void offered();            ///< advice() of estimate() for the limit of now, for the first time
     void failed();             ///< the estimate of scene()
     void advised();            ///< anew, for another limit
-    void unheard();            ///< wasUnheard() has become true
+    void unheard();            ///< wasUnheard() has become true, or the ghost has ended for that
     void forgotten(const QString& why);  ///< the estimate that stood
 
 private:

@@ -18,11 +18,13 @@ ReviewGhost::Sight ReviewGhost::at(const ReviewMoment& moment)
     const EstimateRow* const row = lastUpTo(moment.time);
     if (!row) return {};
     const auto left = leftAt(*row, moment.time);
-    if (!left || isForgotten(*left, moment.time)) return {};
-    if (!followed_ || followed_->estimate != row->id || followed_->until > moment.time)
-        begin(*row, *left);
-    follow(moment.time);
-    return {followed_->track.ghost(), followed_->track.why()};
+    if (!left || moment.time > *left + sessionTimeOf(kFollowed)) return {};
+    if (isForgotten(*row, *left, moment.time)) return {};
+    if (!followed_.empty() && followed_.front().estimate != row->id) followed_.clear();
+    while (!followed_.empty() && followed_.back().until > moment.time) followed_.pop_back();
+    if (followed_.empty()) begin(*row, *left);
+    goTo(moment.time);
+    return {followed_.back().track.ghost(), followed_.back().track.why()};
 }
 
 const EstimateRow* ReviewGhost::lastUpTo(SessionTime time) const
@@ -42,43 +44,70 @@ std::optional<SessionTime> ReviewGhost::leftAt(const EstimateRow& row, SessionTi
     return std::nullopt;
 }
 
-bool ReviewGhost::isForgotten(SessionTime left, SessionTime until) const
+bool ReviewGhost::isForgotten(const EstimateRow& row, SessionTime left, SessionTime until) const
 {
-    const auto isSince = [&](SessionTime time) { return time >= left && time <= until; };
-    if (std::ranges::any_of(reader_.models(), isSince, &ModelRow::time)) return true;
-    AtemPhase phase{};
-    for (const EventRow& event : reader_.events()) {
-        if (event.time > until) continue;
-        if (event.kind == EventKind::Phase) phase = phaseFrom(event.subject).value_or(phase);
-        // The press that ended an exploration left the ghost; one that found none ended both.
+    const auto isSince = [&](SessionTime time) { return time >= row.time && time <= until; };
+    // Whether a press of Esc, or a model, that comes then ends it: while something is explored it ends only that.
+    const auto endsAll = [&](SessionTime time) {
+        return !reader_.start().transmits || !exploring(phaseAt(time));
+    };
+    for (const ModelRow& model : reader_.models())
+        if (isSince(model.time) && (model.time >= left || endsAll(model.time))) return true;
+    for (const EventRow& event : reader_.events())
         if (event.kind == EventKind::Decision && event.subject == "abort" && isSince(event.time)
-            && (!exploring(phase) || !reader_.start().transmits))
+            && endsAll(event.time))
             return true;
-    }
     return false;
 }
 
-/// As the console does: from when the estimate is there, for until then the robot stands.
+AtemPhase ReviewGhost::phaseAt(SessionTime time) const
+{
+    AtemPhase phase{};
+    for (const EventRow& event : reader_.events())
+        if (event.kind == EventKind::Phase && event.time <= time)
+            phase = phaseFrom(event.subject).value_or(phase);
+    return phase;
+}
+
+/// As the console does: from when the estimate is there, for until then the robot stands.  Of silences that no line of
+/// telemetry tells of, the events do.
 void ReviewGhost::begin(const EstimateRow& row, SessionTime left)
 {
     const SceneRow& scene = *reader_.scene(row.scene);
-    followed_.emplace(Followed{row.id, GhostTrack(robot_, row.estimate, scene.measurement),
-                               TelemetryListener(robot_), row.time});
+    Followed& start = followed_.emplace_back(
+        Followed{row.id, GhostTrack(robot_, row.estimate, scene.measurement),
+                 TelemetryListener(robot_), std::max(row.time, left - sessionTimeOf(kBefore))});
     for (const EventRow& event : reader_.events())
-        if (event.kind == EventKind::Unheard && event.time >= scene.time && event.time <= left)
-            followed_->track.takeSilence();
+        if (event.kind == EventKind::Unheard && event.time >= scene.time
+            && event.time <= start.until)
+            start.track.takeSilence();
+}
+
+void ReviewGhost::goTo(SessionTime until)
+{
+    const SessionTime apart = sessionTimeOf(10.0);
+    while (followed_.back().until < until) {
+        const auto before = followed_.rbegin() + 1;
+        if (before == followed_.rend() || followed_.back().until - before->until >= apart)
+            followed_.push_back(followed_.back());
+        follow(std::min(until, followed_[followed_.size() - 2].until + apart));
+    }
 }
 
 void ReviewGhost::follow(SessionTime until)
 {
-    const SessionTime from = std::exchange(followed_->until, until);
+    Followed& now = followed_.back();
+    const SessionTime from = std::exchange(now.until, until);
+    for (const EventRow& event : reader_.events())
+        if (event.kind == EventKind::Unheard && event.time > from && event.time <= until)
+            now.track.takeSilence();
     for (std::size_t i = reader_.batchAt(from + 1);
          i < reader_.batches().size() && reader_.batches()[i].first <= until; ++i) {
-        if (!followed_->track.ghost()) return;
+        if (!now.track.ghost()) return;
         for (const FrameRow& row : reader_.frames(i)) {
             if (row.time <= from || row.time > until) continue;
-            if (const auto heard = followed_->listener.take(row.frame, secondsOf(row.time)))
-                followed_->track.take(*heard);
+            if (const auto heard = now.listener.take(row.frame, secondsOf(row.time)))
+                now.track.take(*heard);
         }
     }
 }

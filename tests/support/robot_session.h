@@ -62,7 +62,11 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
         if (passes(At::kAlarm)) tell(now, EventKind::Alarm, "frames", "frames are lost", 3.0);
         if (passes(At::kAlarmGone)) tell(now, EventKind::Alarm, "frames", "", 0.0);
         if (passes(At::kPressing)) tell(now, EventKind::Phase, describe(AtemPhase::Pressing));
-        if (passes(At::kScene)) (void)writer->add(someScene(1, sessionTimeOf(now)));
+        if (passes(At::kScene)) {
+            SceneRow scene = someScene(1, sessionTimeOf(now));
+            scene.measurement.travelled = 0.0;  // as the telemetry
+            (void)writer->add(scene);
+        }
         if (passes(At::kEstimate)) {
             (void)writer->add(someEstimate(1, sessionTimeOf(now)));
             (void)writer->add(someProposal(sessionTimeOf(now)));

@@ -1,0 +1,119 @@
+// What became of the last estimate once it was left, as the console had it.  That a ghost lies where the console drew it
+// is tested with a console: app/bus_link_test.cpp.
+#include "core/log/review_ghost.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tests/support/robot_session.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+using At = RobotSessionTimes;
+
+const ReviewGhost::Sight kNone{}, kUnheard{{}, NoGhost::Unheard};
+
+struct GhostOf : testing::Test {
+    void record(const std::vector<std::variant<EventRow, ModelRow>>& more)
+    {
+        const std::string path = directory.file(std::to_string(++recorded) + ".tts");
+        auto writer = robotSession(path, 4.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        for (const auto& row : more)
+            std::visit([&](const auto& r) { ASSERT_TRUE(writer->add(r)); }, row);
+        ASSERT_TRUE(writer->seal());
+        auto opened = SessionReader::open(path);
+        ASSERT_TRUE(opened) << opened.error().text;
+        reader.emplace(std::move(*opened));
+    }
+    EventRow event(double time, EventKind kind, const char* subject = "")
+    {
+        return {.id = ++id, .time = sessionTimeOf(time), .kind = kind, .subject = subject};
+    }
+    static ModelRow model(double time)
+    {
+        return {
+            .id = 2, .time = sessionTimeOf(time), .name = "mine.ttm", .hash = std::string(64, 'd')};
+    }
+    /// Made anew each time, so that nothing depends on what was asked before.
+    ReviewGhost::Sight at(double time)
+    {
+        ReviewMoments moments(*reader, absolem());
+        return ReviewGhost(*reader, absolem()).at(moments.at(sessionTimeOf(time)));
+    }
+
+    TemporaryDirectory directory;
+    std::optional<SessionReader> reader;
+    std::int64_t id = 100;
+    int recorded = 0;
+};
+
+constexpr double kProbed = At::kAgain + 0.02, kStood = At::kForgotten - 0.2,
+                 kLeft = At::kForgotten + 0.1, kLater = At::kForgotten + 0.4;
+
+TEST_F(GhostOf, anEstimateIsFollowedOnceItIsLeft)
+{
+    record({});
+    EXPECT_EQ(at(At::kScene - 0.05), kNone) << "there was no estimate yet";
+    EXPECT_EQ(at(At::kPresenting + 0.1), kNone) << "it stands";
+    EXPECT_TRUE(at(kLeft).ghost);
+    EXPECT_TRUE(at(kLater).ghost);
+}
+
+TEST_F(GhostOf, anEstimateThatTheOperatorForgotIsNone)
+{
+    record({event(kStood, EventKind::Decision, "abort")});
+    EXPECT_EQ(at(kLeft), kNone) << "forgotten with the estimate itself";
+    record({event(kLeft + 0.1, EventKind::Decision, "abort")});
+    EXPECT_TRUE(at(kLeft).ghost);
+    EXPECT_EQ(at(kLater), kNone) << "forgotten later";
+    record({event(kProbed, EventKind::Decision, "abort")});
+    EXPECT_TRUE(at(kLater).ghost) << "that ended the probe alone";
+}
+
+TEST_F(GhostOf, aModelThatIsNoLongerInUseIsNone)
+{
+    record({model(kStood)});
+    EXPECT_EQ(at(kLeft), kNone);
+    record({model(kLeft + 0.1)});
+    EXPECT_TRUE(at(kLeft).ghost);
+    EXPECT_EQ(at(kLater), kNone);
+    record({model(kProbed)});
+    EXPECT_TRUE(at(kLater).ghost) << "the exploration went on";
+}
+
+TEST_F(GhostOf, aRobotThatWasNotHeardHasEnded)
+{
+    for (const double time : {At::kMarker, kStood}) {
+        record({event(time, EventKind::Unheard)});
+        EXPECT_EQ(at(kLeft), kUnheard) << "since the scene: " << time;
+    }
+    record({event(kLeft + 0.1, EventKind::Unheard)});
+    EXPECT_TRUE(at(kLeft).ghost);
+    EXPECT_EQ(at(kLater), kUnheard);
+}
+
+TEST_F(GhostOf, anEstimateGivesWayToTheNextExploration)
+{
+    record({event(kLeft + 0.1, EventKind::Phase, "pressing the front flippers down")});
+    EXPECT_TRUE(at(kLeft).ghost);
+    EXPECT_EQ(at(kLater), kNone);
+}
+
+TEST_F(GhostOf, aMomentIsTheSameHoweverOneCameThere)
+{
+    record({event(kLeft + 0.1, EventKind::Unheard)});
+    ReviewMoments moments(*reader, absolem());
+    ReviewGhost ghosts(*reader, absolem());
+    for (const double time : {kLater, kLeft, kStood, kLeft, 0.1, kLeft + 0.05, kLeft, kLater})
+        EXPECT_EQ(ghosts.at(moments.at(sessionTimeOf(time))), at(time)) << time;
+}
+
+}  // namespace
+}  // namespace terratact
