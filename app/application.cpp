@@ -70,11 +70,12 @@ Status Application::start(const Preferences& preferences, bool pictures)
     return Done{};
 }
 
-void tellRefusal(const std::string& why)
+void tellRefusal(const std::string& file, const std::string& why)
 {
     constexpr int kWide = 620;  // [px] at 100 %
     const QString title =
-        QCoreApplication::translate("Application", "Terratact could not open this");
+        file.empty() ? QCoreApplication::translate("Application", "Terratact could not start")
+                     : QCoreApplication::translate("Application", "Terratact could not open this");
     TextSheet sheet(title, {Qt::Key_Return, Qt::Key_Enter}, nullptr);
     sheet.setWindowFlags(Qt::Window);  // which the desktop lists, and whose end is the program's
     sheet.setAttribute(Qt::WA_QuitOnClose);

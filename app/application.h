@@ -27,11 +27,12 @@ private:
     std::optional<WatchedApplication> application_;
 };
 
-/// Says in a window why there will be no other, until that is closed.  Not before Application::start().
-void tellRefusal(const std::string& why);
+/// Says in a window why there will be no other, until that is closed.  file: that was to be opened, or empty.  Not before
+/// Application::start().
+void tellRefusal(const std::string& file, const std::string& why);
 
 /// Shows a window in the size that the command line says, else as it was left (QWidget::saveGeometry()), else in a
-/// usual one.  A polite signal closes it as its user would: the robot is halted and the recording closed.
+/// usual one.  A polite signal closes it as its user would, and unasked: the robot is halted and the recording closed.
 void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left = {});
 
 }  // namespace terratact

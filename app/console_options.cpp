@@ -60,6 +60,9 @@ void declareFile(CLI::App& app, ConsoleOptions& options)
     app.add_option("--speed", options.speed, "Of the replay: seconds of the log per second")
         ->needs(replay)
         ->check(CLI::Range(0.01, 1000.0));
+    app.add_option("--interface", options.interface,
+                   "Of a log with frames of several interfaces: which is replayed")
+        ->needs(replay);
     app.add_option("--at", options.at, "Of a session: where to begin its review [s]")
         ->needs(replay)
         ->check(CLI::Range(0.0, 1e9));

@@ -19,8 +19,9 @@ struct ConsoleOptions {
     std::string fault = "none";
     std::string can;  ///< interface
     bool transmit = false;
-    std::string replay;  ///< file: a session, scenes, or a log of candump
-    double speed = 1.0;  ///< seconds of a log per second
+    std::string replay;     ///< file: a session, scenes, or a log of candump
+    double speed = 1.0;     ///< seconds of a log per second
+    std::string interface;  ///< of a log that has several
     std::optional<double> at{};
     std::string panel;             ///< file
     std::vector<std::string> dbc;  ///< files

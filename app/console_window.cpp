@@ -99,11 +99,6 @@ void ConsoleWindow::closeUnasked()
     close();
 }
 
-bool ConsoleWindow::mayAskBeforeClosing() const
-{
-    return !unasked_ && !qApp->isSavingSession();  // the desktop's own end waits for nobody
-}
-
 ElidedLabel* ConsoleWindow::addBanner()
 {
     auto* banner = new ElidedLabel(this);
@@ -440,6 +435,7 @@ bool ConsoleWindow::pressesStopBesidePopup(const QEvent& event) const
 
 bool ConsoleWindow::eventFilter(QObject* object, QEvent* event)
 {
+    if (object == qApp && event->type() == QEvent::Quit) unasked_ = true;  // it closes all windows
     if (object->isWidgetType() && pressesStopBesidePopup(*event)) {
         emit header_->stopPressed();
         while (QWidget* const popup = QApplication::activePopupWidget()) {

@@ -44,7 +44,7 @@ public:
     QSize roomBelowHeader() const;  ///< [px] for such a window, without the frame the desktop draws
     /// From now on a thin line says so, and how to leave it.  Before the window is shown.
     void saySafeMode();
-    /// As a signal wants it, which waits for no answer.
+    /// As a signal wants it, and the end of the application (QEvent::Quit), which wait for no answer.
     void closeUnasked();
     /// [px] of any window, where its screen has that much.
     static constexpr QSize kLeast{1200, 680};
@@ -52,8 +52,8 @@ public:
 protected:
     ConsoleWindow();
 
-    /// Somebody is there who can be asked whether the window, which is to be closed, may be.
-    bool mayAskBeforeClosing() const;
+    /// The window, which is to be closed, may ask first.
+    bool mayAskBeforeClosing() const { return !unasked_; }
 
     /// A line over the whole width, below those added before.  look: its name in the style sheet.
     QLabel* addStrip(const QString& look);

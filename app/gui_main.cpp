@@ -36,9 +36,9 @@ Result<int> openWindow(Application& application, const ConsoleOptions& options)
 int refused(Application& application, const ConsoleOptions& options, const std::string& why)
 {
     const int code = failed(why);
-    if (options.errorsInWindow
+    if (options.errorsInWindow && !options.isPicture()
         && application.start(inForce(preferencesFor(options).preferences, options), false))
-        tellRefusal(why);
+        tellRefusal(options.replay, why);
     return code;
 }
 

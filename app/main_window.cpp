@@ -42,10 +42,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLook = 10ms;      // at the world
-constexpr double kRedraw = 0.04;  // [s] 25 Hz
-constexpr double kUnheard =
-    0.06;  // [s] without telemetry that is new: ages go on, and so does the picture
+constexpr auto kLook = 10ms;       // at the world
+constexpr double kRedraw = 0.04;   // [s] 25 Hz
+constexpr double kUnheard = 0.06;  // [s] without new telemetry: ages go on
+constexpr double kLeastToRead =
+    0.7;  // [s] what is asked; a second click sooner, or a key that repeats, answers nothing
 constexpr double kNumbers = 0.2;  // [s]; what changes more often cannot be read
 
 }  // namespace
@@ -555,9 +556,10 @@ void MainWindow::leave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    const double now = steadyNow();
-    if (mayAskBeforeClosing() && link_ && exploration_->armed()
-        && now - std::exchange(closeAsked_, now) > ShortNotice::kFor) {
+    const double now = steadyNow(), since = now - closeAsked_;
+    const bool isAnswer = since > kLeastToRead && since <= ShortNotice::kFor;
+    if (mayAskBeforeClosing() && link_ && exploration_->armed() && !isAnswer) {
+        if (since > ShortNotice::kFor) closeAsked_ = now;
         const QString why =
             tr("THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and "
                "disarmed; or disarm it first (M)")

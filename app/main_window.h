@@ -116,7 +116,7 @@ private:
     void connectExploration();
     void tell(const QString& text, Weight weight);  ///< among the events
     void connectWorker();
-    void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz
+    void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz at most
     void redraw(double now);
     void showTerrain(double now);
     void tickPanel(double now);

@@ -10,7 +10,7 @@ class Page : public QWidget {
 public:
     using QWidget::QWidget;
 
-    /// Shows the newest state; called at 25 Hz while the page is visible.  now: [s] on the steady clock.
+    /// Shows the newest state; called with every picture of the window while the page is visible.  now: [s] on the steady clock.
     virtual void refresh(double now) = 0;
 };
 

@@ -59,7 +59,8 @@ std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& rob
 Result<std::unique_ptr<CanBus>> namedBus(const ConsoleOptions& options)
 {
     if (!options.replay.empty()) {
-        auto log = CandumpReplay::open(options.replay, {.speed = options.speed});
+        auto log = CandumpReplay::open(options.replay,
+                                       {.interface = options.interface, .speed = options.speed});
         if (!log) return Error{log.error().text + " (a replay needs a log of candump -L)"};
         return std::unique_ptr<CanBus>(std::move(*log));
     }

@@ -145,6 +145,9 @@ namespace terratact {
     QT_TRANSLATE_NOOP("core", "the most of the range"),
     QT_TRANSLATE_NOOP("core", "the signal's unit"),
     // Of a log of candump.
+    QT_TRANSLATE_NOOP("core", "holds no frame"),
+    QT_TRANSLATE_NOOP("core", "is no file; a replay reads its log twice"),
+    QT_TRANSLATE_NOOP("core", "has no scenes"),
     QT_TRANSLATE_NOOP("core", "is longer than %1 bytes"),
     QT_TRANSLATE_NOOP("core", "the log does not end with a line end"),
     QT_TRANSLATE_NOOP("core", "has no time; record with candump -L"),
@@ -287,7 +290,9 @@ inline constexpr const char* kOpenFileSentences[]{
     QT_TRANSLATE_NOOP("core", "after %1"),
     QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3, %4 batches of which are not what was recorded and left out"),
     QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3"),
-    // Of a log of candump; whatever else says so fits no longer sentence.
+    // Of a log of candump.  These two fit much: what is longer stands before them.
+    QT_TRANSLATE_NOOP("core", "holds no frame of %1, only of %2"),
+    QT_TRANSLATE_NOOP("core", "holds frames of %1: name the one to replay with --interface"),
     QT_TRANSLATE_NOOP("core", "%1 (a replay needs a log of candump -L)"),
     QT_TRANSLATE_NOOP("core", "expected %1, found %2"),
 };

@@ -86,7 +86,7 @@ _terratact_options() {
   local estimates="--ceiling --contacts --threshold --sweeps --chains --burn-in --inducing --precision --quality
     --full --seconds --scan --seed"
   case $1 in
-    console) echo --version --model --robot --terrain --fault --can --transmit --replay --at --speed --panel --dbc --seed \
+    console) echo --version --model --robot --terrain --fault --can --transmit --replay --interface --at --speed --panel --dbc --seed \
       --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;

@@ -34,6 +34,10 @@
         <source>Terratact could not open this</source>
         <translation>Terratact to nemohl otevřít</translation>
     </message>
+    <message>
+        <source>Terratact could not start</source>
+        <translation>Terratact nemohl začít</translation>
+    </message>
 </context>
 <context>
     <name>BusWords</name>
@@ -2873,6 +2877,26 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>expected %1, found %2</source>
         <translation>očekáváno: %1, nalezeno: %2</translation>
+    </message>
+    <message>
+        <source>holds no frame</source>
+        <translation>neobsahuje žádný rámec</translation>
+    </message>
+    <message>
+        <source>is no file; a replay reads its log twice</source>
+        <translation>není soubor; přehrání čte záznam dvakrát</translation>
+    </message>
+    <message>
+        <source>has no scenes</source>
+        <translation>nemá žádné scény</translation>
+    </message>
+    <message>
+        <source>holds no frame of %1, only of %2</source>
+        <translation>neobsahuje rámec z %1, jen z %2</translation>
+    </message>
+    <message>
+        <source>holds frames of %1: name the one to replay with --interface</source>
+        <translation>obsahuje rámce z %1: uveďte pomocí --interface, které se má přehrát</translation>
     </message>
 </context>
 <context>

@@ -34,6 +34,10 @@
         <source>Terratact could not open this</source>
         <translation>Terratact konnte das nicht öffnen</translation>
     </message>
+    <message>
+        <source>Terratact could not start</source>
+        <translation>Terratact konnte nicht starten</translation>
+    </message>
 </context>
 <context>
     <name>BusWords</name>
@@ -2776,11 +2780,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>is longer than %1 bytes</source>
-        <translation>ist länger als %1 Byte</translation>
+        <translation>ist länger als %1 Bytes</translation>
     </message>
     <message>
         <source>the log does not end with a line end</source>
-        <translation>die Aufzeichnung endet nicht mit einem Zeilenende</translation>
+        <translation>das Log endet nicht mit einem Zeilenende</translation>
     </message>
     <message>
         <source>has no time; record with candump -L</source>
@@ -2824,11 +2828,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>as many bytes as CAN FD can have</source>
-        <translation>so viele Byte, wie CAN FD haben kann</translation>
+        <translation>so viele Bytes, wie CAN FD haben kann</translation>
     </message>
     <message>
         <source>at most %1 bytes</source>
-        <translation>höchstens %1 Byte</translation>
+        <translation>höchstens %1 Bytes</translation>
     </message>
     <message>
         <source>a byte of two hexadecimal digits</source>
@@ -2868,11 +2872,31 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1 (a replay needs a log of candump -L)</source>
-        <translation>%1 (eine Wiedergabe braucht eine Aufzeichnung von candump -L)</translation>
+        <translation>%1 (eine Wiedergabe braucht ein Log von candump -L)</translation>
     </message>
     <message>
         <source>expected %1, found %2</source>
         <translation>erwartet: %1, gefunden: %2</translation>
+    </message>
+    <message>
+        <source>holds no frame</source>
+        <translation>enthält keinen Rahmen</translation>
+    </message>
+    <message>
+        <source>is no file; a replay reads its log twice</source>
+        <translation>ist keine Datei; eine Wiedergabe liest ihr Log zweimal</translation>
+    </message>
+    <message>
+        <source>has no scenes</source>
+        <translation>hat keine Szenen</translation>
+    </message>
+    <message>
+        <source>holds no frame of %1, only of %2</source>
+        <translation>enthält keinen Rahmen von %1, nur von %2</translation>
+    </message>
+    <message>
+        <source>holds frames of %1: name the one to replay with --interface</source>
+        <translation>enthält Rahmen von %1: mit --interface nennen, welche wiedergegeben werden soll</translation>
     </message>
 </context>
 <context>

@@ -186,14 +186,27 @@ TEST_F(BusConsole, theWindowOfAnArmedRobotClosesWhenThatIsAskedForTwice)
     window->close();
     EXPECT_FALSE(window->isVisible()) << "of a disarmed one at once";
     window->show();
-    ASSERT_TRUE(inSomeGo([&] { return armsOnce(); }));
-    window->close();
-    EXPECT_TRUE(window->isVisible());
-    EXPECT_TRUE(eventually([&] { return says("THE ROBOT IS ARMED: close the window again"); }));
-    picture("closing-armed");
-    ASSERT_TRUE(inSomeGo([&] { return arming() == ArmingPhase::Armed || armsOnce(); }));
-    window->close();
-    EXPECT_FALSE(window->isVisible());
+    const auto closesAskedTwice = [&] {
+        if (!armsOnce()) return false;
+        window->close();
+        if (!window->isVisible()) {  // it has disarmed itself meanwhile
+            window->show();
+            return false;
+        }
+        window->close();
+        EXPECT_TRUE(window->isVisible() || arming() != ArmingPhase::Armed)
+            << "a second click on the same spot is no answer";
+        (void)eventually([&] { return says("THE ROBOT IS ARMED: close the window again"); }, 2000);
+        const bool asks = says("THE ROBOT IS ARMED: close the window again");
+        picture("closing-armed");
+        QTest::qWait(800);
+        const bool stillArmed = window->isVisible() && arming() == ArmingPhase::Armed;
+        window->close();
+        if (asks && stillArmed && !window->isVisible()) return true;
+        window->show();
+        return false;
+    };
+    ASSERT_TRUE(inSomeGo(closesAskedTwice));
     EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
 }
 

@@ -32,7 +32,7 @@ TEST_F(Console, everyControlCanBeHitAndNamed)
     for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
         if (!button->isVisible()) continue;
         ++seen;
-        EXPECT_GE(button->height(), 32) << button->text().toStdString();
+        EXPECT_GE(std::min(button->width(), button->height()), 32) << button->text().toStdString();
         EXPECT_FALSE(button->text().isEmpty() && button->accessibleName().isEmpty());
         EXPECT_FALSE(button->toolTip().isEmpty()) << button->text().toStdString();
         const int needed = button->fontMetrics().size(0, button->text()).width();  // of its lines

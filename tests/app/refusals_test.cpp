@@ -23,6 +23,7 @@
 #include "core/robot/robot_model.h"
 #include "core/wire/candump_log.h"
 #include "core/wire/dbc_file.h"
+#include "drivers/candump_replay.h"
 #include "tests/support/random_model.h"
 #include "tests/support/sessions.h"
 #include "tests/support/temporary_directory.h"
@@ -437,7 +438,7 @@ TEST(Refusals, ofDbcFiles)
 
 TEST(Refusals, ofLogs)
 {
-    Refusals refusals({"remote", "request", "candump", "-L"});
+    Refusals refusals({"remote", "request", "candump", "-L", "--interface"});
     const auto read = [&](const std::string& log) {
         CandumpReader reader("broken.log", std::make_unique<std::istringstream>(log));
         for (;;) {
@@ -459,7 +460,14 @@ TEST(Refusals, ofLogs)
                 read(line.substr(0, at) + instead + line.substr(at + 1) + "\n");
         }
     }
-    EXPECT_GE(refusals.size(), 18U);
+    const TemporaryDirectory dir;
+    for (const auto& path : {dir.write("empty.log", ""), dir.file("."), dir.file("none.log"),
+                             dir.write("two.log", "(1.5) can0 044#2A\n(1.6) can1 044#2A\n"),
+                             dir.write("untimed.log", "  vcan0  044   [1]  2A\n")})
+        refusals.take(CandumpReplay::open(path, {}));
+    refusals.take(CandumpReplay::open(dir.file("two.log"), {.interface = "can7"}));
+    refusals.add("my.csv: has no scenes");
+    EXPECT_GE(refusals.size(), 24U);
     refusals.expectTranslated();
 }
 

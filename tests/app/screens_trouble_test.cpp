@@ -7,6 +7,7 @@
 #include "app/link_status.h"
 #include "app/recording_display.h"
 #include "app/robot_words.h"
+#include "app/shared_stop.h"
 #include "app/stop_display.h"
 #include "app/terrain_page.h"
 #include "core/atem/following.h"
@@ -175,7 +176,7 @@ TEST_F(Screens, following)
                 {follows(AtemPhase::Presenting),
                  TerrainPage::tr("Following: probes are approved where the robot is commanded.")});
         press(Qt::Key_F12);
-        picture("stop_has_no_effect", {MainWindow::tr("STOP HAS NO EFFECT HERE: %1")});
+        picture("stop_has_no_effect", {SharedStop::tr("STOP HAS NO EFFECT HERE: %1")});
 
         open({.before = 0.5,
               .isPressed = true,

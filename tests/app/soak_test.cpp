@@ -386,6 +386,7 @@ TEST_F(Soak, showsAnEstimateSoonAfterTheSceneAndOneOfEveryLineBefore)
         const AtemPhase phase = window->exploration().state().phase;
         if (exploring(phase) && phase != AtemPhase::ProposingProbe) continue;
         QTest::qWait(100);
+        ASSERT_TRUE(arms()) << "a machine that is busy with other things disarms";
         driveOn();
         window->exploration().request();
     }
