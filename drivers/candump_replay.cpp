@@ -54,7 +54,8 @@ Result<std::string> chosen(const std::string& path, const std::string& wanted)
         return fileError(path, "holds no frame of " + wanted + ", only of " + listed(*names));
     if (!wanted.empty()) return wanted;
     if (names->size() > 1)
-        return fileError(path, "holds frames of " + listed(*names) + ": name the one to replay with --interface");
+        return fileError(path, "holds frames of " + listed(*names)
+                                   + ": name the one to replay with --interface");
     return *names->begin();
 }
 
