@@ -391,10 +391,11 @@ void MainWindow::look()
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     latest_ = acquisition_->latest();
     exploration_->tick(now, latest_);
-    // An estimate is shown as soon as it is there, telemetry as often as can be seen; all else waits for its turn.
+    // An estimate is shown as soon as it is there, telemetry and previews as often as can be seen; all else can wait.
     const bool news = exploration_->estimation().estimate().has_value() && !showsEstimate();
-    const bool heard = latest_ && latest_->count != drawn_;
-    if (news || now - redrawn_ >= (heard ? kRedraw : kUnheard) - 1e-3) redraw(now);
+    const bool isLive =
+        exploring(exploration_->state().phase) || (latest_ && latest_->count != drawn_);
+    if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);
 }
 
 void MainWindow::redraw(double now)
