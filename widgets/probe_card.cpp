@@ -72,6 +72,7 @@ QLabel* ProbeCard::fact(QGridLayout& rows, const QString& name, Tone tone)
     setTone(*value, tone);
     value->setAccessibleName(name);
     value->setWordWrap(true);
+    value->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     keys_ << key;
     const int at = rows.rowCount();
     rows.addWidget(key, at, 0);
@@ -94,6 +95,7 @@ QWidget* ProbeCard::questionPage()
     variance_ = fact(*rows, tr("all bins"), Tone::Strong);
     cost_ = fact(*rows, tr("costs"), Tone::Strong);
     costKey_ = keys_.last();
+    costLine_ = rows->rowCount() - 1;
     question_ = fact(*rows, tr("step ahead"), Tone::Strong);
     questionKey_ = keys_.last();
     decided_ = new QLabel(question);
@@ -109,6 +111,7 @@ QWidget* ProbeCard::questionPage()
     facts_->column()->addWidget(ranking_);
     // Room to spare goes between the lines: what is to be decided is read at a glance.
     for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
+    lines_ = rows;
     facts_->column()->addStretch(1);
 
     answers_ = answers();
@@ -294,6 +297,7 @@ void ProbeCard::showWorth()
     // Where the card has more to say, cost and variance share a line.
     const bool joined = narrow_ || tells() || isVoid() || p.answer != Outlook::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
+    lines_->setRowStretch(costLine_, joined ? 0 : 1);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(seconds));
     questionKey_->setText(tr("step > %1 m").arg(words::number(p.stepLimit, 2)));

@@ -131,6 +131,8 @@ private:
     bool narrow_ = false;
     QLabel* cost_ = nullptr;
     QLabel* costKey_ = nullptr;
+    QGridLayout* lines_ = nullptr;  ///< of the facts
+    int costLine_ = 0;
     HoldToConfirmButton* approve_ = nullptr;
     QPushButton* refuse_ = nullptr;
     std::array<QPushButton*, kOthers> others_{};
