@@ -59,14 +59,14 @@ endfunction()
 # The target tidy: clang-tidy, and with it clang's warnings, for every joined source and every one compiled alone. It
 # takes its configuration from where a source lies, which is in the build tree for joined ones; those do include sources.
 function(terratact_tidy)
-  find_program(TERRATACT_RUN_CLANG_TIDY run-clang-tidy-14 REQUIRED)
+  find_program(TERRATACT_CLANG_TIDY clang-tidy-14 REQUIRED)
   set(project ${PROJECT_SOURCE_DIR}/.clang-tidy)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${project})
   file(READ ${project} config)
   string(REPLACE "bugprone-*," "bugprone-*,\n  -bugprone-suspicious-include," config "${config}")
   file(WRITE ${PROJECT_BINARY_DIR}/.clang-tidy "${config}")
   add_custom_target(tidy VERBATIM
-    COMMAND ${TERRATACT_RUN_CLANG_TIDY} -quiet -p ${PROJECT_BINARY_DIR} "/Unity/|/core/learn/.*_kernels_")
+    COMMAND ${PROJECT_SOURCE_DIR}/cmake/tidy.sh ${PROJECT_BINARY_DIR} ${TERRATACT_CLANG_TIDY})
 endfunction()
 
 # terratact_included(<header> <variable>): what a header of ours includes, and what those of ours among that include, as
