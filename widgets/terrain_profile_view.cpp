@@ -266,8 +266,13 @@ void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QStri
                                       words::number(100.0 * meanSd(*ghost), 0))
                            : why;
     if (ghost == ghost_->ghost && note == ghostNote_->text().text()) return;
+    const bool comesOrGoes = ghost.has_value() != ghost_->ghost.has_value();
     ghost_->ghost = ghost;
     setInLegend(*ghost_, ghost.has_value());
+    if (comesOrGoes) {
+        sizeLegend();
+        QTimer::singleShot(0, this, [this] { updateLayout(); });  // once the legend knows its lines
+    }
     showGhostNote(note);
     describe();
     fitAxes();

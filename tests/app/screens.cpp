@@ -1,11 +1,14 @@
 #include "tests/app/screens.h"
 
+#include <qwt_legend.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <algorithm>
 #include <chrono>
 #include <iterator>
@@ -275,6 +278,9 @@ void Screens::look(std::string_view name, const QStringList& says, QWidget* abov
         if (!above) std::ranges::copy(gui::overlaps(window()), std::back_inserter(found));
         if (above && above->isWindow())
             std::ranges::copy(gui::cramped(*above), std::back_inserter(found));
+        for (const auto* legend : window().findChildren<QwtLegend*>())
+            if (legend->isVisible() && legend->verticalScrollBar()->isVisible())
+                found.emplace_back("a legend has no room for all of it");
         return found;
     };
     const auto unsaid = [&] {
