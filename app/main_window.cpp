@@ -45,9 +45,8 @@ using namespace std::chrono_literals;
 constexpr auto kLook = 10ms;       // at the world
 constexpr double kRedraw = 0.04;   // [s] 25 Hz
 constexpr double kUnheard = 0.06;  // [s] without new telemetry: ages go on
-constexpr double kLeastToRead =
-    0.7;  // [s] what is asked; a second click sooner, or a key that repeats, answers nothing
-constexpr double kNumbers = 0.2;  // [s]; what changes more often cannot be read
+constexpr double kToRead = 0.7;    // [s] sooner it is a double click, or a key that repeats
+constexpr double kNumbers = 0.2;   // [s]; what changes more often cannot be read
 
 }  // namespace
 
@@ -557,16 +556,16 @@ void MainWindow::leave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    const double now = steadyNow(), since = now - closeAsked_;
-    const bool isAnswer = since > kLeastToRead && since <= ShortNotice::kFor;
+    const double now = steadyNow(), since = now - closeRefused_;
+    const bool isAnswer = since > kToRead && since <= ShortNotice::kFor;
     if (mayAskBeforeClosing() && link_ && exploration_->armed() && !isAnswer) {
-        if (since > ShortNotice::kFor) closeAsked_ = now;
+        closeRefused_ = now;
         const QString why =
             tr("THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and "
                "disarmed; or disarm it first (M)")
                 .arg(words::number(ShortNotice::kFor, 0));
         notice_->say(why, now);
-        tell(why, Weight::Doubt);
+        if (since > ShortNotice::kFor) tell(why, Weight::Doubt);
         return event->ignore();
     }
     leave();

@@ -164,9 +164,9 @@ private:
     std::uint64_t drawn_ = 0;  ///< Received::count of the telemetry that was drawn last
     QTimer look_;
     std::optional<Received> latest_;
-    double redrawn_ = 0.0;       ///< [s] steady clock
-    double numbersShown_ = 0.0;  ///< [s] those of the robot
-    double closeAsked_ = -1e9;   ///< [s] the armed robot's window was to be closed
+    double redrawn_ = 0.0;        ///< [s] steady clock
+    double numbersShown_ = 0.0;   ///< [s] those of the robot
+    double closeRefused_ = -1e9;  ///< [s] the armed robot's window was to be closed, and asked
 
     // Qt's parents own the widgets.
     QWidget* cardsPage_ = nullptr;

@@ -42,6 +42,7 @@ namespace terratact {
     QT_TRANSLATE_NOOP("core", "run is not a name"),
     QT_TRANSLATE_NOOP("core", "is one scene more than the %1 allowed in a file"),
     QT_TRANSLATE_NOOP("core", "is the header, and no scene follows it"),
+    QT_TRANSLATE_NOOP("core", "has no scenes"),
     QT_TRANSLATE_NOOP("core", "expected a time and a note"),
     QT_TRANSLATE_NOOP("core", "a quote does not end"),
     QT_TRANSLATE_NOOP("core", "no line end"),
@@ -147,7 +148,6 @@ namespace terratact {
     // Of a log of candump.
     QT_TRANSLATE_NOOP("core", "holds no frame"),
     QT_TRANSLATE_NOOP("core", "is no file; a replay reads its log twice"),
-    QT_TRANSLATE_NOOP("core", "has no scenes"),
     QT_TRANSLATE_NOOP("core", "is longer than %1 bytes"),
     QT_TRANSLATE_NOOP("core", "the log does not end with a line end"),
     QT_TRANSLATE_NOOP("core", "has no time; record with candump -L"),
@@ -290,7 +290,7 @@ inline constexpr const char* kOpenFileSentences[]{
     QT_TRANSLATE_NOOP("core", "after %1"),
     QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3, %4 batches of which are not what was recorded and left out"),
     QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3"),
-    // Of a log of candump.  These two fit much: what is longer stands before them.
+    // Of a log of candump.  The last two fit much: whatever says more stands before them.
     QT_TRANSLATE_NOOP("core", "holds no frame of %1, only of %2"),
     QT_TRANSLATE_NOOP("core", "holds frames of %1: name the one to replay with --interface"),
     QT_TRANSLATE_NOOP("core", "%1 (a replay needs a log of candump -L)"),

@@ -87,8 +87,9 @@ public:
 
     // Elements are 0 … 5, arrays from 0.
     bool touching(int element) const;
-    QString numberText(int element, int array = 0) const;  ///< as shown above the bar
-    QString driftText(int element) const;                  ///< as shown below it; empty: no drift
+    QString numberText(int element,
+                       int array = 0) const;  ///< as shown above the bar, where there is room
+    QString driftText(int element) const;     ///< as shown below it; empty: no drift
     std::optional<double> peak(int element, int array = 0) const;  ///< in unit()
     QRectF barRect(int element, int array = 0) const;              ///< on the canvas [px]
     double pixelOf(double value) const;              ///< canvas y of a value in unit()

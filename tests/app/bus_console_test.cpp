@@ -193,9 +193,12 @@ TEST_F(BusConsole, theWindowOfAnArmedRobotClosesWhenThatIsAskedForTwice)
             window->show();
             return false;
         }
-        window->close();
+        for (int repeated = 0; repeated < 10; ++repeated) {  // a key held for a second
+            QTest::qWait(100);
+            window->close();
+        }
         EXPECT_TRUE(window->isVisible() || arming() != ArmingPhase::Armed)
-            << "a second click on the same spot is no answer";
+            << "neither a double click nor a key that repeats is an answer";
         (void)eventually([&] { return says("THE ROBOT IS ARMED: close the window again"); }, 2000);
         const bool asks = says("THE ROBOT IS ARMED: close the window again");
         picture("closing-armed");
@@ -208,6 +211,22 @@ TEST_F(BusConsole, theWindowOfAnArmedRobotClosesWhenThatIsAskedForTwice)
     };
     ASSERT_TRUE(inSomeGo(closesAskedTwice));
     EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
+}
+
+TEST_F(BusConsole, aTryToCloseThatIsLongAgoIsForgotten)
+{
+    open();
+    const auto asksAgain = [&] {
+        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
+        window->close();
+        QTest::qWait(static_cast<int>(1000.0 * ShortNotice::kFor) + 200);
+        if (!window->isVisible()) window->show();  // it had disarmed itself
+        if (arming() != ArmingPhase::Armed) return false;
+        window->close();
+        EXPECT_TRUE(window->isVisible()) << "that was the first try";
+        return true;
+    };
+    EXPECT_TRUE(inSomeGo(asksAgain));
 }
 
 TEST_F(BusConsole, aSignalClosesTheWindowOfAnArmedRobotAtOnce)
