@@ -154,6 +154,22 @@ void multiplyTransposed(const Eigen::MatrixXd& U, Eigen::MatrixXd& B, const Poll
     }
 }
 
+void solveTransposed(const Eigen::MatrixXd& R, Eigen::MatrixXd& B, const Poll& poll)
+{
+    const int n = size(R);
+    const auto columns = static_cast<int>(B.cols());
+    forBlocks(0, n, [&](int first, int rows) {
+        forBlocks(0, first, [&](int above, int height) {
+            callPoll(poll);
+            cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, height, -1.0,
+                        &R(above, first), n, &B(above, 0), n, 1.0, &B(first, 0), n);
+        });
+        callPoll(poll);
+        cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows, columns,
+                    1.0, &R(first, first), n, &B(first, 0), n);
+    });
+}
+
 double reciprocalCondition(const Eigen::MatrixXd& R, double norm, const Poll& poll)
 {
     const int n = size(R);

@@ -23,6 +23,9 @@ void solveWithFactor(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& p
 /// B := Uᵀ B for an upper triangle U and at most 16 columns.  Polls likewise.
 void multiplyTransposed(const Eigen::MatrixXd& U, Eigen::MatrixXd& B, const Poll& poll = {});
 
+/// B := R⁻ᵀ B for at most 16 columns.  Polls likewise.
+void solveTransposed(const Eigen::MatrixXd& R, Eigen::MatrixXd& B, const Poll& poll = {});
+
 /// Estimate of 1 / (‖K‖₁ ‖K⁻¹‖₁) from R and norm = ‖K‖₁: never below the truth, seldom above three times it;
 /// 0 where K⁻¹ overflows.
 /// Source: Higham, ACM TOMS 14 (1988), algorithm 674; LAPACK's dlacn2.

@@ -18,6 +18,7 @@ struct CovarianceInput {
     const double* logWeight = nullptr;  ///< U
     const double* alpha = nullptr;      ///< U
     int U = 0;
+    int kept = 0;  ///< at most U: the first rows, whose covariances are written
     int m = 0;
     double signal2 = 1.0;
 };
@@ -38,8 +39,8 @@ inline constexpr long kKernelMultiplications = 1L << 25;
 struct CovarianceKernels {
     const char* name;  ///< "AVX-512", "AVX2", "baseline"
 
-    /// K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·8 + c])²), u < U, c < 8,
-    /// the exponent at least −300; mean[c] = Σ_u K[u·8 + c] alpha[u].  Z: m × 8 in length scales.
+    /// K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·8 + c])²), u < kept, c < 8,
+    /// the exponent at least −300; mean[c] = Σ_u K[u·8 + c] alpha[u], u < U.  Z: m × 8 in length scales.
     void (*covariances)(const CovarianceInput& in, const double* Z, double* K, double* mean);
     /// The same, K rounded to float; the mean is summed before that.
     void (*covariancesSingle)(const CovarianceInput& in, const double* Z, float* K, double* mean);

@@ -97,41 +97,44 @@ inline void storeRounded(float* p, Doubles v, double least)
     *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half);
 }
 
-/// e^x for x ≤ 0 by x = n ln 2 + r, Taylor to degree 13 on |r| ≤ ½ ln 2; below −300 it is e^−300:
+/// e^x for x ≤ 0 by x = n ln 2 + r, |r| ≤ ½ ln 2, and the polynomial of degree 11 with the least largest relative error,
+/// 3e-18 (by Remez's algorithm; its first two coefficients are 1 to rounding); below −300 it is e^−300:
 /// with a signal sd above 2e-12 even a covariance's square is then a normal number, and processors take many times as
 /// long over subnormal ones.
-inline Doubles expNegative(Doubles x)
+/// Of several vectors side by side: each step waits for the one before it.
+template <int kRows>
+[[gnu::always_inline]] inline void expNegative(Doubles (&x)[kRows])
 {
     const Doubles lowest = spread(-300.0);
-    const Bits keep = x > lowest;
-    x = (Doubles)(((Bits)x & keep) | ((Bits)lowest & ~keep));
     const Doubles shifter =
         spread(6755399441055744.0);  // 1.5 · 2^52: rounds to an integer in the low bits
-    const Doubles shifted = fma(x, spread(1.4426950408889634), shifter);
-    const Doubles n = shifted - shifter;
-    const Doubles r = fma(n, spread(-1.90821492927058770002e-10),
-                          fma(n, spread(-6.93147180369123816490e-01), x));
-    Doubles p = spread(1.0 / 6227020800.0);
-    const double inverseFactorials[] = {1.0 / 479001600.0,
-                                        1.0 / 39916800.0,
-                                        1.0 / 3628800.0,
-                                        1.0 / 362880.0,
-                                        1.0 / 40320.0,
-                                        1.0 / 5040.0,
-                                        1.0 / 720.0,
-                                        1.0 / 120.0,
-                                        1.0 / 24.0,
-                                        1.0 / 6.0,
-                                        0.5,
-                                        1.0,
-                                        1.0};
-#pragma GCC unroll 13
-    for (const double c : inverseFactorials) p = fma(p, r, spread(c));
-    return (Doubles)((Bits)p + ((Bits)shifted << 52));
+    Doubles shifted[kRows], r[kRows], p[kRows];
+#pragma GCC unroll 4
+    for (int v = 0; v < kRows; ++v) {
+        const Bits keep = x[v] > lowest;
+        x[v] = (Doubles)(((Bits)x[v] & keep) | ((Bits)lowest & ~keep));
+        shifted[v] = fma(x[v], spread(1.4426950408889634), shifter);
+        const Doubles n = shifted[v] - shifter;
+        r[v] = fma(n, spread(-1.90821492927058770002e-10),
+                   fma(n, spread(-6.93147180369123816490e-01), x[v]));
+        p[v] = spread(2.49942933457304636056e-08);
+    }
+    const double coefficients[] = {2.763230822445254443505e-07, 2.755762265202448847725e-06,
+                                   2.480148648128348e-05,       1.98412694324344382813e-04,
+                                   1.388888895126120424963e-03, 8.333333333559451797287e-03,
+                                   4.16666666664926289885e-02,  1.666666666666616816738e-01,
+                                   5.000000000000017703211e-01, 1.0,
+                                   1.0};
+#pragma GCC unroll 11
+    for (const double c : coefficients)
+#pragma GCC unroll 4
+        for (int v = 0; v < kRows; ++v) p[v] = fma(p[v], r[v], spread(c));
+#pragma GCC unroll 4
+    for (int v = 0; v < kRows; ++v) x[v] = (Doubles)((Bits)p[v] + ((Bits)shifted[v] << 52));
 }
 
 /// Covariances of kRows training rows with one vector of columns.
-template <int kRows, class T>
+template <int kRows, bool kKept, class T>
 inline void covarianceRows(const CovarianceInput& in, const double* Z, int u, T* K, Doubles& mean)
 {
     Doubles distance2[kRows] = {};
@@ -145,10 +148,14 @@ inline void covarianceRows(const CovarianceInput& in, const double* Z, int u, T*
         }
     }
 #pragma GCC unroll 4
+    for (int r = 0; r < kRows; ++r)
+        distance2[r] = fma(spread(-0.5), distance2[r], spread(in.logWeight[u + r]));
+    expNegative(distance2);
+#pragma GCC unroll 4
     for (int r = 0; r < kRows; ++r) {
-        const Doubles exponent = fma(spread(-0.5), distance2[r], spread(in.logWeight[u + r]));
-        const Doubles k = spread(in.signal2) * expNegative(exponent);
-        storeRounded(K + static_cast<long>(u + r) * kGroup, k, in.signal2 * kLeastSingleCovariance);
+        const Doubles k = spread(in.signal2) * distance2[r];
+        if constexpr (kKept)
+            storeRounded(K + static_cast<long>(u + r) * kGroup, k, in.signal2 * kLeastSingleCovariance);
         mean = fma(k, spread(in.alpha[u + r]), mean);
     }
 }
@@ -159,8 +166,10 @@ void covariances(const CovarianceInput& in, const double* Z, T* K, double* mean)
     for (int c = 0; c < kGroup; c += kLanes<double>) {
         Doubles sum{};
         int u = 0;
-        for (; u + 4 <= in.U; u += 4) covarianceRows<4>(in, Z + c, u, K + c, sum);
-        for (; u < in.U; ++u) covarianceRows<1>(in, Z + c, u, K + c, sum);
+        for (; u + 4 <= in.kept; u += 4) covarianceRows<4, true>(in, Z + c, u, K + c, sum);
+        for (; u < in.kept; ++u) covarianceRows<1, true>(in, Z + c, u, K + c, sum);
+        for (; u + 4 <= in.U; u += 4) covarianceRows<4, false>(in, Z + c, u, K + c, sum);
+        for (; u < in.U; ++u) covarianceRows<1, false>(in, Z + c, u, K + c, sum);
         store(mean + c, sum);
     }
 }

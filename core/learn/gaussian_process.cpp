@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
-#include "core/learn/aligned_array.h"
+#include "core/learn/blas_size.h"
+#include "core/learn/covariance_block.h"
+#include "core/learn/covariance_column.h"
 #include "core/learn/covariance_kernels.h"
 #include "core/learn/huge_pages.h"
 #include "core/learn/scene_conditional.h"
@@ -17,54 +20,40 @@ namespace terratact {
 
 namespace {
 
-/// Of σ_n²: how far off single precision may be.
-constexpr double kMostSingleError = 2e-3;
-
-std::size_t area(int a, int b)
+/// How far off single precision may be at the probes: next to nothing of the least variance, the noise.
+double mostSingleError(const Hyperparameters& hyper)
 {
-    return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
+    return 2e-3 * hyper.noiseSd * hyper.noiseSd;
 }
 
-/// X in length scales, row-major U × d.
-AlignedArray<double> scaledRows(const Eigen::MatrixXd& X, const Eigen::VectorXd& lengthScale)
+/// Rows that are not in `chosen`, of which there is at least one.
+std::vector<int> othersOf(const std::vector<int>& chosen, Eigen::Index rows)
 {
-    AlignedArray<double> scaled(static_cast<std::size_t>(X.size()));
-    double* out = scaled.data();
-    for (Eigen::Index u = 0; u < X.rows(); ++u)
-        for (Eigen::Index d = 0; d < X.cols(); ++d) *out++ = X(u, d) / lengthScale[d];
-    if (!std::all_of(scaled.data(), out, [](double z) { return std::isfinite(z); }))
-        throw std::invalid_argument("Gaussian process: an input overflows in length scales");
-    return scaled;
+    std::vector<bool> in(static_cast<std::size_t>(rows), false);
+    for (const int u : chosen) in[static_cast<std::size_t>(u)] = true;
+    std::vector<int> others;
+    for (int u = 0; u < static_cast<int>(rows); ++u)
+        if (!in[static_cast<std::size_t>(u)]) others.push_back(u);
+    return others;
 }
 
 /// The signal part k(X, X), upper triangle (lower one not set), by blocks of columns.
 Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
                                  const Poll& poll)
 {
-    const int U = static_cast<int>(X.rows());
-    const int d = static_cast<int>(X.cols());
-    const AlignedArray<double> rows = scaledRows(X, hyper.lengthScale);
-    const AlignedArray<double> zeros(static_cast<std::size_t>(U));
-    AlignedArray<double> z(area(d, kGroup));
-    AlignedArray<double> block(area(U, kGroup));
-    AlignedArray<double> unused(kGroup);
+    const int U = blasSize(X.rows());
+    CovarianceBlock block(inLengthScales(X, hyper), hyper.signalSd * hyper.signalSd);
     Eigen::MatrixXd K(U, U);
-    preferHugePages(K.data(), area(U, U) * sizeof(double));
+    preferHugePages(K.data(), static_cast<std::size_t>(K.size()) * sizeof(double));
+    std::vector<int> columns;
     for (int first = 0; first < U; first += kGroup) {
-        const int columns = std::min(kGroup, U - first);
         callPoll(poll);
-        for (int c = 0; c < columns; ++c)
-            for (int j = 0; j < d; ++j) z.data()[j * kGroup + c] = rows.data()[(first + c) * d + j];
+        columns.resize(static_cast<std::size_t>(std::min(kGroup, U - first)));
+        std::iota(columns.begin(), columns.end(), first);
         // Rows before the block are the upper triangle of its columns.
-        const CovarianceInput in{rows.data(),
-                                 zeros.data(),
-                                 zeros.data(),
-                                 first + columns,
-                                 d,
-                                 hyper.signalSd * hyper.signalSd};
-        covarianceKernels().covariances(in, z.data(), block.data(), unused.data());
-        for (int c = 0; c < columns; ++c)
-            for (int u = 0; u <= first + c; ++u) K(u, first + c) = block.data()[u * kGroup + c];
+        const double* covariances = block.with(columns, columns.back() + 1);
+        for (const int c : columns)
+            for (int u = 0; u <= c; ++u) K(u, c) = covariances[u * kGroup + c - first];
     }
     return K;
 }
@@ -116,8 +105,8 @@ Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters&
     const Eigen::MatrixXd K =
         signalCovariance(Z, hyper, poll).selfadjointView<Eigen::Upper>().toDenseMatrix();
     std::vector<Eigen::Index> rows;
-    for (Eigen::Index p = 0; p < InverseFactor::kProbes; ++p)
-        rows.push_back(p * (Z.rows() - 1) / (InverseFactor::kProbes - 1));
+    for (int p = 0; p < InverseFactor::kProbes; ++p)
+        rows.push_back(InverseFactor::probe(p, Z.rows()));
     return K(Eigen::all, rows);
 }
 
@@ -160,7 +149,9 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hy
     const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
     if (!std::isfinite(largestMean))
         throw std::invalid_argument("Gaussian process: the outputs overflow in units of the noise");
-    inverse_.emplace(std::move(found.R), [this](const Poll& again) { return factor(again); });
+    inverse_.emplace(
+        std::move(found.R), [this](const Poll& again) { return factor(again); },
+        [this](const Eigen::MatrixXd& R, const Poll& again) { return reduce(R, again); });
 }
 
 GaussianProcess::GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,
@@ -195,11 +186,42 @@ Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const
     return K;
 }
 
+/// Judged at rows that were left out, from the first to the last.
+std::optional<ReducedInverse> GaussianProcess::reduce(const Eigen::MatrixXd& R,
+                                                      const Poll& poll) const
+{
+    if (jitter_ > 0.0) return std::nullopt;  // then R is of another covariance
+    std::optional<ReducedVariance> reduced = reducedVariance(X_, hyper_, poll);
+    if (!reduced) return std::nullopt;
+    const std::vector<int> others = othersOf(reduced->rows, X_.rows());
+    const Eigen::MatrixXd scaled = inLengthScales(X_, hyper_);
+    Eigen::MatrixXd columns(X_.rows(), InverseFactor::kProbes);
+    for (Eigen::Index p = 0; p < columns.cols(); ++p) {
+        callPoll(poll);
+        columns.col(p) =
+            covarianceColumn(scaled,
+                             scaled.row(others[static_cast<std::size_t>(InverseFactor::probe(
+                                 p, static_cast<Eigen::Index>(others.size())))]),
+                             hyper_.signalSd * hyper_.signalSd);
+    }
+    const Eigen::MatrixXd probes = columns(reduced->rows, Eigen::all);
+    solveTransposed(R, columns, poll);
+    std::vector<int> order = std::move(reduced->rows);
+    order.insert(order.end(), others.begin(), others.end());
+    Eigen::MatrixXd transposed(reduced->F.cols(), reduced->F.rows());
+    PolledWork work(poll);
+    for (Eigen::Index j = 0; j < transposed.cols(); ++j) {
+        transposed.col(j) = reduced->F.row(j).transpose();
+        work.done(transposed.rows());
+    }
+    return ReducedInverse{std::move(order), std::move(transposed), probes,
+                          columns.colwise().squaredNorm(), mostSingleError(hyper_)};
+}
+
 Precision GaussianProcess::usable(Precision wanted, const Poll& poll) const
 {
     if (wanted == Precision::Double) return wanted;
-    const double most = kMostSingleError * hyper_.noiseSd * hyper_.noiseSd;
-    return singleError(poll) <= most ? Precision::Single : Precision::Double;
+    return singleError(poll) <= mostSingleError(hyper_) ? Precision::Single : Precision::Double;
 }
 
 Normal GaussianProcess::predict(const Eigen::VectorXd& x) const

@@ -27,8 +27,10 @@ double errorBoundAt(double rcond);
 /// Share of the prior's variance below which rounding leaves nothing of a predicted one.
 inline constexpr double kLeastVariance = 1e-15;
 
-/// By how much a variance in single precision may be further off than where that is measured.
+/// By how much a variance in single precision, through all rows, may be further off than where that is measured.
 inline constexpr double kSingleErrorElsewhere = 5.0;
+/// How far off a variance in single precision may be, as a share of itself.
+inline constexpr double kSingleVarianceError = 1e-2;
 
 /// Gaussian process regression with the kernel of Hyperparameters (Rasmussen & Williams 2006, ch. 2):
 ///   K = k(X, X) + σ_n² I = L Lᵀ,  α = K⁻¹ y
@@ -66,13 +68,19 @@ public:
     /// At rcond().  Seen were up to 0.4 of that where rcond() decides.
     double errorBound() const { return errorBoundAt(rcond_); }
 
-    /// InverseFactor::singleError of this process [m²].  Elsewhere a variance is off by at most
-    /// kSingleErrorElsewhere times as much.
-    double singleError(const Poll& poll = {}) const { return inverse_->singleError(poll); }
+    /// InverseFactor::Single::error of this process [m²].
+    double singleError(const Poll& poll = {}) const { return inverse_->single(poll).error; }
+
+    /// Rows that a variance in single precision goes through: all, or those that explain the others
+    /// (ReducedVariance); a mean goes through all.
+    int varianceRows(const Poll& poll = {}) const { return inverse_->single(poll).kept; }
 
     /// The precision that a wish for `wanted` gets: single only where singleError is at most 0.2 % of σ_n², the
-    /// least a variance can be: elsewhere 1 % of it at most, or 0.5 % of a standard deviation.  A process with next to no noise, or
-    /// ill-conditioned, is computed in double.  poll: while L⁻¹ is inverted and packed, see InverseFactor.
+    /// least a variance can be.  A variance in single precision is then off by at most kSingleVarianceError of
+    /// itself, or half of that of a standard deviation; through all rows by at most kSingleErrorElsewhere times
+    /// singleError.  (Of the shipped model: tests/core/learn/bin_models_test.cpp.)  A mean is the same but for
+    /// rounding: its sum has another order.  A process with next to no noise, or ill-conditioned, is computed in double.
+    /// poll: while L⁻¹ is inverted and packed, see InverseFactor.
     Precision usable(Precision wanted, const Poll& poll = {}) const;
 
     /// Of the height at a standardised input x: d.  In double precision.
@@ -81,6 +89,7 @@ public:
 private:
     friend class SceneConditional;
     Eigen::MatrixXd factor(const Poll& poll) const;
+    std::optional<ReducedInverse> reduce(const Eigen::MatrixXd& R, const Poll& poll) const;
 
     /// From a sparse process over the rows Z.
     GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyperparameters hyper,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/learn/covariance_kernels.h"
@@ -36,18 +37,13 @@ AlignedArray<T> pack(const Eigen::MatrixXd& inverseR, const Poll& poll)
     return panels;
 }
 
-Eigen::Index probe(int p, Eigen::Index U)
-{
-    return p * (U - 1) / (kProbes - 1);
-}
-
-/// K e_i = Rᵀ R e_i for the rows that singleError looks at: U × kProbes.
+/// K e_i = Rᵀ R e_i for the rows that it is judged at: U × kProbes.
 Eigen::MatrixXd probeColumns(const Eigen::MatrixXd& R, const Poll& poll)
 {
     const Eigen::Index U = R.rows();
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(U, kProbes);
     for (int p = 0; p < kProbes; ++p) {
-        const Eigen::Index i = probe(p, U);
+        const Eigen::Index i = InverseFactor::probe(p, U);
         columns.col(p).head(i + 1) = R.col(i).head(i + 1);
     }
     multiplyTransposed(R, columns, poll);
@@ -87,8 +83,9 @@ double errorAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
 
 }  // namespace
 
-InverseFactor::InverseFactor(Eigen::MatrixXd R, std::function<Eigen::MatrixXd(const Poll&)> again)
-    : rows_(static_cast<int>(R.rows())), again_(std::move(again)), R_(std::move(R))
+InverseFactor::InverseFactor(Eigen::MatrixXd R, Again again, Reduce reduce)
+    : rows_(static_cast<int>(R.rows())), again_(std::move(again)), reduce_(std::move(reduce)),
+      R_(std::move(R))
 {
 }
 
@@ -113,12 +110,15 @@ Eigen::MatrixXd InverseFactor::inverse(const Poll& poll) const
     return R;
 }
 
-InverseFactor::Judged InverseFactor::judged(const Poll& poll) const
+InverseFactor::Judged InverseFactor::judgedGiven(const Poll& poll) const
 {
-    if (given_)
-        return {given_->transposed, given_->probes,
-                squaresOf(given_->transposed, given_->probes, poll)};
-    Judged judged{takeFactor(poll), {}, Eigen::VectorXd(kProbes)};
+    return {given_->transposed, given_->probes,
+            squaresOf(given_->transposed, given_->probes, poll)};
+}
+
+InverseFactor::Judged InverseFactor::judged(Eigen::MatrixXd R, const Poll& poll)
+{
+    Judged judged{std::move(R), {}, Eigen::VectorXd(kProbes)};
     judged.columns = probeColumns(judged.inverse, poll);
     for (int p = 0; p < kProbes; ++p)
         judged.squares[p] = judged.columns(probe(p, judged.columns.rows()), p);
@@ -133,26 +133,41 @@ const double* InverseFactor::panels(const Poll& poll) const
     return double_->data();
 }
 
+/// None where there is nothing to reduce, or where that is not good enough.
+std::optional<InverseFactor::Single> InverseFactor::reduced(const Eigen::MatrixXd& R,
+                                                            const Poll& poll) const
+{
+    if (!reduce_) return std::nullopt;
+    std::optional<ReducedInverse> reduced = reduce_(R, poll);
+    if (!reduced) return std::nullopt;
+    AlignedArray<float> panels = pack<float>(reduced->transposed, poll);
+    const double error = errorAt(reduced->probes, reduced->squares, panels, poll);
+    if (error > reduced->mostError) return std::nullopt;
+    return Single{std::move(reduced->order), static_cast<int>(reduced->transposed.rows()),
+                  std::move(panels), error};
+}
+
+InverseFactor::Single InverseFactor::full(const Judged& from, const Poll& poll) const
+{
+    Single single{std::vector<int>(static_cast<std::size_t>(rows_)), rows_,
+                  pack<float>(from.inverse, poll), 0.0};
+    std::iota(single.order.begin(), single.order.end(), 0);
+    single.error = errorAt(from.columns, from.squares, single.panels, poll);
+    return single;
+}
+
 const InverseFactor::Single& InverseFactor::single(const Poll& poll) const
 {
     const PolledMutex::Lock lock(mutex_, poll);
-    if (!single_) {
-        const Judged from = judged(poll);
-        AlignedArray<float> panels = pack<float>(from.inverse, poll);
-        const double error = errorAt(from.columns, from.squares, panels, poll);
-        single_ = Single{std::move(panels), error};
+    if (single_) return *single_;
+    if (given_) {
+        single_ = full(judgedGiven(poll), poll);
+    } else {
+        Eigen::MatrixXd R = takeFactor(poll);
+        single_ = reduced(R, poll);
+        if (!single_) single_ = full(judged(std::move(R), poll), poll);
     }
     return *single_;
-}
-
-const float* InverseFactor::panelsSingle(const Poll& poll) const
-{
-    return single(poll).panels.data();
-}
-
-double InverseFactor::singleError(const Poll& poll) const
-{
-    return single(poll).error;
 }
 
 }  // namespace terratact

@@ -58,7 +58,7 @@ public:
     /// k of `count` ≤ kRows rows from u on with the panel's columns: count × kColumns.
     void rows(int u, int count, double* out)
     {
-        const CovarianceInput in{row(u), zeros_.data(), zeros_.data(), count, d_, signal2_};
+        const CovarianceInput in{row(u), zeros_.data(), zeros_.data(), count, count, d_, signal2_};
         for (int c = 0; c < kColumns; c += kGroup) {
             covarianceKernels().covariances(in, groups_.data() + static_cast<long>(c) * d_,
                                             block_.data(), unused_.data());

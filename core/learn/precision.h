@@ -4,9 +4,10 @@
 
 namespace terratact {
 
-/// Of the products with L⁻¹ in a variance.  Covariances and means are always double.
+/// Of the products in a variance.  Covariances and means are always double, and through all rows.
 enum class Precision : std::uint8_t {
-    Single,  ///< half the memory and twice the speed; error bound: core/learn/inverse_factor.h
+    Single,  ///< in float, and through no more rows than matter: docs/speed.md says what that saves, and
+             ///< GaussianProcess::usable how far off it is
     Double
 };
 

@@ -8,17 +8,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/learn/blas_size.h"
 #include "core/learn/covariance_column.h"
 #include "core/learn/gaussian_process.h"
 
 namespace terratact {
 
 namespace {
-
-int size(Eigen::Index n)
-{
-    return static_cast<int>(n);
-}
 
 void check(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const std::vector<int>& inducing,
            const Hyperparameters& hyper)
@@ -49,7 +45,7 @@ Eigen::MatrixXd covariance(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, d
 /// Cholesky factor in the lower triangle, in place.  The reciprocal condition number.
 double factorise(Eigen::MatrixXd& K)
 {
-    const int n = size(K.rows());
+    const int n = blasSize(K.rows());
     const double norm = LAPACKE_dlansy(LAPACK_COL_MAJOR, '1', 'L', n, K.data(), n);
     double rcond = 0.0;
     if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, K.data(), n) == 0)
@@ -65,8 +61,9 @@ double factorise(Eigen::MatrixXd& K)
 /// B := L⁻¹ B.
 void solveLower(const Eigen::MatrixXd& L, Eigen::MatrixXd& B)
 {
-    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, size(B.rows()),
-                size(B.cols()), 1.0, L.data(), size(L.rows()), B.data(), size(B.rows()));
+    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
+                blasSize(B.rows()), blasSize(B.cols()), 1.0, L.data(), blasSize(L.rows()), B.data(),
+                blasSize(B.rows()));
 }
 
 }  // namespace
@@ -93,8 +90,8 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
     Eigen::MatrixXd V = covariance(Z, scaled, hyper.signalSd) / hyper.noiseSd;
     solveLower(outer, V);
     Eigen::MatrixXd inner = Eigen::MatrixXd::Identity(Z.rows(), Z.rows());
-    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, size(V.rows()), size(V.cols()), 1.0,
-                V.data(), size(V.rows()), 1.0, inner.data(), size(V.rows()));
+    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, blasSize(V.rows()), blasSize(V.cols()),
+                1.0, V.data(), blasSize(V.rows()), 1.0, inner.data(), blasSize(V.rows()));
     process.rcond = std::min(process.rcond, factorise(inner));
     solveLower(inner, V);
 

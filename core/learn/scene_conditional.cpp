@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -94,23 +95,37 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
     if (x.size() != gp.inputs() || !x.allFinite())
         throw std::invalid_argument(
             fmt::format("a prediction needs {} finite inputs", gp.inputs()));
-    if (gp.usable(precision, poll) == Precision::Single)
-        panelsSingle_ = gp.inverse_->panelsSingle(poll);
-    else
+    if (gp.usable(precision, poll) == Precision::Single) {
+        const InverseFactor::Single& single = gp.inverse_->single(poll);
+        panelsSingle_ = single.panels.data();
+        kept_ = single.kept;
+        takeRows(x, single.order);
+    } else {
         panels_ = gp.inverse_->panels(poll);
-    const Eigen::VectorXd& scale = gp.hyper_.lengthScale;
-    Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(gp.rows());
-    for (int d = 0; d < gp.inputs(); ++d)
+        kept_ = static_cast<int>(gp.rows());
+        takeRows(x, std::views::iota(0, kept_));
+    }
+}
+
+/// The process's rows, in that order.
+template <class Order>
+void SceneConditional::takeRows(const Eigen::VectorXd& x, const Order& order)
+{
+    const Eigen::VectorXd& scale = gp_.hyper_.lengthScale;
+    Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(gp_.rows());
+    for (int d = 0; d < gp_.inputs(); ++d)
         if (std::find(moving_.begin(), moving_.end(), d) == moving_.end())
-            distance2.array() += ((gp.X_.col(d).array() - x[d]) / scale[d]).square();
+            distance2.array() += ((gp_.X_.col(d).array() - x[d]) / scale[d]).square();
     const auto m = static_cast<Eigen::Index>(moving_.size());
-    for (Eigen::Index u = 0; u < gp.rows(); ++u) {
-        logWeight_.data()[u] = -0.5 * distance2[u];
-        alpha_.data()[u] = gp.alpha_[u];
+    Eigen::Index place = 0;
+    for (const int u : order) {
+        logWeight_.data()[place] = -0.5 * distance2[u];
+        alpha_.data()[place] = gp_.alpha_[u];
         for (Eigen::Index j = 0; j < m; ++j) {
             const int d = moving_[static_cast<std::size_t>(j)];
-            scaledX_.data()[u * m + j] = gp.X_(u, d) / scale[d];
+            scaledX_.data()[place * m + j] = gp_.X_(u, d) / scale[d];
         }
+        ++place;
     }
 }
 
@@ -142,6 +157,7 @@ void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, Pre
                              logWeight_.data(),
                              alpha_.data(),
                              static_cast<int>(gp_.rows()),
+                             kept_,
                              static_cast<int>(moving_.size()),
                              gp_.hyper_.signalSd * gp_.hyper_.signalSd};
     auto& K = covariancesIn(room, T{});
@@ -152,13 +168,13 @@ void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, Pre
         const int lane = column % kGroup;
         count = std::min(kGroup - lane, n - c);
         scaleInputs(inputs, c, count, room.z.data());
-        T* block = K.all.data() + entries(column / kGroup, 1) * blockSize(gp_.rows());
+        T* block = K.all.data() + entries(column / kGroup, 1) * blockSize(kept_);
         if (lane == 0) {
-            clearPadding(block, gp_.rows());
+            clearPadding(block, kept_);
             compute(kernels_, in, room.z.data(), block, room.means.data() + column);
         } else {
             compute(kernels_, in, room.z.data(), K.block.data(), room.blockMeans.data());
-            copyColumns(K.block.data(), block + lane, count, gp_.rows());
+            copyColumns(K.block.data(), block + lane, count, kept_);
             std::copy_n(room.blockMeans.data(), count, room.means.data() + column);
         }
     }
@@ -178,8 +194,8 @@ void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRo
     }
     const int groups = groupsOf(columns);
     auto& K = covariancesIn(room, T{});
-    makeRoom(K.all, entries(groups, 1) * blockSize(any.gp_.rows()));
-    makeRoom(K.block, blockSize(any.gp_.rows()));
+    makeRoom(K.all, entries(groups, 1) * blockSize(any.kept_));
+    makeRoom(K.block, blockSize(any.kept_));
     makeRoom(room.z, inputs * kGroup);
     makeRoom(room.means, entries(groups, kGroup));
     makeRoom(room.squares, entries(groups, kGroup));
@@ -193,8 +209,7 @@ void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRo
         panels = any.panelsSingle_;
     else
         panels = any.panels_;
-    square(any.kernels_, panels, K.all.data(), static_cast<int>(any.gp_.rows()), groups,
-           room.squares.data(), poll);
+    square(any.kernels_, panels, K.all.data(), any.kept_, groups, room.squares.data(), poll);
     first = 0;
     for (const ScenePrediction& one : asked) {
         one.conditional->finish(room, first, *one.mean, *one.variance);

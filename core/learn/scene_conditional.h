@@ -33,6 +33,8 @@ public:
 private:
     friend void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room,
                                 const Poll& poll);
+    template <class Order>
+    void takeRows(const Eigen::VectorXd& x, const Order& order);
     bool sharesFactorWith(const SceneConditional& other) const;
     void scaleInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count, double* z) const;
     template <class T>
@@ -47,6 +49,7 @@ private:
     const GaussianProcess& gp_;
     const CovarianceKernels& kernels_;
     std::vector<int> moving_;
+    int kept_ = 0;                            // the first rows, which variances need
     AlignedArray<double> scaledX_;            // U × m, row-major, in length scales
     AlignedArray<double> logWeight_, alpha_;  // U
     const double* panels_ = nullptr;       // of the precision that is used; the other one is null

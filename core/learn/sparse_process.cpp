@@ -8,10 +8,14 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
+#include "core/learn/blas_size.h"
 #include "core/learn/cholesky.h"
+#include "core/learn/covariance_block.h"
 #include "core/learn/covariance_column.h"
 #include "core/learn/gaussian_process.h"
+#include "core/learn/inducing_rows.h"
 
 namespace terratact {
 
@@ -20,35 +24,32 @@ namespace {
 constexpr double kLeastPivot = 1e-8;   // of σ_f²: a row that adds less is not worth inducing
 constexpr double kLeastLambda = 1e-9;  // of σ_f²
 constexpr int kCandidatesPerRow = 4;
+constexpr int kColumnsAtOnce = 64;     // of a product at once: enough that a factor is read seldom
+constexpr double kShare = 0.3;         // of the largest variance, for rows of a reduction
+constexpr double kMostReduced = 0.95;  // of the rows: more would save little
 
-int size(Eigen::Index n)
+/// Rows or columns of a product with so many multiplications each that lie between two polls.
+Eigen::Index linesAtOnce(Eigen::Index each)
 {
-    return static_cast<int>(n);
-}
-
-/// Rows of a product with m² multiplications each that lie between two polls.
-Eigen::Index rowsAtOnce(Eigen::Index m)
-{
-    const auto each = static_cast<double>(m * m);
-    return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kMostMultiplications / each));
+    return static_cast<Eigen::Index>(
+        std::max(1.0, kMostMultiplications / static_cast<double>(std::max<Eigen::Index>(1, each))));
 }
 
 std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
 {
     const Eigen::Index count = std::min(rows, wanted);
     std::vector<int> chosen;
-    for (Eigen::Index k = 0; k < count; ++k) chosen.push_back(size(k * rows / count));
+    for (Eigen::Index k = 0; k < count; ++k) chosen.push_back(blasSize(k * rows / count));
     return chosen;
 }
 
-/// Inducing rows and the factor of their covariance, K_mm = L Lᵀ, with its reciprocal condition number.
+/// Inducing rows, the factor of their covariance, K_mm = L Lᵀ, and V = L⁻¹ K_mn, transposed: n × m.
 struct Inducing {
     std::vector<int> rows;
-    Eigen::MatrixXd L;
-    double rcond;
+    Eigen::MatrixXd L, V;
 };
 
-/// Of K = L Lᵀ, whose columns are covariances of the rows of Z.
+/// Reciprocal condition number of K = L Lᵀ, whose columns are covariances of the rows of Z.
 double conditionOf(const Eigen::MatrixXd& L, const Eigen::MatrixXd& Z, double signal2,
                    const Poll& poll)
 {
@@ -60,110 +61,158 @@ double conditionOf(const Eigen::MatrixXd& L, const Eigen::MatrixXd& Z, double si
     return reciprocalCondition(L.transpose(), norm, poll);
 }
 
-Inducing chooseInducing(const Eigen::MatrixXd& scaled, int count, double signal2, const Poll& poll)
+/// V = L⁻¹ K_mn, transposed, for rows that were chosen among some of X.
+Eigen::MatrixXd projection(const Eigen::MatrixXd& scaled, const std::vector<int>& rows,
+                           const Eigen::MatrixXd& L, double signal2, const Poll& poll)
 {
-    const std::vector<int> candidates =
-        evenlySpread(scaled.rows(), kCandidatesPerRow * static_cast<Eigen::Index>(count));
-    const Eigen::MatrixXd X = scaled(candidates, Eigen::all);
-    const Eigen::Index most = std::min<Eigen::Index>(count, X.rows());
-    Eigen::MatrixXd V(X.rows(), most);  // of the pivoted Cholesky k(X, X) ≈ V Vᵀ
-    Eigen::VectorXd variance = Eigen::VectorXd::Constant(X.rows(), signal2);
-    std::vector<int> pivots;
-    for (Eigen::Index j = 0; j < most; ++j) {
-        Eigen::Index p = 0;
-        callPoll(poll);
-        if (!(variance.maxCoeff(&p) > kLeastPivot * signal2)) break;
-        V.col(j) = covarianceColumn(X, X.row(p), signal2);
-        const Eigen::VectorXd ofPivot = V.row(p).head(j);
-        cblas_dgemv(CblasColMajor, CblasNoTrans, size(X.rows()), size(j), -1.0, V.data(),
-                    size(X.rows()), ofPivot.data(), 1, 1.0, V.col(j).data(), 1);
-        V.col(j) /= std::sqrt(variance[p]);
-        variance -= V.col(j).cwiseAbs2();
-        variance[p] = 0.0;
-        pivots.push_back(size(p));
-    }
-    const auto m = static_cast<Eigen::Index>(pivots.size());
-    Inducing inducing{{}, V(pivots, Eigen::seqN(0, m)).triangularView<Eigen::Lower>(), 0.0};
-    inducing.rcond = conditionOf(inducing.L, X(pivots, Eigen::all), signal2, poll);
-    for (const int p : pivots) inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
-    return inducing;
-}
-
-/// A := A T⁻¹ for T = L or Lᵀ, by rows.
-void divide(Eigen::MatrixXd& A, const Eigen::MatrixXd& L, CBLAS_TRANSPOSE transpose,
-            const Poll& poll)
-{
-    const Eigen::Index step = rowsAtOnce(L.rows());
-    for (Eigen::Index first = 0; first < A.rows(); first += step) {
-        callPoll(poll);
-        cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, transpose, CblasNonUnit,
-                    size(std::min(step, A.rows() - first)), size(L.rows()), 1.0, L.data(),
-                    size(L.rows()), &A(first, 0), size(A.rows()));
-    }
-}
-
-/// V = L⁻¹ K_mn, transposed: n × m.
-Eigen::MatrixXd projection(const Eigen::MatrixXd& scaled, const Inducing& inducing, double signal2,
-                           const Poll& poll)
-{
-    const Eigen::Index m = inducing.L.rows();
+    const Eigen::Index m = L.rows();
     Eigen::MatrixXd V(scaled.rows(), m);
     for (Eigen::Index k = 0; k < m; ++k) {
         callPoll(poll);
-        V.col(k) = covarianceColumn(scaled, scaled.row(inducing.rows[static_cast<std::size_t>(k)]),
-                                    signal2);
+        V.col(k) = covarianceColumn(scaled, scaled.row(rows[static_cast<std::size_t>(k)]), signal2);
     }
-    divide(V, inducing.L, CblasTrans, poll);
+    const Eigen::Index step = linesAtOnce(m * m);
+    for (Eigen::Index first = 0; first < V.rows(); first += step) {
+        callPoll(poll);
+        cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit,
+                    blasSize(std::min(step, V.rows() - first)), blasSize(m), 1.0, L.data(),
+                    blasSize(m), &V(first, 0), blasSize(V.rows()));
+    }
     return V;
+}
+
+/// Among `candidates` of the rows.
+Inducing chooseAmong(const Eigen::MatrixXd& scaled, const std::vector<int>& candidates, int count,
+                     double signal2, const Poll& poll)
+{
+    InducingRows among = chooseInducingRows(scaled(candidates, Eigen::all), signal2, count,
+                                            kLeastPivot * signal2, 1.0, poll);
+    Inducing inducing{{}, factorOf(among, poll), {}};
+    for (const int p : among.rows) inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
+    inducing.V = blasSize(scaled.rows()) == blasSize(among.V.rows())
+                   ? std::move(among.V)
+                   : projection(scaled, inducing.rows, inducing.L, signal2, poll);
+    return inducing;
+}
+
+/// work(j) for every column of `each` numbers.
+template <class Work>
+void forColumns(Eigen::Index columns, Eigen::Index each, const Poll& poll, Work work)
+{
+    PolledWork polled(poll);
+    for (Eigen::Index j = 0; j < columns; ++j) {
+        work(j);
+        polled.done(each);
+    }
 }
 
 /// 1 + Vᵀ V, upper triangle.
 Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
 {
-    const int m = size(V.cols());
-    Eigen::MatrixXd B = Eigen::MatrixXd::Identity(m, m);
-    const Eigen::Index step = rowsAtOnce(m);
-    for (Eigen::Index first = 0; first < V.rows(); first += step) {
-        callPoll(poll);
-        cblas_dsyrk(CblasColMajor, CblasUpper, CblasTrans, m,
-                    size(std::min(step, V.rows() - first)), 1.0, &V(first, 0), size(V.rows()), 1.0,
-                    B.data(), m);
+    const int n = blasSize(V.rows());
+    const int m = blasSize(V.cols());
+    Eigen::MatrixXd B(m, m);
+    const int step = blasSize(linesAtOnce(static_cast<Eigen::Index>(m) * kColumnsAtOnce));
+    for (int first = 0; first < m; first += kColumnsAtOnce) {
+        const int columns = std::min(kColumnsAtOnce, m - first);
+        for (int row = 0; row < n; row += step) {
+            callPoll(poll);
+            cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, first + columns, columns,
+                        std::min(step, n - row), 1.0, &V(row, 0), n, &V(row, first), n,
+                        row == 0 ? 0.0 : 1.0, &B(0, first), m);
+        }
     }
+    B.diagonal().array() += 1.0;
     return B;
 }
 
-/// Upper Cholesky factor in place, zeros below.
-void factorise(Eigen::MatrixXd& A, const Poll& poll)
+/// Upper Cholesky factor in place, zeros below.  False where A is not positive definite.
+bool factorise(Eigen::MatrixXd& A, const Poll& poll)
 {
-    if (!choleskyUpper(A, poll))
-        throw std::invalid_argument(
-            "sparse Gaussian process: a covariance is not positive definite");
-    A.triangularView<Eigen::StrictlyLower>().setZero();
+    if (!choleskyUpper(A, poll)) return false;
+    forColumns(A.cols(), A.rows(), poll,
+               [&A](Eigen::Index j) { A.col(j).tail(A.rows() - j - 1).setZero(); });
+    return true;
 }
 
-/// U Uᵀ for an upper triangle U.
+/// U Uᵀ for an upper triangle U with zeros below: upper triangle.
 Eigen::MatrixXd gramOfRows(const Eigen::MatrixXd& U, const Poll& poll)
 {
-    Eigen::MatrixXd product = U.transpose();
-    const Eigen::Index step = rowsAtOnce(U.rows());
-    for (Eigen::Index first = 0; first < U.rows(); first += step) {
+    const int m = blasSize(U.rows());
+    Eigen::MatrixXd product(m, m);
+    const int step = blasSize(std::min<Eigen::Index>(kColumnsAtOnce, linesAtOnce(U.size() / 4)));
+    for (int first = 0; first < m; first += step) {
+        const int columns = std::min(step, m - first);
         callPoll(poll);
-        cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit,
-                    size(U.rows()), size(std::min(step, U.rows() - first)), 1.0, U.data(),
-                    size(U.rows()), &product(0, first), size(U.rows()));
+        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, first + columns, columns, m - first,
+                    1.0, &U(0, first), m, &U(first, first), m, 0.0, &product(0, first), m);
     }
     return product;
 }
 
-/// Lower C with Cᵀ C = 1 − B⁻¹, from R of B = Rᵀ R.
-Eigen::MatrixXd factorOfGain(Eigen::MatrixXd R, const Poll& poll)
+/// Lower C with Cᵀ C = 1 − B⁻¹, from R of B = Rᵀ R; none where rounding leaves nothing of a direction.
+std::optional<Eigen::MatrixXd> factorOfGain(Eigen::MatrixXd R, const Poll& poll)
 {
     constexpr double kRounding = 1e-13;
     invertUpper(R, poll);
-    Eigen::MatrixXd gain = -gramOfRows(R, poll).reverse();
+    const Eigen::Index m = R.cols();
+    Eigen::MatrixXd gain(m, m);  // from the last row and column to the first
+    {
+        const Eigen::MatrixXd inverse = gramOfRows(R, poll);
+        forColumns(m, m, poll, [&](Eigen::Index j) {
+            gain.col(j).head(j + 1) = -inverse.row(m - 1 - j).tail(j + 1).reverse().transpose();
+        });
+    }
     gain.diagonal().array() += 1.0 + kRounding;
-    factorise(gain, poll);  // in reversed order: the factor of what was, lower times upper
-    return gain.reverse();
+    if (!factorise(gain, poll)) return std::nullopt;  // lower times upper, of what was
+    forColumns(m, m, poll, [&](Eigen::Index j) { R.col(j) = gain.col(m - 1 - j).reverse(); });
+    return R;
+}
+
+/// C := C L⁻¹ for lower triangles.
+void divide(Eigen::MatrixXd& C, const Eigen::MatrixXd& L, const Poll& poll)
+{
+    const Eigen::Index m = C.rows();
+    const Eigen::Index step = std::min<Eigen::Index>(kColumnsAtOnce, linesAtOnce(m * m / 2));
+    for (Eigen::Index first = 0; first < m; first += step) {
+        const Eigen::Index rows = std::min(step, m - first);
+        callPoll(poll);
+        cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasNoTrans, CblasNonUnit,
+                    blasSize(rows), blasSize(first + rows), 1.0, L.data(), blasSize(m),
+                    &C(first, 0), blasSize(m));
+    }
+}
+
+/// What inducing rows say of the others: Λ, and A = L B Lᵀ with B = 1 + V Λ⁻¹ Vᵀ = Rᵀ R, well conditioned.
+struct Explained {
+    Eigen::ArrayXd lambda;
+    Eigen::MatrixXd R;
+    double rcond;  // of B; 0 where it is not positive definite
+};
+
+/// V: on return divided by √Λ.
+Explained explain(Eigen::MatrixXd& V, double signal2, double noise2, const Poll& poll)
+{
+    const Eigen::Index n = V.rows();
+    Eigen::ArrayXd lambda = Eigen::ArrayXd::Constant(n, signal2);
+    forColumns(V.cols(), n, poll, [&](Eigen::Index k) { lambda -= V.col(k).array().square(); });
+    Explained explained{lambda.max(0.0) + noise2, {}, 0.0};
+    const Eigen::ArrayXd scale = explained.lambda.rsqrt();
+    forColumns(V.cols(), n, poll, [&](Eigen::Index k) { V.col(k).array() *= scale; });
+    explained.R = onePlusGram(V, poll);
+    const double norm = symmetricNorm(explained.R, poll);
+    if (factorise(explained.R, poll))
+        explained.rcond = reciprocalCondition(explained.R, norm, poll);
+    return explained;
+}
+
+/// F of SparseProcess; none as factorOfGain.
+std::optional<Eigen::MatrixXd> explainedFactor(Explained explained, const Eigen::MatrixXd& L,
+                                               const Poll& poll)
+{
+    std::optional<Eigen::MatrixXd> F = factorOfGain(std::move(explained.R), poll);
+    if (F) divide(*F, L, poll);
+    return F;
 }
 
 }  // namespace
@@ -179,36 +228,53 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
         throw std::invalid_argument(
             "sparse Gaussian process: the signal's variance underflows, or a variance overflows");
     const double noise2 = std::max(noise, kLeastLambda * signal2);
-    const Eigen::MatrixXd scaled = X.array().rowwise() / hyper.lengthScale.transpose().array();
-    if (!scaled.allFinite())
-        throw std::invalid_argument("Gaussian process: an input overflows in length scales");
-    const Inducing inducing = chooseInducing(scaled, count, signal2, poll);
-    Eigen::MatrixXd V = projection(scaled, inducing, signal2, poll);
-
-    // A = L B Lᵀ with B = 1 + V Λ⁻¹ Vᵀ, well conditioned.
-    const Eigen::ArrayXd lambda = (signal2 - V.rowwise().squaredNorm().array()).max(0.0) + noise2;
-    const Eigen::ArrayXd scale = lambda.rsqrt();
-    V.array().colwise() *= scale;
-    const Eigen::VectorXd projected = V.transpose() * (y.array() * scale).matrix();
-    const int m = size(V.cols());
-    Eigen::MatrixXd R = onePlusGram(V, poll);
-    const double norm = symmetricNorm(R, poll);
-    factorise(R, poll);
-
-    SparseProcess sparse{inducing.rows, projected, {}, (noise2 - noise) / (signal2 + noise)};
-    sparse.rcond = std::min({inducing.rcond, reciprocalCondition(R, norm, poll),
-                             lambda.minCoeff() / (signal2 + noise)});
+    const Eigen::MatrixXd scaled = inLengthScales(X, hyper);
+    Inducing inducing = chooseAmong(
+        scaled, evenlySpread(X.rows(), kCandidatesPerRow * static_cast<Eigen::Index>(count)), count,
+        signal2, poll);
+    const Eigen::MatrixXd Z = scaled(inducing.rows, Eigen::all);
+    Explained explained = explain(inducing.V, signal2, noise2, poll);
+    SparseProcess sparse{inducing.rows,
+                         inducing.V.transpose() * (y.array() * explained.lambda.rsqrt()).matrix(),
+                         {},
+                         (noise2 - noise) / (signal2 + noise)};
+    sparse.rcond = std::min({conditionOf(inducing.L, Z, signal2, poll), explained.rcond,
+                             explained.lambda.minCoeff() / (signal2 + noise)});
+    const int m = blasSize(inducing.L.rows());
     if (!(sparse.rcond >= kLeastRcond))
         throw std::invalid_argument(
             fmt::format("sparse Gaussian process: a covariance of {} inducing rows is singular "
                         "(reciprocal condition number below {:.0e})",
                         m, kLeastRcond));
-    LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', m, 1, R.data(), m, sparse.weights.data(), m);
+    LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', m, 1, explained.R.data(), m, sparse.weights.data(), m);
     cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, m, inducing.L.data(), m,
                 sparse.weights.data(), 1);
-    sparse.F = factorOfGain(std::move(R), poll);
-    divide(sparse.F, inducing.L, CblasNoTrans, poll);
+    std::optional<Eigen::MatrixXd> F = explainedFactor(std::move(explained), inducing.L, poll);
+    if (!F)
+        throw std::invalid_argument(
+            "sparse Gaussian process: a covariance is not positive definite");
+    sparse.F = std::move(*F);
     return sparse;
+}
+
+std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
+                                               const Hyperparameters& hyper, const Poll& poll)
+{
+    const double signal2 = hyper.signalSd * hyper.signalSd;
+    const double noise2 = hyper.noiseSd * hyper.noiseSd;
+    const double unexplained = kUnexplainedOfNoise * noise2;
+    if (!(unexplained > kLeastPivot * signal2) || !std::isnormal(signal2)) return std::nullopt;
+    const auto most = static_cast<Eigen::Index>(kMostReduced * static_cast<double>(X.rows()));
+    InducingRows chosen =
+        chooseInducingRows(inLengthScales(X, hyper), signal2, most, unexplained, kShare, poll);
+    if (chosen.left > unexplained || chosen.rows.empty()) return std::nullopt;
+    const Eigen::MatrixXd L = factorOf(chosen, poll);
+    Explained explained = explain(chosen.V, signal2, noise2, poll);
+    if (!(explained.rcond >= kLeastRcond)) return std::nullopt;
+    chosen.V.resize(0, 0);
+    std::optional<Eigen::MatrixXd> F = explainedFactor(std::move(explained), L, poll);
+    if (!F) return std::nullopt;
+    return ReducedVariance{std::move(chosen.rows), std::move(*F)};
 }
 
 }  // namespace terratact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/learn/cholesky.h"
@@ -25,14 +26,28 @@ struct SparseProcess {
     double rcond = 1.0;
 };
 
-/// At most `count` inducing rows, fewer where those explain every row: greedily, the row with the largest
-/// variance given the rows chosen so far (pivoted Cholesky), among at most 4 · count evenly spread rows; the
-/// first of equals.  No random numbers.
+/// At most `count` inducing rows (core/learn/inducing_rows.h), fewer where those explain every row, among at most
+/// 4 · count evenly spread rows.
 ///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
 /// poll: as in cholesky.h; what it throws comes out of here.
 /// Throws std::invalid_argument as requireTrainable, for count < 1, for numbers that overflow, and where rcond would
 /// be below kLeastRcond (gaussian_process.h).
 SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
                             const Hyperparameters& hyper, const Poll& poll = {});
+
+/// Rows that explain all others so well that variances need no more of them, and |F k_m|², which then takes the
+/// place of kᵀ (k(X, X) + σ_n² 1)⁻¹ k: F as in SparseProcess.
+struct ReducedVariance {
+    std::vector<int> rows;  ///< of X, in the order chosen
+    Eigen::MatrixXd F;      ///< m × m, lower triangle, zeros above
+};
+
+/// Of σ_n²: what may be left of the variance of a row, given the inducing rows.
+inline constexpr double kUnexplainedOfNoise = 1e-4;
+
+/// None where that takes more than 95 % of the rows, or no row, or where σ_n² is too small to judge by (below 1e-4 σ_f²).
+/// X, hyper: of a GaussianProcess.  Cost: n m² + m³ multiplications; memory: n m + 3 m² doubles.
+std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
+                                               const Hyperparameters& hyper, const Poll& poll = {});
 
 }  // namespace terratact

@@ -29,6 +29,12 @@ def measured(path):
             for row in rows}
 
 
+def products_left(path):
+    """Share of the products with all rows that a sweep in single precision computes."""
+    return next(row["products_left"] for row in json.loads(path.read_text())["benchmarks"]
+                if row["name"].startswith("sweep/") and "/f32/" in row["name"])
+
+
 def medians(rounds):
     return {name: statistics.median(r[name] for r in rounds)
             for name in rounds[0] if not isinstance(rounds[0][name], str)}
@@ -54,10 +60,12 @@ def main(folder):
     row("chain-sweep, 16 chains: single-chain NumPy / ours", 20.0, numpy["sweep/1"] / sweep(best, "f32", 16))
     row("chain-sweep, 64 chains: batched NumPy / ours", 3.5, numpy["sweep/64"] / sweep(best, "f32", 64))
     row("  the same, NumPy in float32", None, numpy["sweep/64/f32"] / sweep(best, "f32", 64))
-    row("  the same, ours in double", None, numpy["sweep/64"] / sweep(best, "f64", 64))
+    row("  the same, ours in double, through all rows", None, numpy["sweep/64"] / sweep(best, "f64", 64))
     row("chain-sweep, 16 chains: NumPy in float32 / ours", None, numpy["sweep/16/f32"] / sweep(best, "f32", 16))
-    row("chain-sweep, 16 chains: batched NumPy / ours in double", None, numpy["sweep/16"] / sweep(best, "f64", 16))
+    row("chain-sweep, 16 chains: batched NumPy / ours in double, through all rows", None,
+        numpy["sweep/16"] / sweep(best, "f64", 16))
     row("one scene, K = 1000: NumPy with 16 chains / ours", 10.0, numpy["oneScene"] / ours["oneScene/f32"])
+    row("  the same, ours in double, through all rows", None, numpy["oneScene"] / ours["oneScene/f64"])
     row("one scene, K = 1000: NumPy with one chain, 1050 sweeps / ours", 10.0,
         1050 * numpy["sweep/1"] / ours["oneScene/f32"])
     slowest = max(seconds for name, seconds in ours.items()
@@ -102,38 +110,28 @@ def main(folder):
         alone, batched = (ours[f"scenes/{what}/{how}"] * 1e3 for how in ("alone", "batched"))
         print(f"{what:<24}{alone:20.4f}{batched:10.4f}{alone / batched:8.2f}")
 
-    print("\nwhere a chain-sweep in single precision goes, ms"
+    left = products_left(sorted(folder.glob("ours-*.json"))[0])
+    print(f"\nwhere a chain-sweep in single precision goes, ms; {left:.2f} of the products with all rows are left"
           f"\n{'':<22}{'all':>8}{'quadratic form':>16}{'at the peak':>13}{'covariances':>13}{'draws':>8}{'rest':>8}")
     draws = UNKNOWN * statistics.mean(seconds for name, seconds in per_draw.items() if name.startswith("drawsBelow/"))
+    flops = left * UNKNOWN * FLOPS
     for kernels in sets:
         peak = ours[f"peak/{kernels}/f32"]
         covariances = UNKNOWN * ours[f"covariances/{kernels}"] / 8
         for chains in (16, 64):
-            quadratic = UNKNOWN * FLOPS / ours[f"quadratic/{kernels}/f32/{chains}"]
-            parts = [sweep(kernels, "f32", chains), quadratic, UNKNOWN * FLOPS / peak, covariances, draws]
+            quadratic = flops / ours[f"quadratic/{kernels}/f32/{chains}"]
+            parts = [sweep(kernels, "f32", chains), quadratic, flops / peak, covariances, draws]
             parts.append(parts[0] - quadratic - covariances - draws)
             print(f"{f'{kernels}, {chains} chains':<22}" + "".join(
                 f"{1e3 * seconds:{width}.4f}" for seconds, width in zip(parts, (8, 16, 13, 13, 8, 8))))
 
-    print("\nlimits of what was not reached")
-    peak, small = ours[f"peak/{best}/f32"], UNKNOWN * ours[f"covariances/{best}"] / 8 + draws
-    limits = []
-    for chains, target in ((16, 4.0), (64, 3.5)):
-        best_case = UNKNOWN * FLOPS / peak + small
-        limits.append((f"chain-sweep, {chains} chains: NumPy / ours, were the quadratic form at the peak, and no rest",
-                       numpy[f"sweep/{chains}"] / best_case))
-        limits.append((f"  the share of the peak that reaches {target} with this rest",
-                       UNKNOWN * FLOPS / peak
-                       / (numpy[f"sweep/{chains}"] / target - sweep(best, "f32", chains)
-                          + UNKNOWN * FLOPS / ours[f"quadratic/{best}/f32/{chains}"])))
-    limits.append(("NumPy at 64 chains: share of the peak in double, as full products",
-                   UNKNOWN * 2 * ROWS * ROWS / numpy["sweep/64"] / ours[f"peak/{best}/f64"]))
-    limits.append(("one scene: as many sweeps on both sides, NumPy / ours per chain-sweep at 16 chains",
-                   numpy["sweep/16"] / sweep(best, "f32", 16)))
+    print()
+    limits = [("NumPy at 64 chains: share of the peak in double, as full products",
+               UNKNOWN * 2 * ROWS * ROWS / numpy["sweep/64"] / ours[f"peak/{best}/f64"])]
+    if "AVX2" in sets and best == "AVX-512":
+        limits.append(("FMA peak in single precision: AVX2 / AVX-512", ours["peak/AVX2/f32"] / ours[f"peak/{best}/f32"]))
     for what, value in limits:
         print(f"{what:<84}{value:8.2f}")
-    if "AVX2" in sets and best == "AVX-512":
-        print(f"{'FMA peak in single precision: AVX2 / AVX-512':<84}{ours['peak/AVX2/f32'] / peak:8.2f}")
     print(f"\nms per scene of 16 chains, K = 1000: {ours['oneScene/f32'] * 1e3:.0f} (f32), "
           f"{ours['oneScene/f64'] * 1e3:.0f} (f64), clearances {ours['oneClearanceScene'] * 1e3:.0f}")
 

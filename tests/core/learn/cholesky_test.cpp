@@ -51,6 +51,21 @@ TEST(Cholesky, givesTheFactorAndItsInverseOnEitherSideOfEveryBlockBorder)
     }
 }
 
+TEST(Cholesky, solvesForSeveralColumnsOnEitherSideOfABlockBorder)
+{
+    for (const int n : {1, 300, 1024, 1100}) {
+        Eigen::MatrixXd R = positiveMatrix(n, 1.0);
+        ASSERT_TRUE(choleskyUpper(R));
+        const Eigen::MatrixXd upper = R.triangularView<Eigen::Upper>();
+        const Eigen::MatrixXd solution = randomMatrix(n, 16, 5);
+        Eigen::MatrixXd B = upper.transpose() * solution;
+        int polls = 0;
+        solveTransposed(R, B, [&] { ++polls; });
+        EXPECT_LT((B - solution).cwiseAbs().maxCoeff(), 1e-9) << n;
+        EXPECT_EQ(polls, n > 1024 ? 3 : 1);
+    }
+}
+
 TEST(Cholesky, ofAnIndefiniteMatrixOrOfNotANumberFails)
 {
     for (const int n : {3, 128, 200}) {

@@ -36,7 +36,7 @@ struct Covariances {
     {
         for (int u = 0; u < U; ++u)
             weight.data()[u] = -std::abs(weight.data()[u]) * (u == 3 ? 1e4 : 1.0);
-        in = {X.data(), weight.data(), alpha.data(), U, 5, 2.5};
+        in = {X.data(), weight.data(), alpha.data(), U, U, 5, 2.5};
     }
     double expected(int u, int c) const
     {
@@ -100,6 +100,26 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheFormulasCovariancesAndMeans
             EXPECT_NEAR(mean.data()[c], sum, 1e-12) << kernels->name << " column " << c;
             EXPECT_EQ(mean.data()[c], meanToo.data()[c]);
         }
+    }
+}
+
+TEST_P(CovarianceKernelsOf, rowsThatAreNotKeptCountInTheMeanAlone)
+{
+    const int U = GetParam();
+    Covariances data(U);
+    for (const CovarianceKernels* kernels : variants()) {
+        AlignedArray<double> all(static_cast<std::size_t>(U) * kGroup), some(all.size());
+        AlignedArray<double> mean(kGroup), meanToo(kGroup);
+        data.in.kept = U;
+        kernels->covariances(data.in, data.Z.data(), all.data(), mean.data());
+        data.in.kept = U / 2;
+        std::fill(some.data(), some.data() + some.size(), -7.0);
+        kernels->covariances(data.in, data.Z.data(), some.data(), meanToo.data());
+        for (int u = 0; u < U; ++u)
+            for (int c = 0; c < kGroup; ++c)
+                EXPECT_EQ(some.data()[u * kGroup + c],
+                          u < U / 2 ? all.data()[u * kGroup + c] : -7.0);
+        for (int c = 0; c < kGroup; ++c) EXPECT_EQ(mean.data()[c], meanToo.data()[c]);
     }
 }
 

@@ -55,9 +55,9 @@ TEST_P(InverseFactorOf, holdsTheInverseInBothPrecisionsWhicheverIsAskedForFirst)
             ++again;
             return R;
         });
-        if (singleFirst) (void)factor.panelsSingle();
+        if (singleFirst) (void)factor.single().panels.data();
         const double* panels = factor.panels();
-        const float* single = factor.panelsSingle();
+        const float* single = factor.single().panels.data();
         EXPECT_EQ(again, 1);
         for (int i = 0; i < U; ++i) {
             for (int j = 0; j <= i; ++j) {
@@ -79,7 +79,8 @@ TEST(InverseFactor, knowsHowFarSinglePrecisionIsOff)
     const auto errorWith = [](double noise) {
         return InverseFactor(someFactor(200, noise),
                              [=](const Poll&) { return someFactor(200, noise); })
-            .singleError();
+            .single()
+            .error;
     };
     EXPECT_LT(errorWith(0.1), 1e-5);
     EXPECT_GT(errorWith(1e-10), 1e-4);
@@ -94,9 +95,9 @@ TEST(InverseFactor, isPackedOnceForAllThreads)
     {
         std::vector<std::jthread> threads;
         for (const float*& panels : seen)
-            threads.emplace_back([&factor, &panels] { panels = factor.panelsSingle(); });
+            threads.emplace_back([&factor, &panels] { panels = factor.single().panels.data(); });
     }
-    for (const float* panels : seen) EXPECT_EQ(panels, factor.panelsSingle());
+    for (const float* panels : seen) EXPECT_EQ(panels, factor.single().panels.data());
 }
 
 struct Stopped {};
@@ -138,10 +139,10 @@ TEST(InverseFactor, asksACallerWhoWaitsForAnotherOnesPacking)
     EXPECT_TRUE(canLeaveWhileAnotherIsInside(
         [&](const std::function<void()>& wait) {
             pause = wait;
-            (void)factor.panelsSingle();
+            (void)factor.single().panels.data();
         },
-        [&](const Poll& poll) { (void)factor.panelsSingle(poll); }));
-    EXPECT_EQ(entry(factor.panelsSingle(), 59, 5),
+        [&](const Poll& poll) { (void)factor.single(poll); }));
+    EXPECT_EQ(entry(factor.single().panels.data(), 59, 5),
               static_cast<float>(entry(factor.panels(), 59, 5)));
 }
 
@@ -176,17 +177,18 @@ TEST(InverseFactor, isPackedByTheNextCallerWhereOneWasStopped)
     };
     const InverseFactor whole(R, again);
     int polls = 0;
-    (void)whole.panelsSingle([&] { ++polls; });
+    (void)whole.single([&] { ++polls; });
     EXPECT_GT(polls, 9);  // of the inversion, and one for each of seven panels
     const InverseFactor factor(R, again);
     for (int last = 1; last <= polls; last += 2) {
         int left = last;
-        EXPECT_THROW((void)factor.panelsSingle([&] {
+        EXPECT_THROW((void)factor.single([&] {
             if (--left == 0) throw Stop{};
         }),
                      Stop);
     }
-    EXPECT_EQ(entry(factor.panelsSingle([] {}), 299, 5), entry(whole.panelsSingle(), 299, 5));
+    EXPECT_EQ(entry(factor.single([] {}).panels.data(), 299, 5),
+              entry(whole.single().panels.data(), 299, 5));
 }
 
 /// Flags of the mapping that holds an address (proc(5), VmFlags of smaps); empty where the system does not tell.

@@ -91,6 +91,69 @@ TEST(SparseProcess, choosesEachRowOnceAndStopsWhereRowsRepeat)
     EXPECT_EQ(sparseProcess(data.X, data.y, 30, data.hyper).inducing.size(), 10U);
 }
 
+/// Largest difference of |F k_m|² from kᵀ (K + σ_n²)⁻¹ k, as a share of the variance, at rows and beside them.
+double worstOf(const ReducedVariance& reduced, const Data& data)
+{
+    const double noise2 = data.hyper.noiseSd * data.hyper.noiseSd;
+    Eigen::MatrixXd K = data.k(data.X, data.X);
+    K.diagonal().array() += noise2;
+    const Eigen::LLT<Eigen::MatrixXd> factor(K);
+    double worst = 0.0;
+    for (Eigen::Index u = 0; u < data.X.rows(); u += 3) {
+        const Eigen::Vector3d x = data.X.row(u).transpose() * (u % 2 == 0 ? 1.0 : 1.2);
+        const Eigen::VectorXd k = data.k(data.X, x.transpose());
+        const double exact = k.dot(factor.solve(k));
+        const double got = (reduced.F * k(reduced.rows)).squaredNorm();
+        worst = std::max(worst, std::abs(got - exact) / (1.44 + noise2 - exact));
+    }
+    return worst;
+}
+
+TEST(ReducedVariance, isThatOfAllRowsThroughThoseThatExplainTheOthers)
+{
+    const Data data(400);
+    const auto reduced = reducedVariance(data.X, data.hyper);
+    ASSERT_TRUE(reduced);
+    EXPECT_GT(reduced->rows.size(), 20U);
+    EXPECT_LT(reduced->rows.size(), 300U);
+    EXPECT_EQ(reduced->F.triangularView<Eigen::StrictlyUpper>().toDenseMatrix().norm(), 0.0);
+    EXPECT_LT(worstOf(*reduced, data), 2e-3);
+    EXPECT_EQ(reduced->rows, reducedVariance(data.X, data.hyper)->rows);
+}
+
+TEST(ReducedVariance, isNotThereWhereItSavesNothingOrCannotBeJudged)
+{
+    Data data(100);
+    data.hyper.lengthScale << 0.1, 0.1, 0.1;  // no row explains another
+    EXPECT_FALSE(reducedVariance(data.X, data.hyper));
+    data = Data(400);
+    for (const double noise : {0.0, 1e-300, 1e-3}) {
+        data.hyper.noiseSd = noise;
+        EXPECT_FALSE(reducedVariance(data.X, data.hyper)) << noise;
+    }
+    data.hyper.noiseSd = 0.2;
+    data.hyper.signalSd = 1e-160;
+    EXPECT_FALSE(reducedVariance(data.X, data.hyper));
+    EXPECT_FALSE(reducedVariance(data.X.topRows(1), Data(1).hyper));
+}
+
+TEST(ReducedVariance, leavesAtEveryPoll)
+{
+    struct Stop {};
+    const Data data(200);
+    int polls = 0;
+    (void)reducedVariance(data.X, data.hyper, [&] { ++polls; });
+    EXPECT_GT(polls, 30);
+    for (int last = 1; last <= polls; last += 3) {
+        int left = last;
+        EXPECT_THROW((void)reducedVariance(data.X, data.hyper,
+                                           [&] {
+                                               if (--left == 0) throw Stop{};
+                                           }),
+                     Stop);
+    }
+}
+
 TEST(SparseGaussianProcess, comesCloseToTheExactOneAndCloserWithMoreRows)
 {
     const Data data(300);

@@ -1,0 +1,161 @@
+#include "core/learn/inducing_rows.h"
+
+#include <cblas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "core/learn/blas_size.h"
+#include "core/learn/cholesky.h"
+#include "core/learn/covariance_block.h"
+#include "core/learn/covariance_kernels.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kMostAhead = 64;
+
+/// What the rows chosen so far leave of covariances, and the columns of the rows that are likely to be next: of them
+/// all at once, for one column at a time would read the whole of V for each.
+class Choice {
+public:
+    Choice(const Eigen::MatrixXd& scaled, double signal2, Eigen::Index most)
+        : covariances_(scaled, signal2),
+          variance_(Eigen::VectorXd::Constant(scaled.rows(), signal2)), V_(scaled.rows(), most),
+          columns_(scaled.rows(), std::min<Eigen::Index>(kMostAhead, most))
+    {
+    }
+
+    bool full() const { return chosen_ == V_.cols(); }
+    double largestVariance() const { return variance_.maxCoeff(); }
+
+    /// The row with the largest variance among those at hand, if that is good enough, or else among all.
+    void take(double goodEnough, const Poll& poll)
+    {
+        callPoll(poll);
+        auto place = bestAhead();
+        if (place == ahead_.end() || variance_[*place] < goodEnough) {
+            lookAhead(poll);
+            place = ahead_.begin();
+        }
+        const Eigen::Index next = *place;
+        auto column = V_.col(chosen_);
+        column = columns_.col(place - ahead_.begin());
+        subtract(next, columnsFrom_, column);
+        column /= std::sqrt(variance_[next]);
+        variance_ -= column.cwiseAbs2();
+        variance_[next] = 0.0;
+        rows_.push_back(blasSize(next));
+        ++chosen_;
+        ++taken_;
+    }
+
+    InducingRows chosen() &&
+    {
+        V_.conservativeResize(Eigen::NoChange, chosen_);
+        const double left = chosen_ < variance_.size() ? variance_.maxCoeff() : 0.0;
+        return {std::move(rows_), std::move(V_), left};
+    }
+
+private:
+    /// column −= V_.middleCols(from …) V_(row, from …)ᵀ
+    void subtract(Eigen::Index row, Eigen::Index from, Eigen::Ref<Eigen::VectorXd> column) const
+    {
+        if (chosen_ == from) return;
+        cblas_dgemv(CblasColMajor, CblasNoTrans, blasSize(V_.rows()), blasSize(chosen_ - from),
+                    -1.0, &V_(0, from), blasSize(V_.rows()), &V_(row, from), blasSize(V_.rows()),
+                    1.0, column.data(), 1);
+    }
+
+    std::vector<int>::const_iterator bestAhead() const
+    {
+        return std::max_element(ahead_.begin(), ahead_.end(),
+                                [this](int a, int b) { return variance_[a] < variance_[b]; });
+    }
+
+    /// Those with the largest variances, the largest first: a few more than the last time were of use.
+    void lookAhead(const Poll& poll)
+    {
+        const Eigen::Index count =
+            std::min<Eigen::Index>({taken_ + taken_ / 4 + 2, kMostAhead, V_.cols() - chosen_});
+        ahead_.resize(static_cast<std::size_t>(variance_.size()));
+        std::iota(ahead_.begin(), ahead_.end(), 0);
+        const auto larger = [this](int a, int b) {
+            return variance_[a] != variance_[b] ? variance_[a] > variance_[b] : a < b;
+        };
+        std::partial_sort(ahead_.begin(), ahead_.begin() + count, ahead_.end(), larger);
+        ahead_.resize(static_cast<std::size_t>(count));
+        for (std::size_t first = 0; first < ahead_.size(); first += kGroup)
+            covariances(first, poll);
+        const Eigen::MatrixXd ofAhead = V_(ahead_, Eigen::seqN(0, chosen_));
+        const auto step = static_cast<Eigen::Index>(
+            kMostMultiplications / static_cast<double>(count * std::max<Eigen::Index>(1, chosen_)));
+        for (Eigen::Index first = 0; chosen_ > 0 && first < V_.rows(); first += step) {
+            callPoll(poll);
+            cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans,
+                        blasSize(std::min(step, V_.rows() - first)), blasSize(count),
+                        blasSize(chosen_), -1.0, &V_(first, 0), blasSize(V_.rows()), ofAhead.data(),
+                        blasSize(count), 1.0, &columns_(first, 0), blasSize(V_.rows()));
+        }
+        columnsFrom_ = chosen_;
+        taken_ = 0;
+    }
+
+    /// columns_ of ahead_[first] and up to seven more.
+    void covariances(std::size_t first, const Poll& poll)
+    {
+        callPoll(poll);
+        const auto some =
+            std::span(ahead_).subspan(first, std::min<std::size_t>(kGroup, ahead_.size() - first));
+        const double* block = covariances_.with(some, blasSize(variance_.size()));
+        for (std::size_t c = 0; c < some.size(); ++c)
+            for (Eigen::Index u = 0; u < variance_.size(); ++u)
+                columns_(u, static_cast<Eigen::Index>(first + c)) =
+                    block[u * kGroup + static_cast<Eigen::Index>(c)];
+    }
+
+    CovarianceBlock covariances_;
+    Eigen::VectorXd variance_;  // of every row given the chosen ones; 0 of those
+    Eigen::MatrixXd V_;
+    std::vector<int> rows_;
+    Eigen::Index chosen_ = 0;
+    std::vector<int> ahead_;
+    Eigen::MatrixXd
+        columns_;  // covariances with ahead_, less what columnsFrom_ columns of V_ explain
+    Eigen::Index columnsFrom_ = 0;
+    Eigen::Index taken_ = 0;  // of ahead_
+};
+
+}  // namespace
+
+InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2, Eigen::Index most,
+                                double leastVariance, double share, const Poll& poll)
+{
+    Choice choice(scaled, signal2, std::min(most, scaled.rows()));
+    while (!choice.full()) {
+        const double largest = choice.largestVariance();
+        if (!(largest > leastVariance)) break;
+        choice.take(share * largest, poll);
+    }
+    return std::move(choice).chosen();
+}
+
+Eigen::MatrixXd factorOf(const InducingRows& inducing, const Poll& poll)
+{
+    const auto m = static_cast<Eigen::Index>(inducing.rows.size());
+    Eigen::MatrixXd L(m, m);
+    PolledWork work(poll);
+    for (Eigen::Index k = 0; k < m; ++k) {
+        L.col(k).head(k).setZero();
+        for (Eigen::Index i = k; i < m; ++i)
+            L(i, k) = inducing.V(inducing.rows[static_cast<std::size_t>(i)], k);
+        work.done(m);
+    }
+    return L;
+}
+
+}  // namespace terratact
