@@ -24,10 +24,8 @@ void addEffort(CLI::App& app, Settings& settings)
         addNumber(app, "--inducing", settings.inducing,
                   "Predict through at most so many training rows (0: as trained)")
             ->check(CLI::Range(0, 20'000)),
-        addChoice(
-            app, "--precision", settings.precision, precisionFromName, "single|double",
-            "Of sampled variances (default single: within 1 % of double, through the rows that "
-            "matter)")};
+        addChoice(app, "--precision", settings.precision, precisionFromName, "single|double",
+                  "Of sampled variances (default single, through the rows that matter)")};
     const auto preset = [&settings](std::string_view text) -> std::optional<Settings> {
         const auto quality = qualityFromName(text);
         if (!quality) return std::nullopt;

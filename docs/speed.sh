@@ -46,9 +46,10 @@ is of a scene that has its thread alone.
 Most training rows say little that others do not: given well chosen ones, what is left of a row's variance is next to
 nothing of the noise.  In single precision a variance therefore goes through the rows that leave no other more than
 1e-4 of the noise's variance (\`core/learn/sparse_process.h\`), chosen when a process is first used; the table says how many of
-the products are left.  A mean goes through all rows, in double.  Variances are within 1 % of those through all rows in double,
-near scenes within 0.25 %, of the shipped model
-\`build/headless/tests/core.learn.bin_models_test --gtest_filter='*SinglePrecision*'\` prints how far they are off.  In double nothing is left out.
+the products are left.  A mean goes through all rows, in double.  What comes of it is compared with
+all rows where a process is first used, and not used where a variance is off by more than 0.2 % at sixteen probes.  How far variances of the
+shipped model are off, from likely to absurd states, is printed by
+\`build/headless/tests/core.learn.bin_models_test --gtest_filter='*SinglePrecision*'\`.  In double nothing is left out.
 
 *quadratic form*: as measured with one bin's factor of all rows, which the nearest caches keep in part; *rest*: what nine bins'
 factors cost more by coming from farther away and being smaller, standardising, and keeping draws.

@@ -20,7 +20,7 @@ struct TradeSetting {
 };
 
 /// The settings whose cost and error `tradeoff` measures for a method: the presets, and 1000 draws of 16
-/// chains in single precision from all training rows with one thing varied at a time.  Closed forms have
+/// chains in single precision without inducing rows, with one thing varied at a time.  Closed forms have
 /// nothing but their draws to vary.  The presets end as early as the program lets them; of the others all but
 /// "early stop" use their whole budget.
 std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed);

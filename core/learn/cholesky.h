@@ -10,6 +10,14 @@ namespace terratact {
 inline constexpr double kMostMultiplications = 2e7;
 inline constexpr long kMostRead = 1L << 20;  ///< numbers, each read once
 
+/// Rows or columns of a product with so many multiplications each that lie between two polls.
+inline Eigen::Index linesAtOnce(Eigen::Index each)
+{
+    const auto multiplications = static_cast<double>(each > 0 ? each : 1);
+    const auto lines = static_cast<Eigen::Index>(kMostMultiplications / multiplications);
+    return lines > 0 ? lines : 1;
+}
+
 /// Factorises K = Rᵀ R in place: R in the upper triangle, the lower one is not read and not changed.
 /// False where K is not positive definite or holds a value that is not finite; K is then spoilt.
 bool choleskyUpper(Eigen::MatrixXd& K, const Poll& poll = {});

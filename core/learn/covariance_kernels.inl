@@ -97,8 +97,8 @@ inline void storeRounded(float* p, Doubles v, double least)
     *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half);
 }
 
-/// e^x for x ≤ 0 by x = n ln 2 + r, |r| ≤ ½ ln 2, and the polynomial of degree 11 with the least largest relative error,
-/// 3e-18 (by Remez's algorithm; its first two coefficients are 1 to rounding); below −300 it is e^−300:
+/// e^x for x ≤ 0 by x = n ln 2 + r, |r| ≤ ½ ln 2, and the polynomial of degree 11 with the least largest relative error
+/// (by Remez's algorithm: 3e-18, 2e-17 with its first two coefficients rounded to 1); below −300 it is e^−300:
 /// with a signal sd above 2e-12 even a covariance's square is then a normal number, and processors take many times as
 /// long over subnormal ones.
 /// Of several vectors side by side: each step waits for the one before it.

@@ -110,6 +110,36 @@ Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters&
     return K(Eigen::all, rows);
 }
 
+/// Covariances with InverseFactor::kProbes of those rows, from the first to the last: with every other one as it is, with the
+/// others one and two length scales beside it.
+Eigen::MatrixXd columnsBeside(const Eigen::MatrixXd& scaled, const std::vector<int>& rows,
+                              double signal2, const Poll& poll)
+{
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    const double step = 1.0 / std::sqrt(static_cast<double>(scaled.cols()));
+    Eigen::MatrixXd columns(scaled.rows(), InverseFactor::kProbes);
+    for (Eigen::Index p = 0; p < columns.cols(); ++p) {
+        callPoll(poll);
+        const int row = rows[static_cast<std::size_t>(InverseFactor::probe(p, count))];
+        Eigen::RowVectorXd x = scaled.row(row);
+        for (Eigen::Index d = 0; p % 2 == 1 && d < x.size(); ++d)
+            x[d] += (p % 4 == 3 ? 2.0 : 1.0) * ((d + p / 4) % 2 == 0 ? step : -step);
+        columns.col(p) = covarianceColumn(scaled, x, signal2);
+    }
+    return columns;
+}
+
+Eigen::MatrixXd transposed(const Eigen::MatrixXd& F, const Poll& poll)
+{
+    Eigen::MatrixXd turned(F.cols(), F.rows());
+    PolledWork work(poll);
+    for (Eigen::Index j = 0; j < turned.cols(); ++j) {
+        turned.col(j) = F.row(j).transpose();
+        work.done(turned.rows());
+    }
+    return turned;
+}
+
 }  // namespace
 
 double errorBoundAt(double rcond)
@@ -186,7 +216,7 @@ Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const
     return K;
 }
 
-/// Judged at rows that were left out, from the first to the last.
+/// Judged by what the variance is there, at rows that were left out and beside such rows.
 std::optional<ReducedInverse> GaussianProcess::reduce(const Eigen::MatrixXd& R,
                                                       const Poll& poll) const
 {
@@ -194,28 +224,17 @@ std::optional<ReducedInverse> GaussianProcess::reduce(const Eigen::MatrixXd& R,
     std::optional<ReducedVariance> reduced = reducedVariance(X_, hyper_, poll);
     if (!reduced) return std::nullopt;
     const std::vector<int> others = othersOf(reduced->rows, X_.rows());
-    const Eigen::MatrixXd scaled = inLengthScales(X_, hyper_);
-    Eigen::MatrixXd columns(X_.rows(), InverseFactor::kProbes);
-    for (Eigen::Index p = 0; p < columns.cols(); ++p) {
-        callPoll(poll);
-        columns.col(p) =
-            covarianceColumn(scaled,
-                             scaled.row(others[static_cast<std::size_t>(InverseFactor::probe(
-                                 p, static_cast<Eigen::Index>(others.size())))]),
-                             hyper_.signalSd * hyper_.signalSd);
-    }
-    const Eigen::MatrixXd probes = columns(reduced->rows, Eigen::all);
+    const double signal2 = hyper_.signalSd * hyper_.signalSd;
+    const double noise2 = hyper_.noiseSd * hyper_.noiseSd;
+    Eigen::MatrixXd columns = columnsBeside(inLengthScales(X_, hyper_), others, signal2, poll);
+    ReducedInverse inverse{std::move(reduced->rows), transposed(reduced->F, poll), {}, {}, {},
+                           mostSingleError(hyper_)};
+    inverse.probes = columns(inverse.order, Eigen::all);
+    inverse.order.insert(inverse.order.end(), others.begin(), others.end());
     solveTransposed(R, columns, poll);
-    std::vector<int> order = std::move(reduced->rows);
-    order.insert(order.end(), others.begin(), others.end());
-    Eigen::MatrixXd transposed(reduced->F.cols(), reduced->F.rows());
-    PolledWork work(poll);
-    for (Eigen::Index j = 0; j < transposed.cols(); ++j) {
-        transposed.col(j) = reduced->F.row(j).transpose();
-        work.done(transposed.rows());
-    }
-    return ReducedInverse{std::move(order), std::move(transposed), probes,
-                          columns.colwise().squaredNorm(), mostSingleError(hyper_)};
+    inverse.squares = columns.colwise().squaredNorm();
+    inverse.weights = noise2 / (signal2 + noise2 - inverse.squares.array()).max(noise2);
+    return inverse;
 }
 
 Precision GaussianProcess::usable(Precision wanted, const Poll& poll) const

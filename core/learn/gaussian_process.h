@@ -29,7 +29,7 @@ inline constexpr double kLeastVariance = 1e-15;
 
 /// By how much a variance in single precision, through all rows, may be further off than where that is measured.
 inline constexpr double kSingleErrorElsewhere = 5.0;
-/// How far off a variance in single precision may be, as a share of itself.
+/// How far off a variance in single precision may be, as a share of itself: five times what it may be at the probes.
 inline constexpr double kSingleVarianceError = 1e-2;
 
 /// Gaussian process regression with the kernel of Hyperparameters (Rasmussen & Williams 2006, ch. 2):
@@ -38,7 +38,7 @@ inline constexpr double kSingleVarianceError = 1e-2;
 /// Where K is singular to working precision (doubled rows without noise, length scales beyond the data),
 /// K + jitter (σ_f² + σ_n²) I takes its place, with the least jitter of 1e-10, 1e-9 … 1e-6 that mends it.
 /// Mean and variance (in double precision) are right to errorBound() of max |y| and of σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
-/// Immutable once built; safe to share between threads.  L⁻¹ is inverted and packed at the first prediction.
+/// Immutable once built; safe to share between threads.  What variances need of it is made at the first prediction in a precision (InverseFactor).
 class GaussianProcess {
 public:
     /// X: U × d standardised inputs; y: U outputs, centred; outputMean: ȳ, added to every prediction.
@@ -76,11 +76,11 @@ public:
     int varianceRows(const Poll& poll = {}) const { return inverse_->single(poll).kept; }
 
     /// The precision that a wish for `wanted` gets: single only where singleError is at most 0.2 % of σ_n², the
-    /// least a variance can be.  A variance in single precision is then off by at most kSingleVarianceError of
+    /// least a variance can be, or of a reduced variance itself.  A variance in single precision is then off by at most kSingleVarianceError of
     /// itself, or half of that of a standard deviation; through all rows by at most kSingleErrorElsewhere times
     /// singleError.  (Of the shipped model: tests/core/learn/bin_models_test.cpp.)  A mean is the same but for
     /// rounding: its sum has another order.  A process with next to no noise, or ill-conditioned, is computed in double.
-    /// poll: while L⁻¹ is inverted and packed, see InverseFactor.
+    /// poll: while that is made, see InverseFactor.
     Precision usable(Precision wanted, const Poll& poll = {}) const;
 
     /// Of the height at a standardised input x: d.  In double precision.

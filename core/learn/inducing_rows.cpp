@@ -17,7 +17,7 @@ namespace terratact {
 
 namespace {
 
-constexpr int kMostAhead = 64;
+constexpr int kMostAhead = 48;
 
 /// What the rows chosen so far leave of covariances, and the columns of the rows that are likely to be next: of them
 /// all at once, for one column at a time would read the whole of V for each.
@@ -30,7 +30,6 @@ public:
     {
     }
 
-    bool full() const { return chosen_ == V_.cols(); }
     double largestVariance() const { return variance_.maxCoeff(); }
 
     /// The row with the largest variance among those at hand, if that is good enough, or else among all.
@@ -92,8 +91,7 @@ private:
         for (std::size_t first = 0; first < ahead_.size(); first += kGroup)
             covariances(first, poll);
         const Eigen::MatrixXd ofAhead = V_(ahead_, Eigen::seqN(0, chosen_));
-        const auto step = static_cast<Eigen::Index>(
-            kMostMultiplications / static_cast<double>(count * std::max<Eigen::Index>(1, chosen_)));
+        const Eigen::Index step = linesAtOnce(count * chosen_);
         for (Eigen::Index first = 0; chosen_ > 0 && first < V_.rows(); first += step) {
             callPoll(poll);
             cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans,
@@ -132,14 +130,16 @@ private:
 
 }  // namespace
 
-InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2, Eigen::Index most,
-                                double leastVariance, double share, const Poll& poll)
+InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2,
+                                const RowsWanted& wanted, const Poll& poll)
 {
-    Choice choice(scaled, signal2, std::min(most, scaled.rows()));
-    while (!choice.full()) {
+    const Eigen::Index most = std::min(wanted.most, scaled.rows());
+    Choice choice(scaled, signal2, most);
+    for (Eigen::Index count = 0; count < most; ++count) {
         const double largest = choice.largestVariance();
-        if (!(largest > leastVariance)) break;
-        choice.take(share * largest, poll);
+        if (!(largest > wanted.leastVariance)) break;
+        if (count == most / 2 && largest > wanted.mostHalfway) break;
+        choice.take(wanted.share * largest, poll);
     }
     return std::move(choice).chosen();
 }

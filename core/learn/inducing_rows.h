@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "core/poll.h"
@@ -15,12 +16,21 @@ struct InducingRows {
     double left = 0.0;  ///< the largest variance of a row that is left, given the rows chosen
 };
 
-/// At most `most` rows, greedily: one whose variance given the rows chosen so far is at least `share` of the largest,
-/// with a share of 1 the one with the largest, the first of equals; fewer where none has more than leastVariance.  A
-/// share of less takes about as many rows and half the time.  No random numbers.
-///   scaled: n × d inputs in length scales.  Cost: n m² / 2 multiplications; memory: n m doubles.
-InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2, Eigen::Index most,
-                                double leastVariance, double share, const Poll& poll = {});
+/// When to stop choosing, and how to choose.
+struct RowsWanted {
+    Eigen::Index most;           ///< rows
+    double leastVariance = 0.0;  ///< of a row that is worth choosing
+    /// A row is good enough whose variance given the rows chosen so far is at least this share of the largest; with 1 it
+    /// is always the one with the largest, the first of equals.  Less takes about as many rows and half the time.
+    double share = 1.0;
+    /// Where half of `most` leave more than this, no more are chosen.
+    double mostHalfway = std::numeric_limits<double>::infinity();
+};
+
+/// Greedily, see RowsWanted; no random numbers.
+///   scaled: n × d inputs in length scales.  Cost: n m² / 2 multiplications; memory: n · most doubles, n m of them used.
+InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2,
+                                const RowsWanted& wanted, const Poll& poll = {});
 
 /// L: m × m, zeros above.
 Eigen::MatrixXd factorOf(const InducingRows& inducing, const Poll& poll = {});

@@ -58,8 +58,9 @@ Eigen::VectorXd squaresOf(const Eigen::MatrixXd& transposed, Eigen::MatrixXd col
     return columns.colwise().squaredNorm();
 }
 
-double errorAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
-               const AlignedArray<float>& panels, const Poll& poll)
+/// Differences of |panels · k|² from what is expected of every column k; infinite where that is not a number.
+Eigen::VectorXd errorsAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
+                         const AlignedArray<float>& panels, const Poll& poll)
 {
     const auto U = static_cast<int>(columns.rows());
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
@@ -71,14 +72,19 @@ double errorAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
                 static_cast<float>(columns(u, p));
     covarianceKernels().sumsOfSquaresSingle(panels.data(), K.data(), U, kProbes / kGroup,
                                             squares.data(), kernelPoll(poll));
-    // One rounding at least: of few rows, all probes may be luckier than any other column.
-    double error = std::numeric_limits<float>::epsilon() * expected.maxCoeff();
+    Eigen::VectorXd errors(kProbes);
     for (int p = 0; p < kProbes; ++p) {
         const double difference = std::abs(squares.data()[p] - expected[p]);
-        if (!std::isfinite(difference)) return std::numeric_limits<double>::infinity();
-        error = std::max(error, difference);
+        errors[p] =
+            std::isfinite(difference) ? difference : std::numeric_limits<double>::infinity();
     }
-    return error;
+    return errors;
+}
+
+/// The largest, and one rounding at least: of few rows, all probes may be luckier than any other column.
+double largestError(const Eigen::VectorXd& errors, const Eigen::VectorXd& expected)
+{
+    return std::max(errors.maxCoeff(), std::numeric_limits<float>::epsilon() * expected.maxCoeff());
 }
 
 }  // namespace
@@ -141,8 +147,10 @@ std::optional<InverseFactor::Single> InverseFactor::reduced(const Eigen::MatrixX
     std::optional<ReducedInverse> reduced = reduce_(R, poll);
     if (!reduced) return std::nullopt;
     AlignedArray<float> panels = pack<float>(reduced->transposed, poll);
-    const double error = errorAt(reduced->probes, reduced->squares, panels, poll);
-    if (error > reduced->mostError) return std::nullopt;
+    const double error = errorsAt(reduced->probes, reduced->squares, panels, poll)
+                             .cwiseProduct(reduced->weights)
+                             .maxCoeff();
+    if (!(error <= reduced->mostError)) return std::nullopt;
     return Single{std::move(reduced->order), static_cast<int>(reduced->transposed.rows()),
                   std::move(panels), error};
 }
@@ -152,7 +160,8 @@ InverseFactor::Single InverseFactor::full(const Judged& from, const Poll& poll) 
     Single single{std::vector<int>(static_cast<std::size_t>(rows_)), rows_,
                   pack<float>(from.inverse, poll), 0.0};
     std::iota(single.order.begin(), single.order.end(), 0);
-    single.error = errorAt(from.columns, from.squares, single.panels, poll);
+    single.error =
+        largestError(errorsAt(from.columns, from.squares, single.panels, poll), from.squares);
     return single;
 }
 

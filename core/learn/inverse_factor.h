@@ -25,11 +25,12 @@ struct ReducedInverse {
     Eigen::MatrixXd transposed;  ///< Fᵀ: m × m, upper triangle
     Eigen::MatrixXd probes;      ///< m × InverseFactor::kProbes: k_m
     Eigen::VectorXd squares;     ///< |L⁻¹k|² of the probes
-    double mostError = 0.0;      ///< F is not used where the largest difference from that is larger
+    Eigen::VectorXd weights;     ///< of the probes: what a difference from that counts
+    double mostError = 0.0;      ///< F is not used where the largest difference counts more
 };
 
 /// L⁻¹ of K = L Lᵀ, U × U, packed in panels for CovarianceKernels when it is first needed, in the precision that
-/// is needed: U² / 2 numbers each.  Safe to share between threads; one that waits for another's packing polls, too.
+/// is needed: U² / 2 numbers each, or m² / 2 of a ReducedInverse.  Safe to share between threads; one that waits for another's packing polls, too.
 /// What a poll throws leaves the packing to the next caller.
 ///
 /// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8, and the products grow with
@@ -50,8 +51,9 @@ public:
         std::vector<int> order;      ///< k's rows, those that the panels are multiplied with first
         int kept = 0;                ///< how many of them that is: all but where they are reduced
         AlignedArray<float> panels;  ///< kept × kept
-        /// Largest difference of |L⁻¹k|², or |F k_m|², from what it should be, over kProbes columns: K e_i for rows i from
-        /// the first to the last, or the probes given.  At least 2⁻²³ of the largest.
+        /// Largest difference of |L⁻¹k|² from what it should be, over kProbes columns: K e_i for rows i from the first to
+        /// the last, or those of GivenInverse; at least 2⁻²³ of the largest.  Of |F k_m|²: at the probes of
+        /// ReducedInverse, each times its weight.
         double error = 0.0;
     };
     using Again = std::function<Eigen::MatrixXd(const Poll&)>;
@@ -59,7 +61,8 @@ public:
         std::function<std::optional<ReducedInverse>(const Eigen::MatrixXd& R, const Poll&)>;
 
     /// R = Lᵀ, upper triangle (the lower one is not read); `again` makes the same R once more, for R is given
-    /// up when panels are packed.  reduce: may be empty.
+    /// up when panels are packed.  reduce: from R, called at most once at a time; may be empty, and throw what
+    /// its poll throws.
     InverseFactor(Eigen::MatrixXd R, Again again, Reduce reduce = {});
 
     /// Packs F of a sparse process as it is; compared with |F k|² in double precision.

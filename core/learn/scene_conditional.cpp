@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -103,13 +103,14 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
     } else {
         panels_ = gp.inverse_->panels(poll);
         kept_ = static_cast<int>(gp.rows());
-        takeRows(x, std::views::iota(0, kept_));
+        std::vector<int> all(static_cast<std::size_t>(kept_));
+        std::iota(all.begin(), all.end(), 0);
+        takeRows(x, all);
     }
 }
 
 /// The process's rows, in that order.
-template <class Order>
-void SceneConditional::takeRows(const Eigen::VectorXd& x, const Order& order)
+void SceneConditional::takeRows(const Eigen::VectorXd& x, const std::vector<int>& order)
 {
     const Eigen::VectorXd& scale = gp_.hyper_.lengthScale;
     Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(gp_.rows());

@@ -18,7 +18,8 @@ struct ScenePrediction;
 class SceneConditional {
 public:
     /// x: d standardised input; moving: indices of inputs that will be given anew for each prediction.
-    /// precision: of the variance, where usable() grants it; the mean is double in both.  poll: likewise.
+    /// precision: of the variance, where usable() grants it; the mean is double in both, and the same but
+    /// for rounding.  poll: likewise.
     /// Throws std::invalid_argument for another size or a value of x that is not finite.
     SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving,
                      Precision precision, const Poll& poll = {},
@@ -33,8 +34,7 @@ public:
 private:
     friend void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room,
                                 const Poll& poll);
-    template <class Order>
-    void takeRows(const Eigen::VectorXd& x, const Order& order);
+    void takeRows(const Eigen::VectorXd& x, const std::vector<int>& order);
     bool sharesFactorWith(const SceneConditional& other) const;
     void scaleInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count, double* z) const;
     template <class T>

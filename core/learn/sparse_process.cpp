@@ -26,14 +26,7 @@ constexpr double kLeastLambda = 1e-9;  // of σ_f²
 constexpr int kCandidatesPerRow = 4;
 constexpr int kColumnsAtOnce = 64;     // of a product at once: enough that a factor is read seldom
 constexpr double kShare = 0.3;         // of the largest variance, for rows of a reduction
-constexpr double kMostReduced = 0.95;  // of the rows: more would save little
-
-/// Rows or columns of a product with so many multiplications each that lie between two polls.
-Eigen::Index linesAtOnce(Eigen::Index each)
-{
-    return static_cast<Eigen::Index>(
-        std::max(1.0, kMostMultiplications / static_cast<double>(std::max<Eigen::Index>(1, each))));
-}
+constexpr double kMostReduced = 0.92;  // of the rows: more would save little
 
 std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
 {
@@ -85,11 +78,12 @@ Eigen::MatrixXd projection(const Eigen::MatrixXd& scaled, const std::vector<int>
 Inducing chooseAmong(const Eigen::MatrixXd& scaled, const std::vector<int>& candidates, int count,
                      double signal2, const Poll& poll)
 {
-    InducingRows among = chooseInducingRows(scaled(candidates, Eigen::all), signal2, count,
-                                            kLeastPivot * signal2, 1.0, poll);
+    InducingRows among =
+        chooseInducingRows(scaled(candidates, Eigen::all), signal2,
+                           {.most = count, .leastVariance = kLeastPivot * signal2}, poll);
     Inducing inducing{{}, factorOf(among, poll), {}};
     for (const int p : among.rows) inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
-    inducing.V = blasSize(scaled.rows()) == blasSize(among.V.rows())
+    inducing.V = among.V.rows() == scaled.rows()  // then candidates are all rows, in order
                    ? std::move(among.V)
                    : projection(scaled, inducing.rows, inducing.L, signal2, poll);
     return inducing;
@@ -265,8 +259,12 @@ std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
     const double unexplained = kUnexplainedOfNoise * noise2;
     if (!(unexplained > kLeastPivot * signal2) || !std::isnormal(signal2)) return std::nullopt;
     const auto most = static_cast<Eigen::Index>(kMostReduced * static_cast<double>(X.rows()));
-    InducingRows chosen =
-        chooseInducingRows(inLengthScales(X, hyper), signal2, most, unexplained, kShare, poll);
+    InducingRows chosen = chooseInducingRows(inLengthScales(X, hyper), signal2,
+                                             {.most = most,
+                                              .leastVariance = unexplained,
+                                              .share = kShare,
+                                              .mostHalfway = std::sqrt(signal2 * unexplained)},
+                                             poll);
     if (chosen.left > unexplained || chosen.rows.empty()) return std::nullopt;
     const Eigen::MatrixXd L = factorOf(chosen, poll);
     Explained explained = explain(chosen.V, signal2, noise2, poll);

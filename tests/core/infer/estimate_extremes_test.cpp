@@ -363,6 +363,7 @@ TEST(Cancelling, ofALargeModelIsAskedForAfterABoundedAmountOfWork)
         Eigen::MatrixXd several = R.leftCols(3);
         solveWithFactor(R, x, poll);
         multiplyTransposed(R, several, poll);
+        solveTransposed(R, several, poll);
         (void)reciprocalCondition(R, 1.0, poll);
     });
     EXPECT_LE(solving.read, 1.1 * kMostRead);

@@ -120,6 +120,34 @@ TEST_P(CovarianceKernelsOf, rowsThatAreNotKeptCountInTheMeanAlone)
                 EXPECT_EQ(some.data()[u * kGroup + c],
                           u < U / 2 ? all.data()[u * kGroup + c] : -7.0);
         for (int c = 0; c < kGroup; ++c) EXPECT_EQ(mean.data()[c], meanToo.data()[c]);
+
+        AlignedArray<float> single(all.size());
+        std::fill(single.data(), single.data() + single.size(), -7.0F);
+        kernels->covariancesSingle(data.in, data.Z.data(), single.data(), meanToo.data());
+        for (int c = 0; c < kGroup; ++c) {
+            EXPECT_EQ(mean.data()[c], meanToo.data()[c]);
+            if (U > 1) {
+                EXPECT_GE(single.data()[(U / 2 - 1) * kGroup + c], 0.0F);
+            }
+            EXPECT_EQ(single.data()[U / 2 * kGroup + c], -7.0F);
+        }
+    }
+}
+
+TEST(CovarianceKernels, haveTheExponentialToTheLastBits)
+{
+    constexpr int U = 4001;
+    AlignedArray<double> none(1), weight(U), alpha(U), K(U * kGroup), mean(kGroup);
+    for (int u = 0; u < U; ++u) weight.data()[u] = -5.0 * u / (U - 1);
+    for (const CovarianceKernels* kernels : variants()) {
+        kernels->covariances({none.data(), weight.data(), alpha.data(), U, U, 0, 1.0}, none.data(),
+                             K.data(), mean.data());
+        for (int u = 0; u < U; ++u) {
+            const double expected = std::exp(weight.data()[u]);
+            EXPECT_NEAR(K.data()[u * kGroup], expected, 4e-16 * expected)
+                << kernels->name << " at " << weight.data()[u];
+        }
+        EXPECT_EQ(K.data()[0], 1.0);
     }
 }
 

@@ -114,7 +114,7 @@ void expectRightInSingle(const GaussianProcess& gp, const Eigen::VectorXd& x, do
             allowed = std::min(1e-2 * noise2, kSingleErrorElsewhere * gp.singleError());
     } else {
         EXPECT_NEAR(mean[0], exactMean[0], gp.errorBound() * size) << what;
-        allowed = kSingleVarianceError * exactVariance[0];
+        allowed = 0.1 * kSingleVarianceError * exactVariance[0];  // data without surprises
     }
     EXPECT_NEAR(variance[0], exactVariance[0], allowed) << what << ", single";
     EXPECT_GE(variance[0], noise2) << what << ", single";
@@ -209,7 +209,7 @@ TEST_P(Extremes, areAnsweredAsInLongDoubleOrRefused)
                 ++tally.refused;
         });
     tally.judge();
-    EXPECT_GT(tally.reduced, 5);
+    EXPECT_GT(tally.reduced, 2);
 }
 
 TEST_P(Extremes, throughFewRowsAreAnsweredAsInLongDoubleOrRefused)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -126,9 +127,16 @@ TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
 TEST(PredictTogether, givesEverySceneWhatItGetsAlone)
 {
     const Data large = someData(120, 6);
-    const Data small = someData(50, 6, 2);  // in the room that the large one has filled
+    Data small = someData(50, 6, 2);  // in the room that the large one has filled
+    Data smooth = someData(200, 6, 3);
+    small.hyper.lengthScale /= 4.0;
+    smooth.hyper.lengthScale *= 8.0;
     const GaussianProcess a(large.X, large.y, large.hyper, 0.1);
     const GaussianProcess b(small.X, small.y, small.hyper, 0.2);
+    const GaussianProcess c(smooth.X, smooth.y, smooth.hyper, 0.3);
+    ASSERT_EQ(b.varianceRows(), b.rows());
+    ASSERT_LT(c.varianceRows(), 0.9 * static_cast<double>(c.rows()));
+    const std::array<const GaussianProcess*, 3> processes{&a, &c, &b};
     std::mt19937_64 rng(4);
     std::normal_distribution<double> normal;
     Eigen::VectorXd x(6);
@@ -139,7 +147,7 @@ TEST(PredictTogether, givesEverySceneWhatItGetsAlone)
     for (const int columns : {3, 8, 1, 4, 12, 16, 5, 70})  // groups of eight begin anywhere
         for (const Precision precision : {Precision::Single, Precision::Double}) {
             const auto& m = moving[scenes.size() % moving.size()];
-            scenes.emplace_back(scenes.size() % 3 == 2 ? b : a, x, m, precision);
+            scenes.emplace_back(*processes[scenes.size() % 3], x, m, precision);
             inputs.emplace_back(static_cast<Eigen::Index>(m.size()), columns);
             for (double& v : inputs.back().reshaped()) v = normal(rng);
         }
@@ -192,6 +200,31 @@ TEST(SceneConditional, inSinglePrecisionHasTheSameMeanAndNearlyTheSameVariance)
               kSingleErrorElsewhere * gp.singleError());
     EXPECT_LT((both.single.cwiseSqrt() - both.variance.cwiseSqrt()).cwiseAbs().maxCoeff(),
               5e-3 * data.hyper.noiseSd);
+}
+
+TEST(SceneConditional, throughFewerRowsHasTheSameMeanAndNearlyTheSameVariance)
+{
+    Data data = someData(400, 4);
+    data.hyper.lengthScale *= 2.0;
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    ASSERT_EQ(gp.usable(Precision::Single), Precision::Single);
+    ASSERT_LT(gp.varianceRows(), 0.9 * static_cast<double>(gp.rows()));
+    const BothPrecisions both(gp);
+    EXPECT_LT((both.mean - both.meanSingle).cwiseAbs().maxCoeff(), 1e-9);
+    const Eigen::ArrayXd share = (both.single - both.variance).array() / both.variance.array();
+    EXPECT_LT(share.abs().maxCoeff(), 3e-3);
+    EXPECT_GT(share.abs().maxCoeff(), 1e-7);
+}
+
+TEST(SceneConditional, goesThroughAllRowsWhereThoseThatExplainTheOthersDoNotDoBesideThem)
+{
+    // Two places next to each other: either explains the other, but hundreds of rows say how the function goes on.
+    Eigen::MatrixXd X(1000, 1);
+    const double noise = 0.1;
+    for (Eigen::Index u = 0; u < X.rows(); ++u) X(u, 0) = u % 2 == 0 ? 0.0 : 0.0099 * noise;
+    const GaussianProcess gp(X, X.col(0).array().sin().matrix(),
+                             {Eigen::VectorXd::Ones(1), 1.0, noise}, 0.0);
+    EXPECT_EQ(gp.varianceRows(), gp.rows());
 }
 
 TEST(SceneConditional, computesInDoubleWhereSinglePrecisionCannotTellTheVariance)

@@ -41,21 +41,40 @@ Eigen::VectorXd given(const Eigen::MatrixXd& K, const std::vector<int>& rows)
     return K.diagonal() - (Kmn.transpose() * Kmm.llt().solve(Kmn)).diagonal();
 }
 
-TEST(InducingRows, areThoseWithTheLargestVarianceGivenTheOnesBefore)
+TEST(InducingRows, areThoseWithTheLargestVarianceGivenTheOnesBeforeOrAShareOfIt)
 {
     const Eigen::MatrixXd X = someRows(150, 4);
     const Eigen::MatrixXd K = covariance(X);
-    const InducingRows chosen = chooseInducingRows(X, kSignal2, 60, 0.0, 1.0);
-    ASSERT_EQ(chosen.rows.size(), 60U);
-    EXPECT_EQ(chosen.rows[0], 0) << "the first of equals";
-    for (std::size_t j = 1; j < chosen.rows.size(); ++j) {
-        const std::vector<int> before(chosen.rows.begin(),
-                                      chosen.rows.begin() + static_cast<std::ptrdiff_t>(j));
-        const Eigen::VectorXd left = given(K, before);
-        EXPECT_NEAR(left[chosen.rows[j]], left.maxCoeff(), 1e-10) << j;
+    for (const double share : {1.0, 0.6, 0.3}) {
+        const RowsWanted wanted{.most = 60, .share = share};
+        const InducingRows chosen = chooseInducingRows(X, kSignal2, wanted);
+        ASSERT_EQ(chosen.rows.size(), 60U);
+        EXPECT_EQ(chosen.rows[0], 0) << "the first of equals";
+        double least = 1.0;
+        for (std::size_t j = 1; j < chosen.rows.size(); ++j) {
+            const std::vector<int> before(chosen.rows.begin(),
+                                          chosen.rows.begin() + static_cast<std::ptrdiff_t>(j));
+            const Eigen::VectorXd left = given(K, before);
+            EXPECT_GE(left[chosen.rows[j]], share * left.maxCoeff() - 1e-10) << j;
+            least = std::min(least, left[chosen.rows[j]] / left.maxCoeff());
+        }
+        if (share < 1.0) {
+            EXPECT_LT(least, 0.5 + 0.5 * share);
+        }
+        EXPECT_NEAR(chosen.left, given(K, chosen.rows).maxCoeff(), 1e-10);
+        EXPECT_EQ(chosen.rows, chooseInducingRows(X, kSignal2, wanted).rows);
     }
-    EXPECT_NEAR(chosen.left, given(K, chosen.rows).maxCoeff(), 1e-10);
-    EXPECT_EQ(chosen.rows, chooseInducingRows(X, kSignal2, 60, 0.0, 1.0).rows);
+}
+
+TEST(InducingRows, areGivenUpHalfwayWhereTooMuchIsLeft)
+{
+    const Eigen::MatrixXd X = someRows(150, 4);
+    const double halfway = chooseInducingRows(X, kSignal2, {.most = 30}).left;
+    const auto count = [&](double most) {
+        return chooseInducingRows(X, kSignal2, {.most = 60, .mostHalfway = most}).rows.size();
+    };
+    EXPECT_EQ(count(0.999 * halfway), 30U);
+    EXPECT_EQ(count(1.001 * halfway), 60U);
 }
 
 TEST(InducingRows, comeWithTheFactorOfTheirCovarianceAndWhatTheySayOfTheOthers)
@@ -63,7 +82,7 @@ TEST(InducingRows, comeWithTheFactorOfTheirCovarianceAndWhatTheySayOfTheOthers)
     const Eigen::MatrixXd X = someRows(150, 4);
     const Eigen::MatrixXd K = covariance(X);
     for (const double share : {1.0, 0.3}) {
-        const InducingRows chosen = chooseInducingRows(X, kSignal2, 70, 0.0, share);
+        const InducingRows chosen = chooseInducingRows(X, kSignal2, {.most = 70, .share = share});
         const Eigen::MatrixXd L = factorOf(chosen);
         EXPECT_LT((L * L.transpose() - K(chosen.rows, chosen.rows)).cwiseAbs().maxCoeff(), 1e-12);
         EXPECT_EQ(L.triangularView<Eigen::StrictlyUpper>().toDenseMatrix().norm(), 0.0);
@@ -79,7 +98,8 @@ TEST(InducingRows, areAsManyAsExplainTheOthers)
     const Eigen::MatrixXd K = covariance(X);
     std::vector<std::size_t> counts;
     for (const double share : {1.0, 0.3}) {
-        const InducingRows chosen = chooseInducingRows(X, kSignal2, 200, 1e-3, share);
+        const InducingRows chosen =
+            chooseInducingRows(X, kSignal2, {.most = 200, .leastVariance = 1e-3, .share = share});
         EXPECT_LE(chosen.left, 1e-3);
         EXPECT_LE(given(K, chosen.rows).maxCoeff(), 1e-3 + 1e-9);
         const std::vector<int> fewer(chosen.rows.begin(), chosen.rows.end() - 1);
@@ -95,12 +115,16 @@ TEST(InducingRows, areFewerWhereRowsRepeatAndAllWhereNoneExplainsAnother)
 {
     Eigen::MatrixXd X = someRows(60, 3);
     for (Eigen::Index u = 10; u < 60; ++u) X.row(u) = X.row(u % 10);
-    EXPECT_EQ(chooseInducingRows(X, kSignal2, 60, 1e-8, 0.5).rows.size(), 10U);
-    const InducingRows all = chooseInducingRows(1e4 * someRows(60, 3), kSignal2, 60, 1e-8, 0.5);
+    EXPECT_EQ(chooseInducingRows(X, kSignal2, {.most = 60, .leastVariance = 1e-8, .share = 0.5})
+                  .rows.size(),
+              10U);
+    const InducingRows all = chooseInducingRows(1e4 * someRows(60, 3), kSignal2,
+                                                {.most = 60, .leastVariance = 1e-8, .share = 0.5});
     EXPECT_EQ(all.rows.size(), 60U);
     EXPECT_EQ(all.left, 0.0);
-    EXPECT_EQ(chooseInducingRows(X, kSignal2, 60, 2.0, 1.0).rows.size(), 0U);
-    EXPECT_DOUBLE_EQ(chooseInducingRows(X, kSignal2, 60, 2.0, 1.0).left, kSignal2);
+    EXPECT_EQ(chooseInducingRows(X, kSignal2, {.most = 60, .leastVariance = 2.0}).rows.size(), 0U);
+    EXPECT_DOUBLE_EQ(chooseInducingRows(X, kSignal2, {.most = 60, .leastVariance = 2.0}).left,
+                     kSignal2);
 }
 
 TEST(InducingRows, leaveAtEveryPoll)
@@ -108,7 +132,7 @@ TEST(InducingRows, leaveAtEveryPoll)
     struct Stop {};
     const Eigen::MatrixXd X = someRows(200, 3);
     const auto choose = [&](const Poll& poll) {
-        return factorOf(chooseInducingRows(X, kSignal2, 80, 0.0, 0.5, poll), poll);
+        return factorOf(chooseInducingRows(X, kSignal2, {.most = 80, .share = 0.5}, poll), poll);
     };
     int polls = 0;
     (void)choose([&] { ++polls; });

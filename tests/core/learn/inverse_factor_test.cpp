@@ -191,6 +191,84 @@ TEST(InverseFactor, isPackedByTheNextCallerWhereOneWasStopped)
               entry(whole.single().panels.data(), 299, 5));
 }
 
+/// Of K from someFactor(U, 0.01): its own inverse without the last row, exact for columns that know nothing of that row.
+struct Reduction {
+    Eigen::MatrixXd R;
+    ReducedInverse inverse;
+
+    Reduction(int U, double off) : R(someFactor(U, 0.01))
+    {
+        const int m = U - 1;
+        const Eigen::MatrixXd turned = R.inverse().topLeftCorner(m, m);
+        for (int u = 0; u < U; ++u) inverse.order.push_back(u);
+        inverse.transposed = turned;
+        inverse.probes = Eigen::MatrixXd::Random(m, InverseFactor::kProbes).cwiseAbs() * 0.01;
+        inverse.squares = (turned.transpose() * inverse.probes).colwise().squaredNorm();
+        inverse.squares[5] += off;
+        inverse.weights = Eigen::VectorXd::Ones(InverseFactor::kProbes);
+        inverse.weights[5] = 0.5;
+        inverse.mostError = 1e-3;
+    }
+    InverseFactor factor(int& asked, int& again) const
+    {
+        return InverseFactor(
+            R,
+            [this, &again](const Poll&) {
+                ++again;
+                return R;
+            },
+            [this, &asked](const Eigen::MatrixXd& given, const Poll& poll) {
+                EXPECT_EQ(given, R);
+                ++asked;
+                callPoll(poll);
+                return inverse;
+            });
+    }
+};
+
+TEST(InverseFactor, takesAReducedOneThatIsGoodEnoughByItsWeights)
+{
+    int asked = 0, again = 0;
+    const Reduction good(60, 1.8e-3);  // half of that counts
+    const InverseFactor factor = good.factor(asked, again);
+    const InverseFactor::Single& single = factor.single();
+    EXPECT_EQ(single.kept, 59);
+    EXPECT_EQ(single.order, good.inverse.order);
+    EXPECT_NEAR(single.error, 0.9e-3, 1e-5);
+    EXPECT_EQ(entry(single.panels.data(), 58, 5),
+              static_cast<float>(good.inverse.transposed(5, 58)));
+    EXPECT_EQ(factor.rows(), 60);
+    EXPECT_NEAR(entry(factor.panels(), 59, 5), good.R.inverse()(5, 59), 1e-9);
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(again, 1) << "R was given up";
+}
+
+TEST(InverseFactor, takesAllRowsWhereAReducedOneIsNotGoodEnough)
+{
+    for (const double off : {2.2e-3, std::nan("")}) {
+        int asked = 0, again = 0;
+        const Reduction bad(60, off);
+        const InverseFactor factor = bad.factor(asked, again);
+        EXPECT_EQ(factor.single().kept, 60) << off;
+        EXPECT_EQ(entry(factor.single().panels.data(), 59, 5),
+                  entry(InverseFactor(bad.R, {}).single().panels.data(), 59, 5));
+        EXPECT_EQ(asked, 1);
+        EXPECT_EQ(again, 0) << "R is still there";
+    }
+}
+
+TEST(InverseFactor, isReducedByTheNextCallerWhereOneWasStopped)
+{
+    struct Stop {};
+    int asked = 0, again = 0;
+    const Reduction good(60, 0.0);
+    const InverseFactor factor = good.factor(asked, again);
+    EXPECT_THROW((void)factor.single([] { throw Stop{}; }), Stop);
+    EXPECT_EQ(factor.single().kept, 59);
+    EXPECT_EQ(asked, 2);
+    EXPECT_EQ(again, 1);
+}
+
 /// Flags of the mapping that holds an address (proc(5), VmFlags of smaps); empty where the system does not tell.
 std::string mappingFlags(const void* address)
 {

@@ -131,8 +131,10 @@ TEST(ReducedVariance, isNotThereWhereItSavesNothingOrCannotBeJudged)
         data.hyper.noiseSd = noise;
         EXPECT_FALSE(reducedVariance(data.X, data.hyper)) << noise;
     }
-    data.hyper.noiseSd = 0.2;
-    data.hyper.signalSd = 1e-160;
+    data.hyper.noiseSd = 1e3;  // of which all there is to explain is next to nothing
+    EXPECT_FALSE(reducedVariance(data.X, data.hyper));
+    data.hyper.signalSd = 1e-155;  // whose square is subnormal
+    data.hyper.noiseSd = 1e-156;
     EXPECT_FALSE(reducedVariance(data.X, data.hyper));
     EXPECT_FALSE(reducedVariance(data.X.topRows(1), Data(1).hyper));
 }
