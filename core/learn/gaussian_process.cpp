@@ -104,9 +104,9 @@ Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters&
 {
     const Eigen::MatrixXd K =
         signalCovariance(Z, hyper, poll).selfadjointView<Eigen::Upper>().toDenseMatrix();
-    std::vector<Eigen::Index> rows;
+    std::vector<Eigen::Index> rows(InverseFactor::kProbes);
     for (int p = 0; p < InverseFactor::kProbes; ++p)
-        rows.push_back(InverseFactor::probe(p, Z.rows()));
+        rows[static_cast<std::size_t>(p)] = InverseFactor::probe(p, Z.rows());
     return K(Eigen::all, rows);
 }
 
