@@ -122,8 +122,8 @@ private:
     std::vector<int> rows_;
     Eigen::Index chosen_ = 0;
     std::vector<int> ahead_;
-    Eigen::MatrixXd
-        columns_;  // covariances with ahead_, less what columnsFrom_ columns of V_ explain
+    // Covariances with ahead_, less what columnsFrom_ columns of V_ explain.
+    Eigen::MatrixXd columns_;
     Eigen::Index columnsFrom_ = 0;
     Eigen::Index taken_ = 0;  // of ahead_
 };
