@@ -345,11 +345,6 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
         << "later than " << kLimit << " s in most of " << judged << " goes";
 }
 
-QString modelInUse(MainWindow& console)
-{
-    return console.exploration().estimation().model().name;
-}
-
 /// Counts what a window's thread is woken for: events that somebody has posted to it, most of them queued signals.
 class Posts final : public QObject {
 public:

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/bus_words.h"
@@ -371,7 +371,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
     gui::showActive(*listener);
     gui::showActive(*window);
     for (MainWindow* one : {listener.get(), window.get()})
-        ASSERT_TRUE(eventually([&] { return hasModel(*one); }));
+        ASSERT_TRUE(eventually([&] { return modelInUse(*one) == "default.ttm"; }));
     arm();
     ASSERT_TRUE(exploresAndProbes());
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
@@ -420,11 +420,16 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
 {
     auto replay = CandumpReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
     ASSERT_TRUE(replay) << replay.error().text;
-    window = console(std::move(*replay), CanSource::Mode::Replay, [] {
-        std::this_thread::sleep_for(500ms);  // longer than the whole log
-        return Result<LoadedModel>(madeUp());
-    });
+    std::promise<void> loaded;
+    window = console(std::move(*replay), CanSource::Mode::Replay,
+                     [loaded = loaded.get_future().share()] {
+                         (void)loaded.wait_for(20s);
+                         return Result<LoadedModel>(madeUp());
+                     });
     gui::showActive(*window);
+    QTest::qWait(500);  // longer than the whole log
+    EXPECT_FALSE(says("END OF THE LOG")) << "its press waits for the model";
+    loaded.set_value();
     ASSERT_TRUE(eventually([&] { return says("END OF THE LOG"); }));
     QTest::qWait(500);  // a link would be lost by now
     EXPECT_TRUE(says("END OF THE LOG"));
@@ -440,7 +445,7 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
         EXPECT_FALSE((label->text() + label->toolTip()).contains("does not exist"));
     QTest::keyClick(window.get(), Qt::Key_F2);
     EXPECT_TRUE(says("Following"));
-    EXPECT_TRUE(window->exploration().estimation().estimate()) << "its press waited for the model";
+    EXPECT_TRUE(window->exploration().estimation().estimate());
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     picture("end-of-the-log");
 }

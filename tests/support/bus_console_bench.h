@@ -137,11 +137,10 @@ struct BusConsole : testing::Test, RobotOnBench {
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
         if (!folder.isEmpty()) window->grab().save(folder + "/" + name + ".png");
     }
-    static bool hasModel(MainWindow& console)
+    /// Its name; empty before it is loaded.
+    static QString modelInUse(MainWindow& console)
     {
-        const QList<Precondition> all = console.exploration().preconditions();
-        return std::ranges::any_of(
-            all, [](const Precondition& p) { return p.text == "model default.ttm is ready"; });
+        return console.exploration().estimation().model().name;
     }
     bool says(const QString& words) const
     {
