@@ -109,8 +109,9 @@ QWidget* ProbeCard::questionPage()
     ranking_->setAccessibleName(tr("The other bins, the best first"));
     setTone(*ranking_, Tone::Muted);
     facts_->column()->addWidget(ranking_);
-    // Room to spare goes between the lines: what is to be decided is read at a glance.
-    for (int line = 1; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
+    // Room to spare goes between the lines, and above the first (a grid's row 0 is empty here): what is to be decided is
+    // read at a glance.
+    for (int line = 0; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
     lines_ = rows;
     facts_->column()->addStretch(1);
 
