@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
 # Runs a program inside the user-mode Linux that tests/kernel/build.sh makes, as root of that kernel, on
 # the host's files, with the caller's environment and directory:
-#   tests/kernel/run.sh [--timeout SECONDS] [--gpio LABEL:NAME,NAME...] PROGRAM [ARGUMENT...]
+#   tests/kernel/run.sh [--timeout SECONDS] [--clock host|guest] [--gpio LABEL:NAME,NAME...] PROGRAM [ARGUMENT...]
 #   --timeout  of the host's clock, until the kernel is ended from outside; 120 unless given
+#   --clock    host: as it goes outside, and the default. guest: computing takes no time, and what all wait for comes at
+#              once: no deadline is missed however busy the host is, and nothing that computes can be seen to be slow.
+#              What spins without waiting or asking for the time never ends
 #   --gpio     a gpio-sim chip with this label and lines of these names
 # vcan0 is there and up; its frames come back to their sender when they have left, as a controller's do.
 # Output goes to standard output while it comes.  Exit status: the program's; 77 where there is no
@@ -11,15 +14,22 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 linux=$(cd "$here/../.." && pwd)/.deps/kernel/linux
 seconds=120
+clock=host
 gpio=
 while [ $# -gt 1 ]; do
   case $1 in
     --timeout) seconds=$2; shift 2 ;;
+    --clock) clock=$2; shift 2 ;;
     --gpio) gpio=$2; shift 2 ;;
     *) break ;;
   esac
 done
 [ $# -gt 0 ] || { echo "run.sh: which program?" >&2; exit 125; }
+case $clock in
+  host) travel=() ;;
+  guest) travel=(time-travel=inf-cpu) ;;
+  *) echo "run.sh: --clock is host or guest, not $clock" >&2; exit 125 ;;
+esac
 [ -x "$linux" ] || { echo "SKIPPED: no kernel for the kernel tests (tests/kernel/build.sh makes it)"; exit 77; }
 
 state=$(mktemp -d /tmp/terratact-kernel.XXXXXX)
@@ -37,7 +47,7 @@ memory=$state
 status=0
 TMPDIR=$memory timeout --kill-after=5 "$seconds" "$linux" mem=512M uml_dir="$state/" umid=guest \
   rootfstype=hostfs rootflags=/ rw init="$here/init.sh" terratact_state="$state" vcan.echo=1 \
-  quiet loglevel=1 panic=-1 con=null con0=null,fd:1 ssl=null </dev/null || status=$?
+  "${travel[@]}" quiet loglevel=1 panic=-1 con=null con0=null,fd:1 ssl=null </dev/null || status=$?
 if [ -s "$state/status" ]; then exit "$(cat "$state/status")"; fi
 if [ "$status" = 124 ] || [ "$status" = 137 ]; then
   echo "run.sh: still running after $seconds s, ended: $*" >&2
