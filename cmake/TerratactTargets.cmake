@@ -56,8 +56,9 @@ function(terratact_library target)
   set_property(SOURCE ${library_APART} PROPERTY UNITY_GROUP "${target}_apart")
 endfunction()
 
-# The target tidy: clang-tidy, and with it clang's warnings, for every joined source and every one compiled alone. It
-# takes its configuration from where a source lies, which is in the build tree for joined ones; those do include sources.
+# The target tidy: clang-tidy, and with it clang's warnings, for every joined source and every one compiled alone, and
+# every header alone. It takes its configuration from where a source lies, which is in the build tree for joined ones;
+# those do include sources.
 function(terratact_tidy)
   find_program(TERRATACT_CLANG_TIDY clang-tidy-14 REQUIRED)
   set(project ${PROJECT_SOURCE_DIR}/.clang-tidy)
@@ -67,6 +68,8 @@ function(terratact_tidy)
   file(WRITE ${PROJECT_BINARY_DIR}/.clang-tidy "${config}")
   add_custom_target(tidy VERBATIM
     COMMAND ${PROJECT_SOURCE_DIR}/cmake/tidy.sh ${PROJECT_BINARY_DIR} ${TERRATACT_CLANG_TIDY})
+  terratact_check_headers()
+  add_dependencies(tidy headers)
 endfunction()
 
 # terratact_included(<header> <variable>): what a header of ours includes, and what those of ours among that include, as
@@ -92,19 +95,21 @@ function(terratact_included header variable)
   set(${variable} "${all}" PARENT_SCOPE)
 endfunction()
 
-# Compiles every header of every FILE_SET alone, as part of the default build: a header that leans on its includer, or on
+# The target headers: compiles every header of every FILE_SET alone. A header that leans on its includer, or on
 # a library that its target does not link, does not get in. Most of the time goes into a few large headers of others:
 # where one of ours includes such a one anyway, that comes precompiled. Which one does is read when the build is
 # configured: a header that stops including it is checked as before until then.
 function(terratact_check_headers)
-  if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
-    return()
-  endif()
-  set(large QWidget QObject QString Eigen/Core none)
-  set(sign_QWidget "<(QWidget|QFrame|QLabel|QDialog|QMainWindow|QScrollArea|QTableWidget|Q[A-Za-z]*Button|qwt_plot.h)>")
-  set(sign_QObject "<(QObject|QThread|QTimer)>")
+  add_custom_target(headers)
+  set(large QWidget QObject QPen QString Eigen/Core thread memory string functional vector none)
+  set(sign_QWidget "<(QWidget|QFrame|QLabel|QDialog|QMainWindow|QMenu|QScrollArea|Q(List|Table)Widget|Q[A-Za-z]*(Button|Edit)|qwt_plot.h)>")
+  set(sign_QObject "<(QObject|QCoreApplication|QProxyStyle|QThread|QTimer)>")
+  set(sign_QPen "<QPen>")
   set(sign_QString "<QString(List)?>")
   set(sign_Eigen/Core "<Eigen/(Core|Dense)>")
+  foreach(name thread memory string functional vector)
+    set(sign_${name} "<${name}>")
+  endforeach()
   set(sign_none ".")
   get_property(libraries GLOBAL PROPERTY terratact_libraries)
   foreach(library IN LISTS libraries)
@@ -126,7 +131,14 @@ function(terratact_check_headers)
         string(MAKE_C_IDENTIFIER ${library}_headers_${name} target)
         add_library(${target} OBJECT ${sources_${library}_${name}})
         set_target_properties(${target} PROPERTIES UNITY_BUILD OFF AUTOMOC OFF)
-        target_link_libraries(${target} PRIVATE ${library})
+        # What linking the library brings, but for waiting until it is built.
+        target_compile_features(${target} PRIVATE cxx_std_20)
+        target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+        set(directories $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
+        target_include_directories(${target} SYSTEM PRIVATE $<FILTER:${directories},EXCLUDE,^${PROJECT_SOURCE_DIR}$>)
+        target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_COMPILE_DEFINITIONS>)
+        target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_COMPILE_OPTIONS>)
+        add_dependencies(headers ${target})
         if(NOT name STREQUAL "none")
           target_precompile_headers(${target} PRIVATE <${name}>)
         endif()
