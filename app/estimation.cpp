@@ -1,5 +1,6 @@
 #include "app/estimation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/infer/estimate_words.h"
@@ -25,6 +26,8 @@ void Estimation::takeAdvice(int job, const ProbeAdvice& advice)
 {
     // That of an estimate before may come after the one that stands: it had to wait for that in the worker.
     if (!estimate_ || job != estimateJob_ || advice.stepLimit != options_.stepLimit) return;
+    if (!unadvised_ && advice == advice_)
+        return;  // asked twice: the limit was changed there and back
     advice_ = advice;
     if (unadvised_)
         offer();
@@ -78,30 +81,45 @@ void Estimation::look(const std::optional<Received>& latest, bool heard)
     if (track_) track_->take(newest);
 }
 
-bool Estimation::warmUp(const Measurement& measurement)
+Estimation::Processes Estimation::processesOf(Method method) const
 {
-    Settings settings = options_.settings;
-    const Processes processes{settings.method, settings.inducing};
-    if (isClosedForm(settings.method) || made_ == processes) return false;
-    made_ = processes;
-    settings.draws = settings.chains = 1;
-    settings.burnIn = 0;
-    warmUpJob_ = worker_.request({.measurement = measurement, .arm = {}, .settings = settings});
+    return {method, options_.settings.inducing, options_.settings.precision};
+}
+
+bool Estimation::warmUp(Method method)
+{
+    const Processes processes = processesOf(method);
+    if (isClosedForm(method) || std::find(made_.begin(), made_.end(), processes) != made_.end())
+        return false;
+    made_.push_back(processes);
+    EstimateRequest request;
+    request.settings = options_.settings;
+    request.settings.method = method;
+    request.prepares = true;
+    warmUpJob_ = worker_.request(request);
     return true;
 }
 
-void Estimation::prepare(const Received& latest)
+void Estimation::endWarmUp()
+{
+    if (std::exchange(warmUpJob_, 0) != 0) made_.pop_back();
+}
+
+void Estimation::prepare()
 {
     const bool isBusy = job_ != 0 || secondJob_ != 0 || liveJob_ != 0 || warmUpJob_ != 0;
-    if (!isBusy && !unadvised_ && !model_.name.isEmpty()) warmUp(latest.sample.measurement);
+    if (isBusy || unadvised_ || model_.name.isEmpty() || warmUp(options_.settings.method)) return;
+    if (secondMethod_) warmUp(*secondMethod_);
 }
 
 void Estimation::preview(const Received& latest)
 {
+    if (warmUpJob_ != 0 && made_.back() != processesOf(options_.settings.method))
+        endWarmUp();  // those of the second method can wait
     if (liveJob_ != 0 || warmUpJob_ != 0 || model_.name.isEmpty() || latest.count == previewed_)
         return;
     previewed_ = latest.count;
-    if (warmUp(latest.sample.measurement)) return;
+    if (warmUp(options_.settings.method)) return;
     Settings settings = options_.settings;
     settings.method = Method::Local;
     settings.draws = kLiveDraws;
@@ -147,9 +165,9 @@ void Estimation::setSecondMethod(std::optional<Method> method)
 void Estimation::cancel()
 {
     worker_.cancel();
-    if (warmUpJob_ != 0) made_.reset();
-    job_ = liveJob_ = secondJob_ = warmUpJob_ = 0;  // a result on its way is not ours any more
-    unadvised_ = false;
+    endWarmUp();
+    job_ = liveJob_ = secondJob_ = 0;                    // a result on its way is not ours any more
+    if (std::exchange(unadvised_, false)) adviseAnew();  // that of an estimate which stands
 }
 
 void Estimation::adviseAnew()
@@ -157,8 +175,6 @@ void Estimation::adviseAnew()
     if (!estimate_) return;
     if (advice_.stepLimit != options_.stepLimit)
         worker_.advise(estimateJob_, *estimate_, robot_, options_.stepLimit);
-    else if (unadvised_)
-        offer();
 }
 
 void Estimation::forget(const QString& why)
@@ -190,35 +206,38 @@ EstimateRequest Estimation::requestFor(Method method) const
 void Estimation::start()
 {
     liveJob_ = secondJob_ = 0;  // this request overtakes them
-    if (std::exchange(warmUpJob_, 0) != 0) made_.reset();
+    endWarmUp();
     unadvised_ = false;
     second_.reset();
     EstimateRequest request = requestFor(options_.settings.method);
     request.prober = robot_;
+    askedLimit_ = request.stepLimit;
     job_ = worker_.request(request);
 }
 
 void Estimation::startSecond()
 {
     // It would overtake that one, and the advice would have to wait for it.
-    if (secondMethod_ && estimate_ && scene_ && job_ == 0 && !unadvised_)
-        secondJob_ = worker_.request(requestFor(*secondMethod_));
+    if (!secondMethod_ || !estimate_ || !scene_ || job_ != 0 || unadvised_) return;
+    endWarmUp();
+    secondJob_ = worker_.request(requestFor(*secondMethod_));
 }
 
 void Estimation::resume()
 {
     liveJob_ = warmUpJob_ = 0;
-    made_.reset();  // those of the model before
+    made_.clear();  // those of the model before
     const bool second = secondJob_ != 0;
     secondJob_ = 0;
     if (job_ != 0)
         start();
+    else if (unadvised_)
+        adviseAnew();
     else if (second)
         startSecond();
 }
 
-void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds,
-                        const ProbeAdvice& advice)
+void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds)
 {
     if (job == warmUpJob_) warmUpJob_ = 0;
     if (job == liveJob_) {
@@ -235,14 +254,15 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     live_.reset();
     estimate_ = estimate;
     seconds_ = seconds;
-    advice_ = advice;
+    advice_ = {};
     estimateJob_ = job;
     track_.emplace(robot_, estimate, scene_->measurement);
     if (wasUnheard_) track_->takeSilence();
     emit stands(false);
     tellOf(estimate);
     unadvised_ = true;
-    adviseAnew();  // the limit may have been changed meanwhile: another probe may be worth asking for
+    // The advice follows, unless the limit has been changed meanwhile: another probe may be worth asking for.
+    if (askedLimit_ != options_.stepLimit) adviseAnew();
 }
 
 void Estimation::refuse(int job, const QString& why)

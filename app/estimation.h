@@ -48,8 +48,8 @@ public:
     // What to estimate.
     /// The newest telemetry and whether it is fresh, every tick, before all else.
     void look(const std::optional<Received>& latest, bool heard);
-    /// What an exploration of the robot as it stands will need of the model, made while nothing else is under way.
-    void prepare(const Received& latest);
+    /// What an exploration will need of the model, made while nothing else is under way.
+    void prepare();
     /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until one fails, an
     /// estimate stands, or endPreview().
     void preview(const Received& latest);
@@ -102,15 +102,24 @@ signals:
     void forgotten(const QString& why);  ///< the estimate that stood
 
 private:
+    /// What a sampling method's processes depend on besides the model.
+    struct Processes {
+        Method method;
+        int inducing;
+        Precision precision;
+        bool operator==(const Processes&) const = default;
+    };
+
     void listenToModels();
     void takeAdvice(int job, const ProbeAdvice& advice);
     void offer();
-    void accept(int job, const TerrainEstimate& estimate, double seconds,
-                const ProbeAdvice& advice);
+    void accept(int job, const TerrainEstimate& estimate, double seconds);
     void refuse(int job, const QString& why);
-    /// Has the worker make the processes of a sampling method for what is unknown in this pose, so that nobody waits for
-    /// them once the flippers rest.  False where it has done so, or the method needs none.
-    bool warmUp(const Measurement& measurement);
+    /// Has the worker make the processes of a sampling method, so that nobody waits for them once the flippers rest.
+    /// False where it has done so, or the method needs none.
+    bool warmUp(Method method);
+    Processes processesOf(Method method) const;
+    void endWarmUp();  ///< something overtakes it
     void start();
     void startSecond();
     void resume();  ///< what the worker has given up to load a model
@@ -135,18 +144,14 @@ private:
     int estimateJob_ = 0;  ///< of estimate_
     std::optional<TerrainEstimate> estimate_, second_, live_;
     double seconds_ = 0.0;
+    double askedLimit_ = 0.0;  ///< [m] of the request that is under way or came last
     ProbeAdvice advice_;
     bool unadvised_ = false;  ///< offered() of estimate_ waits for advice of the limit of now
     QString whyNone_;
     std::optional<Method> secondMethod_;
-    /// What a sampling method's processes depend on besides the model.
-    struct Processes {
-        Method method;
-        int inducing;
-        bool operator==(const Processes&) const = default;
-    };
-    std::optional<Processes> made_;  ///< by the worker, or under way
-    std::uint64_t previewed_ = 0;    ///< count of the telemetry that the newest preview is about
+    std::vector<Processes>
+        made_;  ///< by the worker; where warmUpJob_ is not 0, the last of them is under way
+    std::uint64_t previewed_ = 0;  ///< count of the telemetry that the newest preview is about
 
     CalibrationLedger ledger_;
     std::optional<GhostTrack> track_;  ///< of the last estimate

@@ -33,6 +33,10 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
         model.details = ModelWords::card(factsOf(path, *stored));
         if (const auto hash = sha256OfFile(path)) model.hash = QString::fromStdString(*hash);
         model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
+            if (request.prepares) {
+                makeProcesses(*models, request.settings, watch);
+                return TerrainEstimate{};
+            }
             TerrainEstimate estimate =
                 estimateTerrain(proprioception(request.measurement), request.arm, robot, *models,
                                 request.settings, watch);
@@ -91,9 +95,14 @@ void EstimatorWorker::advise(int job, const TerrainEstimate& estimate, const Rob
 void EstimatorWorker::answer(int number, int job, const TerrainEstimate& estimate,
                              const RobotModel& prober, double stepLimit)
 {
-    const auto poll = [this, number] {
+    giveAdvice(job, estimate, prober, stepLimit, [this, number] {
         if (number != newestAdvice_) throw Cancelled{};
-    };
+    });
+}
+
+void EstimatorWorker::giveAdvice(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+                                 double stepLimit, const Poll& poll)
+{
     try {
         emit advised(job, adviseProbe(estimate, prober, stepLimit, poll));
     } catch (const Cancelled&) {
@@ -141,42 +150,49 @@ void EstimatorWorker::take(const ModelLoader& load)
 
 void EstimatorWorker::run(int job, const EstimateRequest& request)
 {
-    const auto overtaken = [this, job] { return job != newest_; };
-    if (overtaken()) return;
+    if (overtaken(job)) return;
     clearUpperVectorHalves();
+    const std::optional<TerrainEstimate> result = estimateFor(job, request);
+    // Here and not in the window's thread, which has the picture to make meanwhile.
+    if (result && request.prober)
+        giveAdvice(job, *result, *request.prober, request.stepLimit, [this, job] {
+            if (overtaken(job)) throw Cancelled{};
+        });
+}
+
+/// Tells what comes of the request; empty where that is no estimate.
+std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const EstimateRequest& request)
+{
     QString why;
     try {
         if (!estimate_) throw std::runtime_error(trouble_.toStdString());
         Watch watch = endingAfter(request.seconds);
-        watch.cancelled = overtaken;
-        watch.progress = [this, overtaken](double share) {
-            if (!overtaken()) progress_ = share;
+        watch.cancelled = [this, job] { return overtaken(job); };
+        watch.progress = [this, job](double share) {
+            if (!overtaken(job)) progress_ = share;
         };
         watch.sideBySide = [](int count, const std::function<void(int)>& work) {
             parallelFor(count, work);
         };
         QElapsedTimer timer;
         timer.start();
-        const TerrainEstimate estimate = estimate_(request, watch);
+        TerrainEstimate result = estimate_(request, watch);
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
-        // Here and not in the window's thread, which has the picture to make.
-        const ProbeAdvice advice = request.prober ? adviseProbe(estimate, *request.prober,
-                                                                request.stepLimit, pollOf(watch))
-                                                  : ProbeAdvice{};
-        if (overtaken()) return;
+        if (overtaken(job)) return std::nullopt;
         progress_ = -1.0;
-        emit estimated(job, estimate, seconds, advice);
-        return;
+        emit estimated(job, result, seconds);
+        return result;
     } catch (const Cancelled&) {
-        return;
+        return std::nullopt;
     } catch (const std::exception& error) {
         why = QString::fromUtf8(error.what());
     } catch (...) {
         why = QStringLiteral("unknown error");
     }
-    if (overtaken()) return;
+    if (overtaken(job)) return std::nullopt;
     progress_ = -1.0;
     emit failed(job, why);
+    return std::nullopt;
 }
 
 }  // namespace terratact

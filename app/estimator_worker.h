@@ -23,9 +23,12 @@ struct EstimateRequest {
     Measurement measurement;
     std::vector<ArmReading> arm;
     Settings settings;
-    std::optional<RobotModel> prober{};  ///< whose arm might probe; empty: that is not asked
-    double stepLimit = kStepLimit;       ///< [m] of the question what a probe would tell
-    double seconds = 0.0;  ///< after which sampling ends with what there is; 0: no limit
+    std::optional<RobotModel>
+        prober{};  ///< whose arm might probe: advised() follows; empty: it does not
+    double stepLimit = kStepLimit;  ///< [m] of the question what a probe would tell
+    double seconds = 0.0;           ///< after which sampling ends with what there is; 0: no limit
+    /// Only what a sampling method will need of the model is made, whatever the scene; the estimate is empty.
+    bool prepares = false;
 };
 
 /// Computes an estimate; throws what reconstruct() throws.
@@ -77,17 +80,22 @@ signals:
                      const QString& content);
     void modelFailed(const QString& why);  ///< there is none
     void modelKept(const QString& why);    ///< the one before stays
-    /// seconds: the estimate took.  advice: what the request's prober should touch, and what that buys.
-    void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds,
-                   const terratact::ProbeAdvice& advice);
+    /// seconds: it took.
+    void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds);
     void failed(int job, const QString& why);
+    /// What the prober of a request, or of advise(), should touch in that job's estimate, and what that buys; does not
+    /// come where a newer request, cancel() or load() overtook a request after its estimate.
     void advised(int job, const terratact::ProbeAdvice& advice);
 
 private:
     void take(const ModelLoader& load);
     void run(int job, const EstimateRequest& request);
+    std::optional<TerrainEstimate> estimateFor(int job, const EstimateRequest& request);
     void answer(int number, int job, const TerrainEstimate& estimate, const RobotModel& prober,
                 double stepLimit);
+    void giveAdvice(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+                    double stepLimit, const Poll& poll);
+    bool overtaken(int job) const { return job != newest_; }
 
     ModelLoader load_;
     Estimator estimate_;  // used in the worker's thread only

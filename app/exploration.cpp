@@ -270,6 +270,13 @@ bool Exploration::answered() const
     return latest_ && latest_->count >= commandedAt_ + 2;
 }
 
+bool Exploration::hasPressed() const
+{
+    // A press that began since the command is its answer, with the first line that shows it.
+    return latest_->sample.measurement.activity == RobotActivity::Pressed
+        && (answered() || (latest_->press && latest_->press->count > commandedAt_));
+}
+
 void Exploration::repeatStop(AtemInput& in)
 {
     const bool latched = latest_ && latest_->sample.measurement.activity == RobotActivity::Stopped;
@@ -294,6 +301,7 @@ void Exploration::look(AtemInput& in)
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
     in.poseChanged = estimation_.hasMoved();
+    if (state_.phase == AtemPhase::Pressing) in.pressed = hasPressed();
     if (!answered()) return;
     const bool refused = m.refusal != Refusal::None;
     if (exploring(state_.phase)) refusal_ = m.refusal;
@@ -302,7 +310,6 @@ void Exploration::look(AtemInput& in)
         in.halted = m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
         break;
     case AtemPhase::Pressing:
-        in.pressed = m.activity == RobotActivity::Pressed;
         in.pressRefused = refused || m.activity == RobotActivity::Halted;
         break;
     case AtemPhase::Probing:
@@ -380,7 +387,7 @@ void Exploration::preview()
     if (state_.phase == AtemPhase::Pressing) return estimation_.preview(*latest_);
     if (state_.phase == AtemPhase::Estimating) return;  // it stays until there is better
     estimation_.endPreview();
-    if (linkAlive_ && armed() && !exploring(state_.phase)) estimation_.prepare(*latest_);
+    if (linkAlive_ && armed() && !exploring(state_.phase)) estimation_.prepare();
 }
 
 void Exploration::enter(const AtemState& before)

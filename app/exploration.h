@@ -134,7 +134,8 @@ private:
 
     void driveOn();
     void command(const Command& command);
-    bool answered() const;  ///< the newest telemetry was measured after the last command
+    bool answered() const;    ///< the newest telemetry was measured after the last command
+    bool hasPressed() const;  ///< the flippers, as they were last commanded to
     void endOverrides();
     bool armIsOut() const;
     void forget(const QString& why);  ///< the estimate and what is proposed on it

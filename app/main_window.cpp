@@ -362,6 +362,7 @@ void MainWindow::notice(const QString& text, Weight weight)
 void MainWindow::connectWorker()
 {
     connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
+    connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
                 header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
@@ -389,9 +390,12 @@ void MainWindow::look()
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     latest_ = acquisition_->latest();
+    const AtemPhase before = exploration_->state().phase;
     exploration_->tick(now, latest_);
-    // An estimate is shown as soon as it is there, telemetry and previews as often as can be seen; all else can wait.
-    const bool news = exploration_->estimation().estimate().has_value() && !showsEstimate();
+    // An estimate is shown as soon as it is there, and what another phase asks and allows; telemetry and previews as
+    // often as can be seen; all else can wait.
+    const bool news = exploration_->state().phase != before
+                   || (exploration_->estimation().estimate().has_value() && !showsEstimate());
     const bool isLive =
         exploring(exploration_->state().phase) || (latest_ && latest_->count != drawn_);
     if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);

@@ -12,11 +12,11 @@ namespace terratact {
 
 std::string conditionsText(const ModelData& model, FeatureSet set)
 {
-    const BinModels models(model, set);
     std::string text;
     double least = std::numeric_limits<double>::infinity();
     for (int bin = 0; bin < kBins; ++bin) {
         try {
+            const BinModels models(model, set);  // keeps what it makes, so one bin at a time
             const GaussianProcess& gp = models.bin(bin);
             least = std::min(least, gp.rcond());
             if (gp.jitter() > 0.0)

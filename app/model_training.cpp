@@ -22,7 +22,6 @@ namespace terratact {
 
 namespace {
 
-constexpr int kRowsOfSparseSearch = 1400;  // more rows move the hyper-parameters little
 constexpr int kRowsOfSurfaceSearch = 800;
 
 /// About how much an optimisation over so many rows costs: every evaluation of a likelihood factorises.
@@ -42,7 +41,7 @@ class Training {
 public:
     Training(ModelData& model, const TrainingPlan& plan, const TrainingWatch& watch)
         : model_(model), plan_(plan), watch_(watch), bins_(binsOf(plan.bins.value_or(kAllBins))),
-          ceilings_(bodyCeilings(model.features, plan.robot))
+          ceilings_(bodyCeilings(model.features, plan.robot, poll_))
     {
         conditional_.seed = surface_.seed = clearance_.seed = plan.seed;
         if (plan.inducing > 0) conditional_.fullRows = kRowsOfSparseSearch;
@@ -59,8 +58,8 @@ public:
         trainConditionals();
         trainSurfaces();
         trainClearances();
-        stopIfCancelled();
-        if (!plan_.bins) finishClearance(model_, ceilings_, plan_.robot);
+        callPoll(poll_);
+        if (!plan_.bins) finishClearance(model_, ceilings_, plan_.robot, poll_);
     }
 
 private:
@@ -71,11 +70,6 @@ private:
     };
 
     int jobs() const { return 2 * static_cast<int>(bins_.size()); }
-
-    void stopIfCancelled() const
-    {
-        if (watch_.cancelled && watch_.cancelled()) throw Cancelled{};
-    }
 
     double costOf(TrainingKind kind) const
     {
@@ -113,12 +107,11 @@ private:
         parallelFor(
             jobs(),
             [&](int job) {
-                stopIfCancelled();
+                callPoll(poll_);
                 const TrainingKind kind = job < count ? first : second;
                 const int bin = bins_[static_cast<std::size_t>(job % count)];
                 tell(kind, bin, {.event = TrainingEvent::Begun});
                 const Outcome outcome = work(job, kind, bin);
-                stopIfCancelled();  // what was found till then counts for nothing
                 tell(kind, bin, outcome);
             },
             plan_.threads);
@@ -129,7 +122,7 @@ private:
         // The larger ones first.
         runStage(TrainingKind::Paf, TrainingKind::Pa, [&](int /*job*/, TrainingKind kind, int bin) {
             const FeatureSet set = kind == TrainingKind::Paf ? FeatureSet::Paf : FeatureSet::Pa;
-            const TrainedBin trained = trainBin(model_, set, bin, conditional_, watch_.cancelled);
+            const TrainedBin trained = trainBin(model_, set, bin, conditional_, poll_);
             BinModelData& data = set == FeatureSet::Pa ? model_.pa : model_.paf;
             data.bins[static_cast<std::size_t>(bin)] = trained.hyper;
             data.logLikelihood[static_cast<std::size_t>(bin)] = trained.logLikelihood;
@@ -145,7 +138,7 @@ private:
                  [&](int job, TrainingKind kind, int bin) {
                      trained[static_cast<std::size_t>(job)] =
                          trainSurface(model_, ceilings_, bin, kind == TrainingKind::SurfaceCovered,
-                                      surface_, watch_.cancelled);
+                                      surface_, poll_);
                      return Outcome{};
                  });
         const auto count = static_cast<int>(bins_.size());
@@ -168,8 +161,8 @@ private:
                      ClearanceData& clearance = model_.clearance;
                      auto& hypers = regime == Regime::Covered ? clearance.conditionalCovered
                                                               : clearance.conditionalOpen;
-                     const TrainedBin trained = trainClearanceConditional(
-                         training, data, bin, regime, clearance_, watch_.cancelled);
+                     const TrainedBin trained =
+                         trainClearanceConditional(training, data, bin, regime, clearance_, poll_);
                      hypers[static_cast<std::size_t>(bin)] = trained.hyper;
                      return Outcome{.logLikelihood = trained.logLikelihood};
                  });
@@ -178,6 +171,7 @@ private:
     ModelData& model_;
     const TrainingPlan& plan_;
     const TrainingWatch& watch_;
+    const Poll poll_ = pollOf({watch_.cancelled, {}, {}, {}});
     std::vector<int> bins_;
     Eigen::MatrixXd ceilings_;
     TrainingOptions conditional_, surface_, clearance_;
@@ -206,9 +200,10 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
     if (set.leftOut > 0) tell(fmt::format("{} scenes with unknown values left out", set.leftOut));
     if (const auto rows = set.model.scannedHeights.rows();
         rows > kManyRows && (plan.inducing == 0 || plan.inducing > kManyRows))
-        tell(fmt::format("{} scenes for each conditional, whose training grows with their cube: "
-                         "--inducing 600 predicts as well and trains ten times as fast",
-                         rows));
+        tell(fmt::format(
+            "{} scenes for each conditional, whose training grows with their cube: "
+            "--inducing 1200 predicts nearly as well and trains in a fraction of the time",
+            rows));
     set.model.seed = plan.seed;
     set.model.inducing = plan.inducing;
     set.model.command = plan.commandLine;

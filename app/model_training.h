@@ -68,7 +68,7 @@ struct TrainingStep {
 
 /// How training talks to whoever waits; all may be empty.
 struct TrainingWatch {
-    std::function<bool()> cancelled;  ///< from any thread, at every evaluation of a likelihood
+    std::function<bool()> cancelled;                    ///< from any thread, every few milliseconds
     std::function<void(const TrainingStep&)> progress;  ///< by one thread at a time
     std::function<void(const std::string&)> notice;     ///< something about the file, a sentence
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 
 namespace terratact {
@@ -32,5 +34,18 @@ private:
     const Poll& poll_;
     long left_ = kBetweenPolls;
 };
+
+/// to[0 … count) = f(from[0 … count)), asking the poll meanwhile.
+template <class T, class F>
+void transformPolled(const T* from, std::ptrdiff_t count, T* to, PolledWork& work, F f)
+{
+    while (count > 0) {
+        const std::ptrdiff_t some = std::min<std::ptrdiff_t>(count, PolledWork::kBetweenPolls);
+        to = std::transform(from, from + some, to, f);
+        from += some;
+        count -= some;
+        work.done(some);
+    }
+}
 
 }  // namespace terratact

@@ -37,8 +37,8 @@ cat >docs/console.md <<END
 Made by \`docs/console.sh $build $seconds\` on $(nproc) processors, $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1).
 Limits: an event waits 16 ms (99 of 100) and 100 ms at most, while 9,000 frames a second come in, are recorded, and terrain
 is estimated all the time; below 10 % of a core for telemetry at 20 Hz without an estimate; below 150 MB; an estimate 50 ms after
-its scene by the method that the console begins with (half of them: where the robot pressed before it told that it had halted, the console takes another line of
-telemetry, 50 ms later); a live estimate for 19 of 20 lines of telemetry while the flippers move; a window after 0.5 s
+its scene (nine of ten) by the method that the console begins with and by a sampling one; a live estimate for 19 of 20 lines
+of telemetry between the command to press and the scene; a window after 0.5 s
 (mapped: the X server has it; painted: more than one colour is seen in it).
 The programs check them when told so, as here; in the tests the soak runs some seconds and checks that nothing hangs.
 

@@ -47,8 +47,9 @@ cancelling() {
          { what = $3; for (i = 4; i <= NF; ++i) what = what " " $i; printf "%-24s %10.1f %10.1f\n", what, $1, $2
            if ($1 > most) most = $1; if ($2 > most) most = $2 }
          END { printf "%-24s %10.1f; limit 20\n", "most", most }'
-  sed -n 's/^touchesOfFreshPages.*longest_ms=\([^ ]*\)/\1/p' "$waits" |
-    awk '{ printf "%-24s %10.1f; the system'"'"'s own work, in which nothing can be asked\n", "one fresh page of 2 MiB", $1 }'
+  sed -n 's/^touchesOfFreshPages.* 128_KiB_ms=\([^ ]*\) 2_MiB_ms=\([^ ]*\).*/\2 \1/p' "$waits" |
+    awk '{ printf "%-24s %10.1f; the system'"'"'s own work, in which nothing can be asked\n", "2 MiB never written to", $1
+           printf "%-24s %10.1f; so is this, in pages of 4 KiB\n", "128 KiB, likewise", $2 }'
 }
 
 show "ctest --test-dir $build -L extremes" tests
@@ -83,9 +84,12 @@ with any number of threads, as long as the processor picks the same kernels (bas
 variants of the C library's functions, and OpenBLAS runs in one thread, as both programs set it.
 
 **Singular models.** Where the covariance of the training rows is singular to working precision, a jitter of 1e-10 to
-1e-6 of its diagonal is added and kept with the model; an estimate that used it says so among its warnings. A model that
-this does not mend is refused. What is accepted is right to 1e-14 over the reciprocal condition number, at most 1e-2 of
-the largest output.  A sparse process has a jitter of up to 1e-9 where the noise is less than that of the signal, and
+1e-6 of its diagonal is added and kept with the process (a model's file has hyper-parameters and rows, from which the same jitter
+comes again); an estimate that used it says so among its warnings, \`terratact train\` when it ends. A model that
+this does not mend is refused. What is accepted is right to 1e-14 over the reciprocal condition number, at most 1e-2: a
+variance of the prior's, a mean of the most that its terms could add up to, which is about the largest output where
+outputs vary as smoothly as the length scales say (\`core/learn/gaussian_process.h\`). Gaussian processes take differences of inputs
+before they scale them, so rows 1e-8 apart are told apart at length scales of 1e-8. A sparse process has a jitter of up to 1e-9 where the noise is less than that of the signal, and
 the same condition. The surface processes of \`local\` and \`joint\` always have a jitter of 1e-6
 (\`core/learn/projected_process.h\`) and are refused by the same condition when they are trained.
 
@@ -95,10 +99,12 @@ and says so, unless the height is the bin's ceiling, which holds the draws there
 **Cancelling.** An estimate asks whether it is still wanted at least once per bin of a sweep, and in between every
 twenty million multiplications of a factorisation (\`core/learn/cholesky.h\`), every 34 million of a sweep's sums of
 squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/poll.h\`). So do
-a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, and the advice
-where to probe. What cannot ask is the system, when it gives a page of 2 MiB (\`core/learn/huge_pages.h\`): a virtual
-machine whose host has to find the memory first may stand still for as long as the table's last line says.  The factor
-of 5600 rows takes 120 such pages.
+a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, the advice
+where to probe, and training within every evaluation of a likelihood. Reading a model does not ask. What cannot ask is the system, when it gives memory (in pages of 2 MiB for
+factors, \`core/learn/huge_pages.h\`) or takes it back: a virtual machine whose host has to find the memory first may stand still for
+as long as the table's last lines say, and longer where several such waits lie between two questions.  The factor of 5600 rows takes
+120 such pages; a million draws take 88 MB. With memory that the process keeps (\`MALLOC_TRIM_THRESHOLD_=8000000000
+MALLOC_MMAP_THRESHOLD_=4000000000\` before the command) the waits of a million draws are those of arithmetic.
 
 ## What the long forms said
 

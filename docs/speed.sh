@@ -45,7 +45,7 @@ is of a scene that has its thread alone.
 
 Most training rows say little that others do not: given well chosen ones, what is left of a row's variance is next to
 nothing of the noise.  In single precision a variance therefore goes through the rows that leave no other more than
-1e-4 of the noise's variance (\`core/learn/sparse_process.h\`), chosen when a process is first used; the table says how many of
+1e-4 of the noise's variance, and all others together no more than 1 % (\`core/learn/sparse_process.h\`), chosen when a process is first used; the table says how many of
 the products are left.  A mean goes through all rows, in double.  What comes of it is compared with
 all rows where a process is first used, and not used where a variance is off by more than 0.2 % at sixteen probes.  How far variances of the
 shipped model are off, from likely to absurd states, is printed by
@@ -65,7 +65,7 @@ By \`tests/bench/training.sh $build\`, on generated scenes.  *train*: hyper-para
 cores.  *growth*: one evaluation of likelihood and gradient, and the memory that the program came to need, in doubles and in
 multiples of the rows' square.  *sparse*: one bin's process; hyper-parameters are searched for on some rows or on all, then the process is made
 of all rows (\`through\` as many) or through inducing rows, and predicts 500 unseen scenes.  \`terratact train\` searches on all
-rows, with up to 30 such evaluations, unless it is told \`--inducing\`: then on 1400.
+rows, with up to 30 such evaluations, unless it is told \`--inducing\`: then on 1400.  *sparse-bins*: the error through so many rows as a share of that through all, of every bin.
 
 \`\`\`
 $(cat "$training")

@@ -18,7 +18,7 @@ show() {
 
 say '# Time and accuracy' '' \
   'Made by `docs/tradeoff.sh build/release/app/terratact`; the scenes are generated, so that anybody can repeat it.' \
-  "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), one core.  Times are the processor's, median over the scenes; take ratios." '' \
+  "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), one core.  Times are the processor's, median over the scenes; take ratios.  What a model makes once, when it is first used, is no part of them." '' \
   'The distance from a long run of the same method tells what fewer draws, single precision or fewer inducing rows cost;' \
   'the error against the truth tells whether it matters.  A method may be certain and wrong: compare both.' \
   'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table, and measured as the program runs them: they end once the chains have converged.' \

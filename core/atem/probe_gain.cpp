@@ -17,7 +17,7 @@ constexpr std::size_t kReadings = 48;
 class Draws {
 public:
     Draws(const std::vector<Heights>& heights, double stepLimit, int firstBin, const Poll& poll)
-        : heights_(heights), centred_(heights)
+        : heights_(heights)
     {
         PolledWork work(poll);
         Heights mean{};
@@ -26,11 +26,13 @@ public:
             for (std::size_t i = 0; i < kBins; ++i)
                 mean[i] += h[i] / static_cast<double>(heights.size());
         }
+        centred_.reserve(heights.size());
         step_.reserve(heights.size());
         squares_.reserve(heights.size());
-        for (Heights& h : centred_) {
+        for (const Heights& draw : heights) {
             work.done(kBins);
-            step_.push_back(hasStep(h, stepLimit, firstBin) ? 1.0 : 0.0);
+            step_.push_back(hasStep(draw, stepLimit, firstBin) ? 1.0 : 0.0);
+            Heights& h = centred_.emplace_back(draw);
             double square = 0.0;
             for (std::size_t i = 0; i < kBins; ++i) {
                 h[i] -= mean[i];
@@ -43,11 +45,14 @@ public:
     std::size_t count() const { return heights_.size(); }
 
     /// Height of one bin in every draw [m].
-    std::vector<double> of(std::size_t bin) const
+    std::vector<double> of(std::size_t bin, PolledWork& work) const
     {
-        std::vector<double> heights(count());
-        std::transform(heights_.begin(), heights_.end(), heights.begin(),
-                       [bin](const Heights& h) { return h[bin]; });
+        std::vector<double> heights;
+        heights.reserve(count());
+        for (const Heights& h : heights_) {
+            work.done();
+            heights.push_back(h[bin]);
+        }
         return heights;
     }
 
@@ -76,10 +81,13 @@ public:
     }
 
     /// H(w) [nat].
-    double entropy(const std::vector<double>& weight) const
+    double entropy(const std::vector<double>& weight, PolledWork& work) const
     {
         double p = 0.0;
-        for (std::size_t d = 0; d < count(); ++d) p += weight[d] * step_[d];
+        for (std::size_t d = 0; d < count(); ++d) {
+            work.done();
+            p += weight[d] * step_[d];
+        }
         const auto part = [](double q) { return q > 0.0 ? -q * std::log(q) : 0.0; };
         return part(p) + part(1.0 - p);
     }
@@ -94,10 +102,12 @@ private:
 /// Evenly spaced quantiles of the readings to expect of a bin with these draws.
 std::vector<double> readings(const std::vector<double>& heights, double armSd, PolledWork& work)
 {
-    std::vector<double> all(heights);
+    std::vector<double> all;
+    all.reserve(heights.size());
     double u = 0.5;
-    for (double& z : all) {
+    for (const double height : heights) {
         work.done(4);
+        double& z = all.emplace_back(height);
         z -= armSd * std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u);
         u += std::numbers::phi - 1.0;
         u -= std::floor(u);
@@ -117,11 +127,13 @@ std::vector<double> readings(const std::vector<double>& heights, double armSd, P
 std::vector<double> weights(const std::vector<double>& heights, double reading, double armSd,
                             PolledWork& work)
 {
-    std::vector<double> w(heights.size());
-    std::transform(heights.begin(), heights.end(), w.begin(), [&](double h) {
+    std::vector<double> w;
+    w.reserve(heights.size());
+    for (const double h : heights) {
+        work.done();
         const double z = (reading - h) / armSd;
-        return -0.5 * z * z;
-    });
+        w.push_back(-0.5 * z * z);
+    }
     const double largest = *std::max_element(w.begin(), w.end());
     constexpr double kNothing = -40.0;  // e^-40 of the largest changes no digit
     double sum = 0.0;
@@ -130,7 +142,10 @@ std::vector<double> weights(const std::vector<double>& heights, double reading, 
         weight -= largest;
         sum += weight = weight > kNothing ? std::exp(weight) : 0.0;
     }
-    for (double& weight : w) weight /= sum;
+    for (double& weight : w) {
+        work.done();
+        weight /= sum;
+    }
     return w;
 }
 
@@ -138,12 +153,12 @@ std::vector<double> weights(const std::vector<double>& heights, double reading, 
 ProbeGain expectedAfter(const Draws& draws, int bin, double armSd, const Poll& poll)
 {
     PolledWork work(poll);
-    const std::vector<double> heights = draws.of(static_cast<std::size_t>(bin));
+    const std::vector<double> heights = draws.of(static_cast<std::size_t>(bin), work);
     ProbeGain after{bin, 0.0, 0.0};
     for (const double z : readings(heights, armSd, work)) {
         const std::vector<double> w = weights(heights, z, armSd, work);
         after.varianceReduction += draws.variance(w, work) / kReadings;
-        after.entropyReduction += draws.entropy(w) / kReadings;
+        after.entropyReduction += draws.entropy(w, work) / kReadings;
     }
     return after;
 }
@@ -162,7 +177,7 @@ Uncertainty uncertaintyOf(const Draws& draws, const Poll& poll)
 {
     PolledWork work(poll);
     const std::vector<double> equal = draws.equalWeights();
-    return {draws.variance(equal, work), draws.entropy(equal)};
+    return {draws.variance(equal, work), draws.entropy(equal, work)};
 }
 
 }  // namespace

@@ -102,16 +102,15 @@ std::vector<Heights> heightDraws(const GaussianMixture& distribution,
                                  const TerrainEstimate& estimate, const Poll& poll)
 {
     std::mt19937_64 rng(estimate.settings.seed);
-    const Eigen::MatrixXd y = distribution.draw(drawsOf(estimate.settings), rng, poll);
-    PolledWork work(poll);
+    const int count = drawsOf(estimate.settings);
     std::vector<Heights> draws;
-    draws.reserve(static_cast<std::size_t>(y.cols()));
-    for (Eigen::Index d = 0; d < y.cols(); ++d) {
-        work.done(2L * kBins);
+    draws.reserve(static_cast<std::size_t>(count));
+    const auto keep = [&](const Eigen::VectorXd& y) {
         Heights& draw = draws.emplace_back();
         for (std::size_t i = 0; i < kBins; ++i)
-            draw[i] = toHeight(y(static_cast<Eigen::Index>(i), d), estimate.ceiling[i]);
-    }
+            draw[i] = toHeight(y[static_cast<Eigen::Index>(i)], estimate.ceiling[i]);
+    };
+    distribution.draw(count, rng, keep, poll);
     return draws;
 }
 

@@ -15,30 +15,46 @@ namespace {
 using Draws = Eigen::Ref<const Eigen::MatrixXd>;
 using Eigen::Index;
 
-void require(const Draws& draws)
+constexpr long kNumbersPerUnit = 8;  // of PolledWork, where numbers are only read
+
+void require(const Draws& draws, const Poll& poll)
 {
     if (draws.size() == 0) throw std::invalid_argument("convergence: no draws");
-    if (!draws.allFinite()) throw std::invalid_argument("convergence: a draw is not finite");
-}
-
-bool allEqual(const Draws& x)
-{
-    return x.maxCoeff() == x.minCoeff();
+    PolledWork work(poll);
+    for (const auto& chain : draws.colwise()) {
+        if (!chain.allFinite()) throw std::invalid_argument("convergence: a draw is not finite");
+        work.done(chain.size() / kNumbersPerUnit);
+    }
 }
 
 /// Every column has one value only.
-bool columnsConstant(const Draws& x)
+bool columnsConstant(const Draws& x, const Poll& poll)
 {
-    return ((x.colwise().maxCoeff() - x.colwise().minCoeff()).array() == 0.0).all();
+    PolledWork work(poll);
+    for (const auto& chain : x.colwise()) {
+        if (chain.maxCoeff() != chain.minCoeff()) return false;
+        work.done(chain.size() / kNumbersPerUnit);
+    }
+    return true;
 }
 
-/// n × chains → ⌊n/2⌋ × 2 chains.
-Eigen::MatrixXd halves(const Draws& x)
+/// n × chains → ⌊n/2⌋ × 2 chains of f(x).
+template <class F>
+Eigen::MatrixXd halves(const Draws& x, const Poll& poll, F f)
 {
+    PolledWork work(poll);
     const Index half = x.rows() / 2;
     Eigen::MatrixXd split(half, 2 * x.cols());
-    split << x.topRows(half), x.bottomRows(half);
+    for (Index c = 0; c < x.cols(); ++c) {
+        transformPolled(x.col(c).data(), half, split.col(c).data(), work, f);
+        transformPolled(x.col(c).tail(half).data(), half, split.col(x.cols() + c).data(), work, f);
+    }
     return split;
+}
+
+Eigen::MatrixXd halves(const Draws& x, const Poll& poll)
+{
+    return halves(x, poll, [](double value) { return value; });
 }
 
 /// Ranks 1 … S over the whole matrix; equal values share their average rank.
@@ -85,16 +101,20 @@ Eigen::MatrixXd normalScores(const Eigen::MatrixXd& x, const Poll& poll)
     });
 }
 
-double median(Eigen::MatrixXd draws, const Poll& poll)
+double median(const Draws& draws, const Poll& poll)
 {
     PolledWork work(poll);
-    double* const begin = draws.data();
-    double* const middle = begin + draws.size() / 2;
-    std::nth_element(begin, middle, begin + draws.size(), [&work](double a, double b) {
+    Eigen::MatrixXd copy(draws.rows(), draws.cols());
+    for (Index c = 0; c < draws.cols(); ++c)
+        transformPolled(draws.col(c).data(), draws.rows(), copy.col(c).data(), work,
+                        [](double value) { return value; });
+    double* const begin = copy.data();
+    double* const middle = begin + copy.size() / 2;
+    std::nth_element(begin, middle, begin + copy.size(), [&work](double a, double b) {
         work.done();
         return a < b;
     });
-    if (draws.size() % 2 == 1) return *middle;
+    if (copy.size() % 2 == 1) return *middle;
     return 0.5 * (*middle + *std::max_element(begin, middle));
 }
 
@@ -104,24 +124,34 @@ double sampleVariance(const Eigen::VectorXd& x)
 }
 
 /// Eq. 1 to 4 for half chains that are already normal scores; z: n × m.  1 where all are equal.
-double splitRhat(const Eigen::MatrixXd& z)
+double splitRhat(const Eigen::MatrixXd& z, const Poll& poll)
 {
-    if (allEqual(z)) return 1.0;
+    if (columnsConstant(z, poll) && z.row(0).maxCoeff() == z.row(0).minCoeff()) return 1.0;
+    PolledWork work(poll);
     const double n = static_cast<double>(z.rows());
-    const Eigen::VectorXd means = z.colwise().mean();
-    const double between = n * sampleVariance(means);
+    Eigen::VectorXd means(z.cols());
     double within = 0.0;
-    for (const auto& chain : z.colwise()) within += sampleVariance(chain);
+    for (Index c = 0; c < z.cols(); ++c) {
+        const auto chain = z.col(c);
+        means[c] = chain.mean();
+        within += (chain.array() - means[c]).square().sum() / (n - 1.0);
+        work.done(2 * chain.size() / kNumbersPerUnit);
+    }
     within /= static_cast<double>(z.cols());
+    const double between = n * sampleVariance(means);
     return std::min(std::sqrt((between / within + n - 1.0) / n), kRhatNever);
 }
 
 /// Mean autocovariance of the chains at one lag (divisor n, every chain about its own mean).
 /// centred: n × m.
-double autocovariance(const Eigen::MatrixXd& centred, Index lag)
+double autocovariance(const Eigen::MatrixXd& centred, Index lag, PolledWork& work)
 {
     const Index rest = centred.rows() - lag;
-    const double sum = centred.topRows(rest).cwiseProduct(centred.bottomRows(rest)).sum();
+    double sum = 0.0;
+    for (const auto& chain : centred.colwise()) {
+        sum += chain.head(rest).dot(chain.tail(rest));
+        work.done(rest / kNumbersPerUnit);
+    }
     return sum / static_cast<double>(centred.size());
 }
 
@@ -131,14 +161,18 @@ std::vector<double> positiveSequence(const Eigen::MatrixXd& z, const Poll& poll)
 {
     PolledWork work(poll);
     const Index n = z.rows();
-    const Eigen::MatrixXd centred = z.rowwise() - z.colwise().mean();
-    const Eigen::VectorXd means = z.colwise().mean();
-    const double atZero = autocovariance(centred, 0);
+    Eigen::MatrixXd centred(n, z.cols());
+    Eigen::VectorXd means(z.cols());
+    for (Index c = 0; c < z.cols(); ++c) {
+        const double mean = means[c] = z.col(c).mean();
+        transformPolled(z.col(c).data(), n, centred.col(c).data(), work,
+                        [mean](double value) { return value - mean; });
+    }
+    const double atZero = autocovariance(centred, 0, work);
     const double meanVariance = atZero * static_cast<double>(n) / static_cast<double>(n - 1);
     const double total = atZero + sampleVariance(means);  // var⁺, eq. 3
     const auto rho = [&](Index lag) {                     // eq. 10
-        work.done(z.size() / 4);
-        return 1.0 - (meanVariance - autocovariance(centred, lag)) / total;
+        return 1.0 - (meanVariance - autocovariance(centred, lag, work)) / total;
     };
 
     std::vector<double> kept;
@@ -172,12 +206,12 @@ void makeMonotone(std::vector<double>& rho)
 RankedDraws::RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws, Poll poll, double bound)
     : draws_(draws), poll_(std::move(poll)), bound_(bound)
 {
-    require(draws);
+    require(draws, poll_);
 }
 
 const Eigen::MatrixXd& RankedDraws::scores()
 {
-    if (scores_.size() == 0) scores_ = normalScores(halves(draws_), poll_);
+    if (scores_.size() == 0) scores_ = normalScores(halves(draws_, poll_), poll_);
     return scores_;
 }
 
@@ -190,10 +224,11 @@ double RankedDraws::rhat()
 {
     if (draws_.rows() < 4) return kRhatNever;
     if (heldByBound()) return 1.0;
-    if (columnsConstant(scores())) return kRhatNever;
-    callPoll(poll_);
-    const Eigen::MatrixXd folded = (draws_.array() - median(draws_, poll_)).abs();
-    return std::max(splitRhat(scores()), splitRhat(normalScores(halves(folded), poll_)));
+    if (columnsConstant(scores(), poll_)) return kRhatNever;
+    const double centre = median(draws_, poll_);
+    const Eigen::MatrixXd folded =
+        halves(draws_, poll_, [centre](double value) { return std::abs(value - centre); });
+    return std::max(splitRhat(scores(), poll_), splitRhat(normalScores(folded, poll_), poll_));
 }
 
 double RankedDraws::ess()
@@ -202,8 +237,7 @@ double RankedDraws::ess()
     if (draws_.rows() < 6) return chains;
     if (heldByBound()) return static_cast<double>(draws_.size());
     const Eigen::MatrixXd& z = scores();
-    callPoll(poll_);
-    if (columnsConstant(z)) return chains;
+    if (columnsConstant(z, poll_)) return chains;
 
     std::vector<double> rho = positiveSequence(z, poll_);
     makeMonotone(rho);

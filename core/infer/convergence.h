@@ -20,7 +20,7 @@ inline constexpr double kRhatNever = 1e6;
 class RankedDraws {
 public:
     /// draws: n × chains, one chain per column, any unit; must outlive it.
-    /// poll: during the ranking.  bound: no draw can lie above it.
+    /// poll: here and below, at least once for every chain.  bound: no draw can lie above it.
     /// Throws std::invalid_argument for no draws or a value that is not finite.
     explicit RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws, Poll poll = {},
                          double bound = std::numeric_limits<double>::infinity());

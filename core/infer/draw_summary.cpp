@@ -45,7 +45,12 @@ void judge(TerrainEstimate& estimate, const GibbsDraws& draws)
 std::vector<double> sorted(const Eigen::MatrixXd& draws, const Poll& poll)
 {
     PolledWork work(poll);
-    std::vector<double> all(draws.data(), draws.data() + draws.size());
+    std::vector<double> all;
+    all.reserve(static_cast<std::size_t>(draws.size()));
+    for (const double draw : draws.reshaped()) {
+        work.done();
+        all.push_back(draw);
+    }
     std::sort(all.begin(), all.end(), [&work](double a, double b) {
         work.done();
         return a < b;
@@ -66,7 +71,9 @@ void summariseDraws(TerrainEstimate& estimate, int bin, const Eigen::MatrixXd& d
     const auto i = static_cast<std::size_t>(bin);
     callPoll(poll);
     const double mean = draws.mean();
+    callPoll(poll);
     const std::vector<double> all = sorted(draws, poll);
+    callPoll(poll);
     estimate.mean[i] = mean;
     estimate.height[i] = centre == Centre::Mean ? mean : quantileOfSorted(all, 0.5);
     estimate.sd[i] = std::sqrt((draws.array() - mean).square().mean());

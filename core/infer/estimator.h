@@ -29,6 +29,10 @@ struct Models {
     }
 };
 
+/// Makes all Gaussian processes that a sampling method may ask for, whatever the scene; nothing for a closed form.
+/// Throws std::invalid_argument where one cannot be made, once the others are there; Cancelled.
+void makeProcesses(const Models& models, const Settings& settings, const Watch& watch = {});
+
 /// The estimate of one scene by settings.method, whichever that is.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for settings out of range, an s that lacks a feature, or weak heights with one

@@ -104,23 +104,32 @@ double GaussianMixture::quantile(int i, double p) const
     return x;
 }
 
-Eigen::MatrixXd GaussianMixture::draw(int count, std::mt19937_64& rng, const Poll& poll) const
+void GaussianMixture::draw(int count, std::mt19937_64& rng,
+                           const std::function<void(const Eigen::VectorXd&)>& keep,
+                           const Poll& poll) const
 {
     PolledWork work(poll);
     const Eigen::MatrixXd root = squareRoot(covariance);
     const double infinity = std::numeric_limits<double>::infinity();
-    Eigen::MatrixXd draws(mean.rows(), count);
     const double start = static_cast<double>(rng() >> 11U) * 0x1p-53;
     Eigen::Index k = 0;
     double sum = weight[0];
-    Eigen::VectorXd normal(mean.rows());
+    Eigen::VectorXd normal(mean.rows()), drawn(mean.rows());
     for (int d = 0; d < count; ++d) {
-        work.done(2 * mean.rows());
+        work.done(4 * mean.rows());
         const double target = (static_cast<double>(d) + start) / count;
         while (sum < target && k + 1 < weight.size()) sum += weight[++k];
         for (double& z : normal) z = drawBelow(infinity, 0.0, 1.0, rng);
-        draws.col(d) = mean.col(k) + root * normal;
+        drawn = mean.col(k) + root * normal;
+        keep(drawn);
     }
+}
+
+Eigen::MatrixXd GaussianMixture::draw(int count, std::mt19937_64& rng) const
+{
+    Eigen::MatrixXd draws(mean.rows(), count);
+    Eigen::Index d = 0;
+    draw(count, rng, [&](const Eigen::VectorXd& drawn) { draws.col(d++) = drawn; }, {});
     return draws;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <random>
 
 #include "core/poll.h"
@@ -32,9 +33,12 @@ struct GaussianMixture {
     /// x with P(y_i ≤ x) = p, to 1e-9 of the coordinate's spread.  Throws unless 0 < p < 1.
     double quantile(int i, double p) const;
 
-    /// count draws, n × count, the components in proportion to their weights (systematic resampling).
-    /// poll: now and then.
-    Eigen::MatrixXd draw(int count, std::mt19937_64& rng, const Poll& poll = {}) const;
+    /// count draws, one after the other to `keep` (n numbers), the components in proportion to their weights (systematic
+    /// resampling).  poll: now and then.
+    void draw(int count, std::mt19937_64& rng,
+              const std::function<void(const Eigen::VectorXd&)>& keep, const Poll& poll) const;
+    /// The same, n × count.
+    Eigen::MatrixXd draw(int count, std::mt19937_64& rng) const;
 };
 
 }  // namespace terratact

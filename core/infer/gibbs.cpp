@@ -134,7 +134,22 @@ struct GibbsRun::Chains {
     void goOnTo(int kept)
     {
         check = std::min(kept, problem.keptPerChain);
-        for (Eigen::MatrixXd& d : result.draws) d.conservativeResize(check, Eigen::NoChange);
+        resize(check);
+    }
+
+    /// Of the draws, so many sweeps of every chain.
+    void resize(int kept)
+    {
+        for (Eigen::MatrixXd& draws : result.draws) {
+            if (draws.rows() == kept) continue;
+            PolledWork work(poll);
+            Eigen::MatrixXd resized(kept, draws.cols());
+            const Eigen::Index both = std::min<Eigen::Index>(kept, draws.rows());
+            for (Eigen::Index c = 0; c < draws.cols(); ++c)
+                transformPolled(draws.col(c).data(), both, resized.col(c).data(), work,
+                                [](double draw) { return draw; });
+            draws = std::move(resized);
+        }
     }
 
     /// Sweeps that need no decision.
@@ -188,7 +203,7 @@ struct GibbsRun::Chains {
     {
         ended = true;
         result.ending = why;
-        for (Eigen::MatrixXd& d : result.draws) d.conservativeResize(done, Eigen::NoChange);
+        resize(done);
         reporter.end();
     }
 

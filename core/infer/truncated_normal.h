@@ -33,8 +33,8 @@ double drawBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng
 /// The same cut off on both sides: p(h) ∝ exp(-(h - mean)² / 2σ²) for floor ≤ h ≤ ceiling.
 /// floor may be −infinity (then this is drawBelow) and ceiling +infinity; floor = ceiling returns it.
 /// The mirrored problem (−ceiling, −floor, −mean) gives the negative of the same draw, unless the bounds lie
-/// equally far from the mean, two infinite ones among them: there both problems are drawn from the same side, and
-/// only the distribution is mirrored.
+/// equally far from the mean as far as double tells, two infinite ones among them: there both problems are drawn from
+/// the same side, and only the distribution is mirrored.
 /// Throws std::invalid_argument as drawBelow, and unless floor ≤ ceiling, floor < +infinity.
 double drawBetween(double floor, double ceiling, double mean, double sigma, std::mt19937_64& rng);
 

@@ -226,15 +226,14 @@ ClearanceConditionalData prepareClearanceConditionals(const ClearanceTraining& t
 
 TrainedBin trainClearanceConditional(const ClearanceTraining& training,
                                      const ClearanceConditionalData& data, int bin, Regime regime,
-                                     const TrainingOptions& options,
-                                     const std::function<bool()>& cancelled)
+                                     const TrainingOptions& options, const Poll& poll)
 {
     requireEnoughRows(data, bin, regime);
     const Rows rows = rowsFor(training, data, bin, regime);
     TrainingOptions own = options;
     own.seed += 2 * static_cast<std::uint64_t>(bin) + static_cast<std::uint64_t>(regime);
     return maximiseLikelihood(rows.X, rows.y, searchStart(rows.X.cols(), data.at(bin, regime).sd),
-                              own, kBounds, cancelled);
+                              own, kBounds, poll);
 }
 
 ClearanceConditionals::ClearanceConditionals(ClearanceTraining training,
@@ -256,6 +255,12 @@ ClearanceConditionals::ClearanceConditionals(ClearanceTraining training,
                 != static_cast<std::size_t>(data_.at(i, regime).rows))
                 throw std::invalid_argument(
                     "conditionals over clearances: standardised with other training rows");
+}
+
+bool ClearanceConditionals::isTrained(int bin, Regime regime) const
+{
+    const ClearanceRegimeData& own = data_.at(bin, regime);
+    return own.rows >= kFewestTrainingRows && own.hyper.lengthScale.size() > 0;
 }
 
 const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, int inducing,

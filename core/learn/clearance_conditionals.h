@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -87,8 +86,7 @@ ClearanceConditionalData prepareClearanceConditionals(const ClearanceTraining& t
 /// Throws std::invalid_argument for fewer than kFewestTrainingRows rows in that regime.
 TrainedBin trainClearanceConditional(const ClearanceTraining& training,
                                      const ClearanceConditionalData& data, int bin, Regime regime,
-                                     const TrainingOptions& options,
-                                     const std::function<bool()>& cancelled = {});
+                                     const TrainingOptions& options, const Poll& poll = {});
 
 /// The conditionals p(yᵢ | y_{J∖i}, s), ready to predict.  A Gaussian process is factorised when it is first asked
 /// for.  Safe to share between threads.
@@ -100,8 +98,11 @@ public:
 
     const ClearanceConditionalData& data() const { return data_; }
 
+    /// There is a Gaussian process of that bin in that regime.
+    bool isTrained(int bin, Regime regime) const;
+
     /// Of y of one bin in one regime; factorises it at the first call.  Throws std::invalid_argument, a sentence,
-    /// where the regime has fewer than kFewestTrainingRows training rows or was not trained.
+    /// unless isTrained: where the regime has fewer than kFewestTrainingRows training rows or was not trained.
     /// inducing: predicts through at most so many rows; 0: all.  poll: as BinModels::bin.
     const GaussianProcess& gp(int bin, Regime regime, int inducing = 0,
                               const Poll& poll = {}) const;

@@ -137,8 +137,8 @@ ClearanceModel::Process ClearanceModel::prepare(const SurfaceProcess& data,
     if (static_cast<Eigen::Index>(chosen.size()) != data.weights.size())
         throw std::invalid_argument("a surface process has not one weight per inducing row");
     process.signal2 = data.hyper.signalSd * data.hyper.signalSd;
-    process.inverseScale = data.hyper.lengthScale.cwiseInverse();
-    process.inducing = process.inverseScale.asDiagonal() * X(Eigen::all, chosen);
+    process.perLength = data.hyper.lengthScale.cwiseInverse();
+    process.inducing = X(Eigen::all, chosen);
     return process;
 }
 
@@ -164,9 +164,12 @@ Heights ClearanceModel::predict(const Eigen::VectorXd& features, unsigned covere
         double& mean = y[static_cast<std::size_t>(bin)];
         mean = p.mean;
         if (p.weights.size() == 0) continue;
-        const Eigen::VectorXd scaled = x.cwiseProduct(p.inverseScale);
-        const Eigen::ArrayXd distance =
-            (p.inducing.colwise() - scaled).colwise().squaredNorm().transpose().array();
+        // Differences are scaled, not inputs, as in covariance_block.h.
+        const Eigen::ArrayXd distance = (p.perLength.asDiagonal() * (p.inducing.colwise() - x))
+                                            .colwise()
+                                            .squaredNorm()
+                                            .transpose()
+                                            .array();
         mean += p.signal2 * ((-0.5 * distance).exp() * p.weights.array()).sum();
     }
     return y;
@@ -276,11 +279,12 @@ Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data)
     return (sum / count).cwiseSqrt();
 }
 
-double ClearanceModel::noveltyScale(const ModelData& model)
+double ClearanceModel::noveltyScale(const ModelData& model, const Poll& poll)
 {
     const Eigen::MatrixXd scenes = scenesInMetric(model, metric(model.clearance));
     std::vector<double> distance;
     for (Eigen::Index u = 0; u < scenes.cols(); ++u) {
+        callPoll(poll);
         // The row itself is the nearest of all.
         const Eigen::VectorXd squared =
             (scenes.colwise() - scenes.col(u)).colwise().squaredNorm().transpose();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/learn/model.h"
+#include "core/poll.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -66,14 +67,14 @@ public:
 
     /// w_d and the distance a model's noveltyScale is made of; used by training.
     static Eigen::VectorXd metric(const ClearanceData& data);
-    static double noveltyScale(const ModelData& model);
+    static double noveltyScale(const ModelData& model, const Poll& poll = {});
 
 private:
     struct Process {
         double mean = 0.0, residualSd = 0.0, signal2 = 0.0;
-        Eigen::MatrixXd inducing;      ///< d × m in length scales
-        Eigen::VectorXd inverseScale;  ///< d
-        Eigen::VectorXd weights;       ///< m
+        Eigen::MatrixXd inducing;   ///< d × m
+        Eigen::VectorXd perLength;  ///< d: 1 / ℓ
+        Eigen::VectorXd weights;    ///< m
     };
     /// Of the scenes that cover the same bins.
     struct ResidualProducts {

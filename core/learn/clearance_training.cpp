@@ -88,12 +88,13 @@ struct ContactErrors {
 };
 
 ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceilings,
-                            const RobotModel& robot)
+                            const RobotModel& robot, const Poll& poll)
 {
     constexpr double kThreshold = 2.0;  // [N] as in Settings
     constexpr double kMost = 0.1;       // [m]
     ContactErrors errors;
     for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
+        callPoll(poll);
         const auto contacts =
             reconstructContacts(robot, proprioceptionOf(model, u), kThreshold, true);
         for (int bin = 0; bin < kBins; ++bin) {
@@ -109,14 +110,15 @@ ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceili
     return errors;
 }
 
-void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot)
+void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
+                       const Poll& poll)
 {
     constexpr double kLeast = 0.005, kMost = 10.0;  // [m]
     constexpr std::size_t kFewest = 30;
     ClearanceData& data = model.clearance;
     data.contactBias = 0.0;
     data.contactSd = kMost;
-    const ContactErrors errors = contactErrors(model, ceilings, robot);
+    const ContactErrors errors = contactErrors(model, ceilings, robot, poll);
     if (errors.contact.size() < kFewest) return;
     const Eigen::Map<const Eigen::ArrayXd> z(errors.contact.data(), std::ssize(errors.contact));
     const Eigen::Map<const Eigen::ArrayXd> h(errors.height.data(), std::ssize(errors.height));
@@ -131,10 +133,12 @@ void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const 
 
 }  // namespace
 
-Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& robot)
+Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& robot,
+                             const Poll& poll)
 {
     Eigen::MatrixXd ceilings(features.rows(), kBins);
     for (Eigen::Index u = 0; u < ceilings.rows(); ++u) {
+        callPoll(poll);
         const Heights row = bodyCeiling(robot, features(u, 0), features(u, 1), features(u, 2));
         ceilings.row(u) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), kBins);
     }
@@ -168,8 +172,7 @@ void prepareClearance(ModelData& model, const Eigen::MatrixXd& ceilings)
 }
 
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                            bool covered, const TrainingOptions& options,
-                            const std::function<bool()>& cancelled)
+                            bool covered, const TrainingOptions& options, const Poll& poll)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
     if (std::ssize(rows) < kFewestTrainingRows)
@@ -187,11 +190,11 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
     search.seed += static_cast<std::uint64_t>(bin);
     search.fullEvaluations = 0;
     const double sd = std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
-    trained.process.hyper = maximiseLikelihood(X, y, searchStart(X.cols(), sd), search,
-                                               {.mostNoise = kMostNoise}, cancelled)
-                                .hyper;
+    trained.process.hyper =
+        maximiseLikelihood(X, y, searchStart(X.cols(), sd), search, {.mostNoise = kMostNoise}, poll)
+            .hyper;
     ProjectedProcess projected =
-        projectProcess(X, y, inducingPositions(rows.size()), trained.process.hyper);
+        projectProcess(X, y, inducingPositions(rows.size()), trained.process.hyper, poll);
     trained.process.weights = std::move(projected.weights);
     trained.residuals = std::move(projected.leaveOneOut);
     trained.process.residualSd =
@@ -209,10 +212,11 @@ void store(ModelData& model, const TrainedSurface& trained, int bin, bool covere
         data.residuals(trained.rows[k], bin) = trained.residuals[static_cast<Eigen::Index>(k)];
 }
 
-void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot)
+void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
+                     const Poll& poll)
 {
-    model.clearance.noveltyScale = ClearanceModel::noveltyScale(model);
-    calibrateContacts(model, ceilings, robot);
+    model.clearance.noveltyScale = ClearanceModel::noveltyScale(model, poll);
+    calibrateContacts(model, ceilings, robot, poll);
 }
 
 }  // namespace terratact

@@ -1,17 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <vector>
 
 #include "core/learn/model.h"
 #include "core/learn/training.h"
+#include "core/poll.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
 
 /// Ceilings at the pitch and flipper angles of training rows: U × 11.  features: U × 11 as in ModelData.
-Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& robot);
+/// poll: here and below, every few milliseconds; what it throws comes out.
+Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& robot,
+                             const Poll& poll = {});
 
 /// Fills model.clearance up to its processes: standardisation, covered bins, empty residuals.
 /// ceilings: U × 11 [m], +infinity where nothing of the robot is above part of a bin.
@@ -27,10 +29,8 @@ struct TrainedSurface {
 
 /// Hyper-parameters from at most options.subset rows (log marginal likelihood), the weights from all.
 /// With fewer than kFewestTrainingRows rows: mean and sd of the bin's height (open) or of every covered bin's y (covered).
-/// cancelled: as for maximiseLikelihood.
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                            bool covered, const TrainingOptions& options,
-                            const std::function<bool()>& cancelled = {});
+                            bool covered, const TrainingOptions& options, const Poll& poll = {});
 
 /// Puts a trained bin into the model.  Not safe to call from several threads at once.
 void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered);
@@ -41,6 +41,7 @@ void store(ModelData& model, const TrainedSurface& trained, int bin, bool covere
 ///   h − m = a + b (z − m)   by least squares, |z − m| ≤ 0.1 m,
 /// and a measurement of z + a / b with variance Var(h − m) (1 − b) / b has just that gain b.
 /// sd is kept within 5 mm … 10 m: 10 m, no weight at all, where contacts add nothing (b ≤ 0).
-void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot);
+void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
+                     const Poll& poll = {});
 
 }  // namespace terratact

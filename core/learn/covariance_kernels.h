@@ -14,7 +14,8 @@ inline constexpr double kLeastSingleCovariance = 1e-30;
 
 /// Covariances with the training rows at one setting of 8 columns, and what they are multiplied with.
 struct CovarianceInput {
-    const double* X = nullptr;          ///< U × m, row-major, in length scales
+    const double* X = nullptr;          ///< U × m, row-major
+    const double* perLength = nullptr;  ///< m: 1 / ℓ
     const double* logWeight = nullptr;  ///< U
     const double* alpha = nullptr;      ///< U
     int U = 0;
@@ -39,8 +40,9 @@ inline constexpr long kKernelMultiplications = 1L << 25;
 struct CovarianceKernels {
     const char* name;  ///< "AVX-512", "AVX2", "baseline"
 
-    /// K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j (X[u·m + j] − Z[j·8 + c])²), u < kept, c < 8,
-    /// the exponent at least −300; mean[c] = Σ_u K[u·8 + c] alpha[u], u < U.  Z: m × 8 in length scales.
+    /// K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j ((X[u·m + j] − Z[j·8 + c]) perLength[j])²), u < kept,
+    /// c < 8, the exponent at least −300; mean[c] = Σ_u K[u·8 + c] alpha[u], u < U.  Z: m × 8.
+    /// Differences are scaled, not inputs: those round by 2⁻⁵³ |x| / ℓ length scales, which is much where ℓ is tiny.
     void (*covariances)(const CovarianceInput& in, const double* Z, double* K, double* mean);
     /// The same, K rounded to float; the mean is summed before that.
     void (*covariancesSingle)(const CovarianceInput& in, const double* Z, float* K, double* mean);

@@ -141,9 +141,10 @@ inline void covarianceRows(const CovarianceInput& in, const double* Z, int u, T*
     const double* x = in.X + static_cast<long>(u) * in.m;
     for (int j = 0; j < in.m; ++j) {
         const Doubles z = load(Z + static_cast<long>(j) * kGroup);
+        const Doubles perLength = spread(in.perLength[j]);
 #pragma GCC unroll 4
         for (int r = 0; r < kRows; ++r) {
-            const Doubles d = z - spread(x[r * in.m + j]);
+            const Doubles d = (z - spread(x[r * in.m + j])) * perLength;
             distance2[r] = fma(d, d, distance2[r]);
         }
     }

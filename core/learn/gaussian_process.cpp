@@ -10,9 +10,9 @@
 
 #include "core/learn/blas_size.h"
 #include "core/learn/covariance_block.h"
-#include "core/learn/covariance_column.h"
 #include "core/learn/covariance_kernels.h"
 #include "core/learn/huge_pages.h"
+#include "core/learn/inducing_rows.h"
 #include "core/learn/scene_conditional.h"
 #include "core/learn/sparse_process.h"
 
@@ -24,17 +24,6 @@ namespace {
 double mostSingleError(const Hyperparameters& hyper)
 {
     return 2e-3 * hyper.noiseSd * hyper.noiseSd;
-}
-
-/// Rows that are not in `chosen`, of which there is at least one.
-std::vector<int> othersOf(const std::vector<int>& chosen, Eigen::Index rows)
-{
-    std::vector<bool> in(static_cast<std::size_t>(rows), false);
-    for (const int u : chosen) in[static_cast<std::size_t>(u)] = true;
-    std::vector<int> others;
-    for (int u = 0; u < static_cast<int>(rows); ++u)
-        if (!in[static_cast<std::size_t>(u)]) others.push_back(u);
-    return others;
 }
 
 /// The signal part k(X, X), upper triangle (lower one not set), by blocks of columns.
@@ -98,33 +87,22 @@ Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper, 
                     X.rows(), kLeastRcond, hyper.signalSd, hyper.noiseSd));
 }
 
-/// k(Z, z) at rows z from the first to the last, to judge single precision at.
-Eigen::MatrixXd someCovariances(const Eigen::MatrixXd& Z, const Hyperparameters& hyper,
-                                const Poll& poll)
-{
-    const Eigen::MatrixXd K =
-        signalCovariance(Z, hyper, poll).selfadjointView<Eigen::Upper>().toDenseMatrix();
-    std::vector<Eigen::Index> rows(InverseFactor::kProbes);
-    for (int p = 0; p < InverseFactor::kProbes; ++p)
-        rows[static_cast<std::size_t>(p)] = InverseFactor::probe(p, Z.rows());
-    return K(Eigen::all, rows);
-}
-
 /// Covariances with InverseFactor::kProbes of those rows, from the first to the last: with every other one as it is, with the
 /// others one and two length scales beside it.
-Eigen::MatrixXd columnsBeside(const Eigen::MatrixXd& scaled, const std::vector<int>& rows,
-                              double signal2, const Poll& poll)
+Eigen::MatrixXd columnsBeside(const ScaledRows& X, const std::vector<int>& rows, double signal2,
+                              const Poll& poll)
 {
     const auto count = static_cast<Eigen::Index>(rows.size());
-    const double step = 1.0 / std::sqrt(static_cast<double>(scaled.cols()));
-    Eigen::MatrixXd columns(scaled.rows(), InverseFactor::kProbes);
+    const Eigen::RowVectorXd step =
+        X.perLength.cwiseInverse() / std::sqrt(static_cast<double>(X.X.cols()));
+    Eigen::MatrixXd columns(X.X.rows(), InverseFactor::kProbes);
     for (Eigen::Index p = 0; p < columns.cols(); ++p) {
         callPoll(poll);
         const int row = rows[static_cast<std::size_t>(InverseFactor::probe(p, count))];
-        Eigen::RowVectorXd x = scaled.row(row);
+        Eigen::RowVectorXd x = X.X.row(row);
         for (Eigen::Index d = 0; p % 2 == 1 && d < x.size(); ++d)
-            x[d] += (p % 4 == 3 ? 2.0 : 1.0) * ((d + p / 4) % 2 == 0 ? step : -step);
-        columns.col(p) = covarianceColumn(scaled, x, signal2);
+            x[d] += (p % 4 == 3 ? 2.0 : 1.0) * ((d + p / 4) % 2 == 0 ? step[d] : -step[d]);
+        columns.col(p) = covarianceColumn(X, x, signal2);
     }
     return columns;
 }
@@ -176,8 +154,8 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hy
     rcond_ = found.rcond;
     alpha_ = y;
     solveWithFactor(found.R, alpha_, poll);
-    const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
-    if (!std::isfinite(largestMean))
+    largestMean_ = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
+    if (!std::isfinite(largestMean_))
         throw std::invalid_argument("Gaussian process: the outputs overflow in units of the noise");
     inverse_.emplace(
         std::move(found.R), [this](const Poll& again) { return factor(again); },
@@ -189,10 +167,14 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyper
     : X_(std::move(Z)), hyper_(std::move(hyper)), outputMean_(outputMean), jitter_(process.jitter),
       rcond_(process.rcond), alpha_(std::move(process.weights))
 {
-    const double largestMean = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
-    if (!std::isfinite(outputMean) || !std::isfinite(largestMean) || !process.F.allFinite())
+    largestMean_ = alpha_.lpNorm<1>() * hyper_.signalSd * hyper_.signalSd;
+    if (!std::isfinite(outputMean) || !std::isfinite(largestMean_) || !process.F.allFinite())
         throw std::invalid_argument("sparse Gaussian process: numbers overflow");
-    inverse_.emplace(GivenInverse{process.F.transpose(), someCovariances(X_, hyper_, poll)});
+    std::vector<int> rows(static_cast<std::size_t>(X_.rows()));
+    std::iota(rows.begin(), rows.end(), 0);
+    inverse_.emplace(GivenInverse{
+        process.F.transpose(),
+        columnsBeside(inLengthScales(X_, hyper_), rows, hyper_.signalSd * hyper_.signalSd, poll)});
 }
 
 std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
@@ -223,7 +205,7 @@ std::optional<ReducedInverse> GaussianProcess::reduce(const Eigen::MatrixXd& R,
     if (jitter_ > 0.0) return std::nullopt;  // then R is of another covariance
     std::optional<ReducedVariance> reduced = reducedVariance(X_, hyper_, poll);
     if (!reduced) return std::nullopt;
-    const std::vector<int> others = othersOf(reduced->rows, X_.rows());
+    const std::vector<int> others = rowsNotIn(reduced->rows, X_.rows());
     const double signal2 = hyper_.signalSd * hyper_.signalSd;
     const double noise2 = hyper_.noiseSd * hyper_.noiseSd;
     Eigen::MatrixXd columns = columnsBeside(inLengthScales(X_, hyper_), others, signal2, poll);
@@ -241,6 +223,11 @@ Precision GaussianProcess::usable(Precision wanted, const Poll& poll) const
 {
     if (wanted == Precision::Double) return wanted;
     return singleError(poll) <= mostSingleError(hyper_) ? Precision::Single : Precision::Double;
+}
+
+void GaussianProcess::prepare(Precision wanted, const Poll& poll) const
+{
+    if (usable(wanted, poll) == Precision::Double) inverse_->panels(poll);
 }
 
 Normal GaussianProcess::predict(const Eigen::VectorXd& x) const

@@ -37,7 +37,7 @@ inline constexpr double kSingleVarianceError = 1e-2;
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
 /// Where K is singular to working precision (doubled rows without noise, length scales beyond the data),
 /// K + jitter (σ_f² + σ_n²) I takes its place, with the least jitter of 1e-10, 1e-9 … 1e-6 that mends it.
-/// Mean and variance (in double precision) are right to errorBound() of max |y| and of σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
+/// Mean and variance (in double precision) are right to meanErrorBound() and to errorBound() of σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
 /// Immutable once built; safe to share between threads.  What variances need of it is made at the first prediction in a precision (InverseFactor).
 class GaussianProcess {
 public:
@@ -68,6 +68,10 @@ public:
     /// At rcond().  Seen were up to 0.4 of that where rcond() decides.
     double errorBound() const { return errorBoundAt(rcond_); }
 
+    /// errorBound() of σ_f² Σ |α_u|, the most that a mean's terms could add up to: about max |y| where outputs vary as
+    /// smoothly as the length scales say, and many times that where they do not.  Rounding of ȳ comes on top.
+    double meanErrorBound() const { return errorBound() * largestMean_; }
+
     /// InverseFactor::Single::error of this process [m²].
     double singleError(const Poll& poll = {}) const { return inverse_->single(poll).error; }
 
@@ -82,6 +86,9 @@ public:
     /// rounding: its sum has another order.  A process with next to no noise, or ill-conditioned, is computed in double.
     /// poll: while that is made, see InverseFactor.
     Precision usable(Precision wanted, const Poll& poll = {}) const;
+
+    /// Makes what the first prediction with that wish would make.
+    void prepare(Precision wanted, const Poll& poll = {}) const;
 
     /// Of the height at a standardised input x: d.  In double precision.
     Normal predict(const Eigen::VectorXd& x) const;
@@ -101,6 +108,7 @@ private:
     double jitter_ = 0.0;
     double rcond_ = 1.0;
     Eigen::VectorXd alpha_;
+    double largestMean_ = 0.0;              // σ_f² Σ |α_u|
     std::optional<InverseFactor> inverse_;  // of L, or F of a sparse one
 };
 

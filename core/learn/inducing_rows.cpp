@@ -10,7 +10,6 @@
 
 #include "core/learn/blas_size.h"
 #include "core/learn/cholesky.h"
-#include "core/learn/covariance_block.h"
 #include "core/learn/covariance_kernels.h"
 
 namespace terratact {
@@ -23,10 +22,9 @@ constexpr int kMostAhead = 48;
 /// all at once, for one column at a time would read the whole of V for each.
 class Choice {
 public:
-    Choice(const Eigen::MatrixXd& scaled, double signal2, Eigen::Index most)
-        : covariances_(scaled, signal2),
-          variance_(Eigen::VectorXd::Constant(scaled.rows(), signal2)), V_(scaled.rows(), most),
-          columns_(scaled.rows(), std::min<Eigen::Index>(kMostAhead, most))
+    Choice(const ScaledRows& X, double signal2, Eigen::Index most)
+        : covariances_(X, signal2), variance_(Eigen::VectorXd::Constant(X.X.rows(), signal2)),
+          V_(X.X.rows(), most), columns_(X.X.rows(), std::min<Eigen::Index>(kMostAhead, most))
     {
     }
 
@@ -90,7 +88,12 @@ private:
         ahead_.resize(static_cast<std::size_t>(count));
         for (std::size_t first = 0; first < ahead_.size(); first += kGroup)
             covariances(first, poll);
-        const Eigen::MatrixXd ofAhead = V_(ahead_, Eigen::seqN(0, chosen_));
+        Eigen::MatrixXd ofAhead(count, chosen_);
+        PolledWork work(poll);
+        for (Eigen::Index k = 0; k < chosen_; ++k) {
+            ofAhead.col(k) = V_.col(k)(ahead_);
+            work.done(8 * count);  // numbers far apart
+        }
         const Eigen::Index step = linesAtOnce(count * chosen_);
         for (Eigen::Index first = 0; chosen_ > 0 && first < V_.rows(); first += step) {
             callPoll(poll);
@@ -130,11 +133,11 @@ private:
 
 }  // namespace
 
-InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2,
-                                const RowsWanted& wanted, const Poll& poll)
+InducingRows chooseInducingRows(const ScaledRows& X, double signal2, const RowsWanted& wanted,
+                                const Poll& poll)
 {
-    const Eigen::Index most = std::min(wanted.most, scaled.rows());
-    Choice choice(scaled, signal2, most);
+    const Eigen::Index most = std::min(wanted.most, X.X.rows());
+    Choice choice(X, signal2, most);
     for (Eigen::Index count = 0; count < most; ++count) {
         const double largest = choice.largestVariance();
         if (!(largest > wanted.leastVariance)) break;
@@ -142,6 +145,16 @@ InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2,
         choice.take(wanted.share * largest, poll);
     }
     return std::move(choice).chosen();
+}
+
+std::vector<int> rowsNotIn(const std::vector<int>& chosen, Eigen::Index rows)
+{
+    std::vector<bool> in(static_cast<std::size_t>(rows), false);
+    for (const int u : chosen) in[static_cast<std::size_t>(u)] = true;
+    std::vector<int> others;
+    for (int u = 0; u < static_cast<int>(rows); ++u)
+        if (!in[static_cast<std::size_t>(u)]) others.push_back(u);
+    return others;
 }
 
 Eigen::MatrixXd factorOf(const InducingRows& inducing, const Poll& poll)

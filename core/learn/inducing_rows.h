@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/learn/covariance_block.h"
 #include "core/poll.h"
 
 namespace terratact {
@@ -28,9 +29,12 @@ struct RowsWanted {
 };
 
 /// Greedily, see RowsWanted; no random numbers.
-///   scaled: n × d inputs in length scales.  Cost: n m² / 2 multiplications; memory: n · most doubles, n m of them used.
-InducingRows chooseInducingRows(const Eigen::MatrixXd& scaled, double signal2,
-                                const RowsWanted& wanted, const Poll& poll = {});
+///   X: n rows.  Cost: n m² / 2 multiplications; memory: n · most doubles, n m of them used.
+InducingRows chooseInducingRows(const ScaledRows& X, double signal2, const RowsWanted& wanted,
+                                const Poll& poll = {});
+
+/// The other ones of so many rows, in order.
+std::vector<int> rowsNotIn(const std::vector<int>& chosen, Eigen::Index rows);
 
 /// L: m × m, zeros above.
 Eigen::MatrixXd factorOf(const InducingRows& inducing, const Poll& poll = {});

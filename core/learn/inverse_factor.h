@@ -35,8 +35,8 @@ struct ReducedInverse {
 ///
 /// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8, and the products grow with
 /// the condition of K.  The error is therefore measured, at columns of K itself, where |L⁻¹ K e_i|² = K_ii is
-/// known: Single::error.  Where there is a ReducedInverse, single precision goes through that, and the error is
-/// measured at its probes.
+/// known: Single::error.  A GivenInverse is compared with itself in double at its probes.  Where there is a
+/// ReducedInverse, single precision goes through that, and the error is measured at its probes.
 class InverseFactor {
 public:
     static constexpr int kProbes = 2 * kGroup;  ///< columns that single precision is judged at

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "core/learn/hyperparameters.h"
+#include "core/poll.h"
 
 namespace terratact {
 
@@ -18,7 +19,8 @@ struct Likelihood {
 /// U³ multiplications and additions; memory: ½ U² + (270 + d) U doubles (SymmetricPanels).
 /// Throws std::invalid_argument as requireTrainable, and where K is singular to working precision or the value
 /// overflows: no jitter here, the search shall see where it leads.
+/// poll: every few milliseconds; what it throws comes out of here.
 Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                                 const Hyperparameters& hyper);
+                                 const Hyperparameters& hyper, const Poll& poll = {});
 
 }  // namespace terratact

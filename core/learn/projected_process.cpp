@@ -9,7 +9,8 @@
 #include <stdexcept>
 
 #include "core/learn/blas_size.h"
-#include "core/learn/covariance_column.h"
+#include "core/learn/cholesky.h"
+#include "core/learn/covariance_block.h"
 #include "core/learn/gaussian_process.h"
 
 namespace terratact {
@@ -33,12 +34,16 @@ void check(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const std::vector
             throw std::invalid_argument("projected process: an inducing row does not exist");
 }
 
-/// k(A, B) for rows in length scales.
-Eigen::MatrixXd covariance(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, double signalSd)
+/// k(A, B).
+Eigen::MatrixXd covariance(const ScaledRows& A, const Eigen::MatrixXd& B, double signalSd,
+                           const Poll& poll)
 {
-    Eigen::MatrixXd K(A.rows(), B.rows());
-    for (Eigen::Index b = 0; b < B.rows(); ++b)
+    Eigen::MatrixXd K(A.X.rows(), B.rows());
+    PolledWork work(poll);
+    for (Eigen::Index b = 0; b < B.rows(); ++b) {
         K.col(b) = covarianceColumn(A, B.row(b), signalSd * signalSd);
+        work.done(A.X.size());
+    }
     return K;
 }
 
@@ -58,12 +63,37 @@ double factorise(Eigen::MatrixXd& K)
     return rcond;
 }
 
-/// B := L⁻¹ B.
-void solveLower(const Eigen::MatrixXd& L, Eigen::MatrixXd& B)
+/// work(first, count) for columns of B, each of which takes so many multiplications.
+template <class Work>
+void forColumns(const Eigen::MatrixXd& B, Eigen::Index each, const Poll& poll, Work work)
 {
-    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
-                blasSize(B.rows()), blasSize(B.cols()), 1.0, L.data(), blasSize(L.rows()), B.data(),
-                blasSize(B.rows()));
+    const Eigen::Index step = linesAtOnce(each);
+    for (Eigen::Index first = 0; first < B.cols(); first += step) {
+        callPoll(poll);
+        work(first, std::min(step, B.cols() - first));
+    }
+}
+
+/// B := L⁻¹ B.
+void solveLower(const Eigen::MatrixXd& L, Eigen::MatrixXd& B, const Poll& poll)
+{
+    forColumns(B, L.size() / 2, poll, [&](Eigen::Index first, Eigen::Index count) {
+        cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
+                    blasSize(B.rows()), blasSize(count), 1.0, L.data(), blasSize(L.rows()),
+                    &B(0, first), blasSize(B.rows()));
+    });
+}
+
+/// 1 + V Vᵀ, lower triangle.
+Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
+{
+    const int m = blasSize(V.rows());
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Identity(m, m);
+    forColumns(V, gram.size() / 2, poll, [&](Eigen::Index first, Eigen::Index count) {
+        cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, m, blasSize(count), 1.0, &V(0, first),
+                    m, 1.0, gram.data(), m);
+    });
+    return gram;
 }
 
 }  // namespace
@@ -74,30 +104,39 @@ double ProjectedProcess::errorBound() const
 }
 
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                                const std::vector<int>& inducing, const Hyperparameters& hyper)
+                                const std::vector<int>& inducing, const Hyperparameters& hyper,
+                                const Poll& poll)
 {
     check(X, y, inducing, hyper);
-    const Eigen::MatrixXd scaled = X.array().rowwise() / hyper.lengthScale.transpose().array();
-    if (!scaled.allFinite())
-        throw std::invalid_argument("projected process: an input overflows in length scales");
-    const Eigen::MatrixXd Z = scaled(inducing, Eigen::all);
-    Eigen::MatrixXd outer = covariance(Z, Z, hyper.signalSd);
+    const ScaledRows Z = inLengthScales(X, hyper).some(inducing);
+    Eigen::MatrixXd outer = covariance(Z, Z.X, hyper.signalSd, poll);
     outer.diagonal().array() += kProjectionJitter * hyper.signalSd * hyper.signalSd;
     ProjectedProcess process;
     process.rcond = factorise(outer);
 
     // V = L⁻¹ K_mn / σ_n, so that A = L (1 + V Vᵀ) Lᵀ is well conditioned.
-    Eigen::MatrixXd V = covariance(Z, scaled, hyper.signalSd) / hyper.noiseSd;
-    solveLower(outer, V);
-    Eigen::MatrixXd inner = Eigen::MatrixXd::Identity(Z.rows(), Z.rows());
-    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, blasSize(V.rows()), blasSize(V.cols()),
-                1.0, V.data(), blasSize(V.rows()), 1.0, inner.data(), blasSize(V.rows()));
+    Eigen::MatrixXd V = covariance(Z, X, hyper.signalSd, poll);
+    const Eigen::Index onePass =
+        V.rows() * static_cast<Eigen::Index>(kMostMultiplications / kMostRead);
+    forColumns(V, onePass, poll, [&](Eigen::Index first, Eigen::Index count) {
+        V.middleCols(first, count) /= hyper.noiseSd;
+    });
+    solveLower(outer, V, poll);
+    Eigen::MatrixXd inner = onePlusGram(V, poll);
     process.rcond = std::min(process.rcond, factorise(inner));
-    solveLower(inner, V);
+    solveLower(inner, V, poll);
 
-    const Eigen::VectorXd c = V * y / hyper.noiseSd;
-    const Eigen::ArrayXd fit = hyper.noiseSd * (V.transpose() * c).array();
-    const Eigen::ArrayXd hat = V.colwise().squaredNorm().transpose().array();
+    Eigen::VectorXd c = Eigen::VectorXd::Zero(V.rows());
+    forColumns(V, onePass, poll, [&](Eigen::Index first, Eigen::Index count) {
+        c += V.middleCols(first, count) * y.segment(first, count);
+    });
+    c /= hyper.noiseSd;
+    Eigen::ArrayXd fit(V.cols()), hat(V.cols());
+    forColumns(V, onePass, poll, [&](Eigen::Index first, Eigen::Index count) {
+        const auto some = V.middleCols(first, count);
+        fit.segment(first, count) = hyper.noiseSd * (some.transpose() * c).array();
+        hat.segment(first, count) = some.colwise().squaredNorm().transpose().array();
+    });
     process.leaveOneOut = (y.array() - fit) / (1.0 - hat).max(kLeastFreedom);
     process.weights = inner.triangularView<Eigen::Lower>().transpose().solve(c);
     outer.triangularView<Eigen::Lower>().transpose().solveInPlace(process.weights);

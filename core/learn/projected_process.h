@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/learn/hyperparameters.h"
+#include "core/poll.h"
 
 namespace terratact {
 
@@ -20,8 +21,8 @@ struct ProjectedProcess {
     double rcond =
         1.0;  ///< the lesser reciprocal condition number of K_mm and of L⁻¹ A L⁻ᵀ, K_mm = L Lᵀ; 1-norm
 
-    /// errorBoundAt(rcond) (gaussian_process.h).  The mean at a row is right to that of max |y|, a numerator of
-    /// leaveOneOut likewise, and its denominator to that itself.
+    /// errorBoundAt(rcond) (gaussian_process.h).  The mean at a row is right to that of max |y| or of σ_f² Σ |w|, whichever
+    /// is more, a numerator of leaveOneOut likewise, and its denominator to that itself.
     double errorBound() const;
 };
 
@@ -33,8 +34,9 @@ inline constexpr double kLeastFreedom = 1e-9;
 /// X: n × d standardised inputs; y: n outputs, centred; inducing: rows of X.
 /// Cost: n m² multiplications; memory: 2 n m doubles.
 /// Throws std::invalid_argument if sizes disagree, a number is not finite, σ_n is 0, a row does not exist
-/// or rcond would be below kLeastRcond (gaussian_process.h).
+/// or rcond would be below kLeastRcond (gaussian_process.h).  poll: every few milliseconds; what it throws comes out.
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                                const std::vector<int>& inducing, const Hyperparameters& hyper);
+                                const std::vector<int>& inducing, const Hyperparameters& hyper,
+                                const Poll& poll = {});
 
 }  // namespace terratact

@@ -89,7 +89,7 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
                                    std::vector<int> moving, Precision precision, const Poll& poll,
                                    const CovarianceKernels& kernels)
     : gp_(gp), kernels_(kernels), moving_(std::move(moving)),
-      scaledX_(static_cast<std::size_t>(gp.rows()) * moving_.size()),
+      X_(static_cast<std::size_t>(gp.rows()) * moving_.size()), perLength_(moving_.size()),
       logWeight_(static_cast<std::size_t>(gp.rows())), alpha_(static_cast<std::size_t>(gp.rows()))
 {
     if (x.size() != gp.inputs() || !x.allFinite())
@@ -118,14 +118,14 @@ void SceneConditional::takeRows(const Eigen::VectorXd& x, const std::vector<int>
         if (std::find(moving_.begin(), moving_.end(), d) == moving_.end())
             distance2.array() += ((gp_.X_.col(d).array() - x[d]) / scale[d]).square();
     const auto m = static_cast<Eigen::Index>(moving_.size());
+    for (Eigen::Index j = 0; j < m; ++j)
+        perLength_.data()[j] = 1.0 / scale[moving_[static_cast<std::size_t>(j)]];
     Eigen::Index place = 0;
     for (const int u : order) {
         logWeight_.data()[place] = -0.5 * distance2[u];
         alpha_.data()[place] = gp_.alpha_[u];
-        for (Eigen::Index j = 0; j < m; ++j) {
-            const int d = moving_[static_cast<std::size_t>(j)];
-            scaledX_.data()[place * m + j] = gp_.X_(u, d) / scale[d];
-        }
+        for (Eigen::Index j = 0; j < m; ++j)
+            X_.data()[place * m + j] = gp_.X_(u, moving_[static_cast<std::size_t>(j)]);
         ++place;
     }
 }
@@ -136,16 +136,14 @@ bool SceneConditional::sharesFactorWith(const SceneConditional& other) const
         && panelsSingle_ == other.panelsSingle_;
 }
 
-/// Columns first … first + count − 1 of the inputs, in length scales: m × 8.
-void SceneConditional::scaleInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count,
-                                   double* z) const
+/// Columns first … first + count − 1 of the inputs: m × 8.
+void SceneConditional::copyInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count,
+                                  double* z) const
 {
-    for (std::size_t j = 0; j < moving_.size(); ++j) {
-        const double scale = gp_.hyper_.lengthScale[moving_[j]];
+    for (std::size_t j = 0; j < moving_.size(); ++j)
         for (int c = 0; c < count; ++c)
             z[j * kGroup + static_cast<std::size_t>(c)] =
-                inputs(static_cast<Eigen::Index>(j), first + c) / scale;
-    }
+                inputs(static_cast<Eigen::Index>(j), first + c);
 }
 
 /// Writes the scene's covariances and means into the columns from `first` on of those that are predicted together.
@@ -154,7 +152,8 @@ template <class T>
 void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, PredictionRoom& room,
                                    const Poll& poll) const
 {
-    const CovarianceInput in{scaledX_.data(),
+    const CovarianceInput in{X_.data(),
+                             perLength_.data(),
                              logWeight_.data(),
                              alpha_.data(),
                              static_cast<int>(gp_.rows()),
@@ -168,7 +167,7 @@ void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, Pre
         const int column = first + c;
         const int lane = column % kGroup;
         count = std::min(kGroup - lane, n - c);
-        scaleInputs(inputs, c, count, room.z.data());
+        copyInputs(inputs, c, count, room.z.data());
         T* block = K.all.data() + entries(column / kGroup, 1) * blockSize(kept_);
         if (lane == 0) {
             clearPadding(block, kept_);

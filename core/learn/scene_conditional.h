@@ -36,7 +36,7 @@ private:
                                 const Poll& poll);
     void takeRows(const Eigen::VectorXd& x, const std::vector<int>& order);
     bool sharesFactorWith(const SceneConditional& other) const;
-    void scaleInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count, double* z) const;
+    void copyInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count, double* z) const;
     template <class T>
     void covariances(const Eigen::MatrixXd& inputs, int first, PredictionRoom& room,
                      const Poll& poll) const;
@@ -50,7 +50,8 @@ private:
     const CovarianceKernels& kernels_;
     std::vector<int> moving_;
     int kept_ = 0;                            // the first rows, which variances need
-    AlignedArray<double> scaledX_;            // U × m, row-major, in length scales
+    AlignedArray<double> X_;                  // U × m, row-major
+    AlignedArray<double> perLength_;          // m
     AlignedArray<double> logWeight_, alpha_;  // U
     const double* panels_ = nullptr;       // of the precision that is used; the other one is null
     const float* panelsSingle_ = nullptr;  // likewise

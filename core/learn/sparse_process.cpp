@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -13,7 +14,6 @@
 #include "core/learn/blas_size.h"
 #include "core/learn/cholesky.h"
 #include "core/learn/covariance_block.h"
-#include "core/learn/covariance_column.h"
 #include "core/learn/gaussian_process.h"
 #include "core/learn/inducing_rows.h"
 
@@ -21,12 +21,16 @@ namespace terratact {
 
 namespace {
 
-constexpr double kLeastPivot = 1e-8;   // of σ_f²: a row that adds less is not worth inducing
+/// Of σ_f²: a row that adds less is not worth inducing.  Where those that add more make K_mm singular, the next.
+constexpr double kLeastPivots[] = {1e-8, 1e-7, 1e-6};
 constexpr double kLeastLambda = 1e-9;  // of σ_f²
 constexpr int kCandidatesPerRow = 4;
+constexpr int kWorkOfACovariance = 4;  // units of PolledWork
 constexpr int kColumnsAtOnce = 64;     // of a product at once: enough that a factor is read seldom
 constexpr double kShare = 0.3;         // of the largest variance, for rows of a reduction
 constexpr double kMostReduced = 0.92;  // of the rows: more would save little
+constexpr int kPowerSteps = 32;  // enough for an eigenvalue that is too low by a tenth at most
+constexpr double kPowerLow = 1.1;
 
 std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
 {
@@ -36,33 +40,35 @@ std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
     return chosen;
 }
 
-/// Inducing rows, the factor of their covariance, K_mm = L Lᵀ, and V = L⁻¹ K_mn, transposed: n × m.
+/// Inducing rows, the factor of their covariance, K_mm = L Lᵀ, with its reciprocal condition number, and V = L⁻¹ K_mn,
+/// transposed: n × m.
 struct Inducing {
     std::vector<int> rows;
-    Eigen::MatrixXd L, V;
+    Eigen::MatrixXd L;
+    double rcond = 0.0;
+    Eigen::MatrixXd V{};
 };
 
 /// Reciprocal condition number of K = L Lᵀ, whose columns are covariances of the rows of Z.
-double conditionOf(const Eigen::MatrixXd& L, const Eigen::MatrixXd& Z, double signal2,
-                   const Poll& poll)
+double conditionOf(const Eigen::MatrixXd& L, const ScaledRows& Z, double signal2, const Poll& poll)
 {
     double norm = 0.0;
-    for (Eigen::Index k = 0; k < Z.rows(); ++k) {
+    for (Eigen::Index k = 0; k < Z.X.rows(); ++k) {
         callPoll(poll);
-        norm = std::max(norm, covarianceColumn(Z, Z.row(k), signal2).sum());
+        norm = std::max(norm, covarianceColumn(Z, Z.X.row(k), signal2).sum());
     }
     return reciprocalCondition(L.transpose(), norm, poll);
 }
 
 /// V = L⁻¹ K_mn, transposed, for rows that were chosen among some of X.
-Eigen::MatrixXd projection(const Eigen::MatrixXd& scaled, const std::vector<int>& rows,
+Eigen::MatrixXd projection(const ScaledRows& X, const std::vector<int>& rows,
                            const Eigen::MatrixXd& L, double signal2, const Poll& poll)
 {
     const Eigen::Index m = L.rows();
-    Eigen::MatrixXd V(scaled.rows(), m);
+    Eigen::MatrixXd V(X.X.rows(), m);
     for (Eigen::Index k = 0; k < m; ++k) {
         callPoll(poll);
-        V.col(k) = covarianceColumn(scaled, scaled.row(rows[static_cast<std::size_t>(k)]), signal2);
+        V.col(k) = covarianceColumn(X, X.X.row(rows[static_cast<std::size_t>(k)]), signal2);
     }
     const Eigen::Index step = linesAtOnce(m * m);
     for (Eigen::Index first = 0; first < V.rows(); first += step) {
@@ -74,19 +80,27 @@ Eigen::MatrixXd projection(const Eigen::MatrixXd& scaled, const std::vector<int>
     return V;
 }
 
-/// Among `candidates` of the rows.
-Inducing chooseAmong(const Eigen::MatrixXd& scaled, const std::vector<int>& candidates, int count,
+/// Among `candidates` of the rows, as many of `count` as K_mm stays well conditioned with.
+Inducing chooseAmong(const ScaledRows& X, const std::vector<int>& candidates, int count,
                      double signal2, const Poll& poll)
 {
-    InducingRows among =
-        chooseInducingRows(scaled(candidates, Eigen::all), signal2,
-                           {.most = count, .leastVariance = kLeastPivot * signal2}, poll);
-    Inducing inducing{{}, factorOf(among, poll), {}};
-    for (const int p : among.rows) inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
-    inducing.V = among.V.rows() == scaled.rows()  // then candidates are all rows, in order
-                   ? std::move(among.V)
-                   : projection(scaled, inducing.rows, inducing.L, signal2, poll);
-    return inducing;
+    for (const double least : kLeastPivots) {
+        InducingRows among = chooseInducingRows(
+            X.some(candidates), signal2, {.most = count, .leastVariance = least * signal2}, poll);
+        Inducing inducing{{}, factorOf(among, poll)};
+        for (const int p : among.rows)
+            inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
+        inducing.rcond = conditionOf(inducing.L, X.some(inducing.rows), signal2, poll);
+        if (!(inducing.rcond >= kLeastRcond)) continue;
+        inducing.V = among.V.rows() == X.X.rows()  // then candidates are all rows, in order
+                       ? std::move(among.V)
+                       : projection(X, inducing.rows, inducing.L, signal2, poll);
+        return inducing;
+    }
+    throw std::invalid_argument(
+        fmt::format("sparse Gaussian process: the covariance of its inducing rows is singular "
+                    "(reciprocal condition number below {:.0e})",
+                    kLeastRcond));
 }
 
 /// work(j) for every column of `each` numbers.
@@ -200,6 +214,54 @@ Explained explain(Eigen::MatrixXd& V, double signal2, double noise2, const Poll&
     return explained;
 }
 
+/// k(O, O) − V_O V_Oᵀ of the rows O that were not chosen: what those chosen leave of their covariance.
+Eigen::MatrixXd leftOf(const ScaledRows& X, const InducingRows& chosen, double signal2,
+                       const Poll& poll)
+{
+    const std::vector<int> others = rowsNotIn(chosen.rows, X.X.rows());
+    const ScaledRows O = X.some(others);
+    const int n = blasSize(O.X.rows());
+    const int m = blasSize(chosen.V.cols());
+    Eigen::MatrixXd V(n, m);
+    forColumns(m, n, poll, [&](Eigen::Index j) { V.col(j) = chosen.V.col(j)(others); });
+    Eigen::MatrixXd left(n, n);
+    PolledWork work(poll);
+    const int step = blasSize(linesAtOnce(static_cast<Eigen::Index>(m) * kColumnsAtOnce));
+    for (int first = 0; first < n; first += kColumnsAtOnce) {
+        const int columns = std::min(kColumnsAtOnce, n - first);
+        for (int j = first; j < first + columns; ++j) {
+            left.col(j) = covarianceColumn(O, O.X.row(j), signal2);
+            work.done(kWorkOfACovariance * n);
+        }
+        for (int row = 0; row < n; row += step) {
+            callPoll(poll);
+            cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, std::min(step, n - row), columns,
+                        m, -1.0, &V(row, 0), n, &V(first, 0), n, 1.0, &left(row, first), n);
+        }
+    }
+    return left;
+}
+
+/// The largest eigenvalue of a positive semidefinite matrix, by the power method from a start that no row prefers.
+double largestEigenvalue(const Eigen::MatrixXd& A, const Poll& poll)
+{
+    Eigen::VectorXd x(A.cols());
+    std::uint64_t state = 1;
+    for (double& value : x) {  // signs of a linear congruential generator
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        value = state >> 63U ? 1.0 : -1.0;
+    }
+    double largest = 0.0;
+    for (int step = 0; step < kPowerSteps && x.norm() > 0.0; ++step) {
+        x.normalize();
+        Eigen::VectorXd next = Eigen::VectorXd::Zero(x.size());
+        forColumns(A.cols(), A.rows(), poll, [&](Eigen::Index j) { next += x[j] * A.col(j); });
+        largest = next.norm();
+        x = std::move(next);
+    }
+    return largest;
+}
+
 /// F of SparseProcess; none as factorOfGain.
 std::optional<Eigen::MatrixXd> explainedFactor(Explained explained, const Eigen::MatrixXd& L,
                                                const Poll& poll)
@@ -222,24 +284,23 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
         throw std::invalid_argument(
             "sparse Gaussian process: the signal's variance underflows, or a variance overflows");
     const double noise2 = std::max(noise, kLeastLambda * signal2);
-    const Eigen::MatrixXd scaled = inLengthScales(X, hyper);
+    const ScaledRows scaled = inLengthScales(X, hyper);
     Inducing inducing = chooseAmong(
         scaled, evenlySpread(X.rows(), kCandidatesPerRow * static_cast<Eigen::Index>(count)), count,
         signal2, poll);
-    const Eigen::MatrixXd Z = scaled(inducing.rows, Eigen::all);
     Explained explained = explain(inducing.V, signal2, noise2, poll);
     SparseProcess sparse{inducing.rows,
                          inducing.V.transpose() * (y.array() * explained.lambda.rsqrt()).matrix(),
                          {},
                          (noise2 - noise) / (signal2 + noise)};
-    sparse.rcond = std::min({conditionOf(inducing.L, Z, signal2, poll), explained.rcond,
-                             explained.lambda.minCoeff() / (signal2 + noise)});
+    sparse.rcond = std::min(
+        {inducing.rcond, explained.rcond, explained.lambda.minCoeff() / (signal2 + noise)});
     const int m = blasSize(inducing.L.rows());
     if (!(sparse.rcond >= kLeastRcond))
-        throw std::invalid_argument(
-            fmt::format("sparse Gaussian process: a covariance of {} inducing rows is singular "
-                        "(reciprocal condition number below {:.0e})",
-                        m, kLeastRcond));
+        throw std::invalid_argument(fmt::format(
+            "sparse Gaussian process: a covariance through {} inducing rows is singular "
+            "(reciprocal condition number below {:.0e})",
+            m, kLeastRcond));
     LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', m, 1, explained.R.data(), m, sparse.weights.data(), m);
     cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, m, inducing.L.data(), m,
                 sparse.weights.data(), 1);
@@ -257,15 +318,18 @@ std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
     const double signal2 = hyper.signalSd * hyper.signalSd;
     const double noise2 = hyper.noiseSd * hyper.noiseSd;
     const double unexplained = kUnexplainedOfNoise * noise2;
-    if (!(unexplained > kLeastPivot * signal2) || !std::isnormal(signal2)) return std::nullopt;
+    if (!(unexplained > kLeastPivots[0] * signal2) || !std::isnormal(signal2)) return std::nullopt;
     const auto most = static_cast<Eigen::Index>(kMostReduced * static_cast<double>(X.rows()));
-    InducingRows chosen = chooseInducingRows(inLengthScales(X, hyper), signal2,
+    const ScaledRows scaled = inLengthScales(X, hyper);
+    InducingRows chosen = chooseInducingRows(scaled, signal2,
                                              {.most = most,
                                               .leastVariance = unexplained,
                                               .share = kShare,
                                               .mostHalfway = std::sqrt(signal2 * unexplained)},
                                              poll);
     if (chosen.left > unexplained || chosen.rows.empty()) return std::nullopt;
+    const double together = largestEigenvalue(leftOf(scaled, chosen, signal2, poll), poll);
+    if (!(kPowerLow * together <= kLeftTogether * noise2)) return std::nullopt;
     const Eigen::MatrixXd L = factorOf(chosen, poll);
     Explained explained = explain(chosen.V, signal2, noise2, poll);
     if (!(explained.rcond >= kLeastRcond)) return std::nullopt;

@@ -26,8 +26,8 @@ struct SparseProcess {
     double rcond = 1.0;
 };
 
-/// At most `count` inducing rows (core/learn/inducing_rows.h), fewer where those explain every row, among at most
-/// 4 · count evenly spread rows.
+/// At most `count` inducing rows (core/learn/inducing_rows.h), fewer where those explain every row or where the next ones
+/// would make K_mm singular, among at most 4 · count evenly spread rows.
 ///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
 /// poll: as in cholesky.h; what it throws comes out of here.
 /// Throws std::invalid_argument as requireTrainable, for count < 1, for numbers that overflow, and where rcond would
@@ -45,8 +45,15 @@ struct ReducedVariance {
 /// Of σ_n²: what may be left of the variance of a row, given the inducing rows.
 inline constexpr double kUnexplainedOfNoise = 1e-4;
 
-/// None where that takes more than 92 % of the rows, or no row, where half as many explain too little for that, or where σ_n² is too small to judge by (below 1e-4 σ_f²).
-/// X, hyper: of a GaussianProcess.  Cost: n m² + m³ multiplications; memory: 0.92 n² doubles, n m of them used, and 4 m².
+/// Of σ_n²: what the rows that are left out may still say together, the largest eigenvalue of k(X, X) − V Vᵀ
+/// (InducingRows).  Many that each say next to nothing may all say the same.  The variance of a prediction is then off by
+/// about that share of itself at most.
+inline constexpr double kLeftTogether = 1e-2;
+
+/// None where that takes more than 92 % of the rows, or no row, where half as many explain too little for that, where the
+/// rows left out say more than kLeftTogether, or where σ_n² is too small to judge by (below 1e-4 σ_f²).
+/// X, hyper: of a GaussianProcess.  Cost: n m² + m³ + (n − m)² m multiplications; memory: 0.92 n² doubles, n m of them used, and
+/// (n − m) n more or 4 m².
 std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
                                                const Hyperparameters& hyper, const Poll& poll = {});
 

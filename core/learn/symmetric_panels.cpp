@@ -16,6 +16,7 @@ namespace {
 constexpr int kPanel = SymmetricPanels::kPanelColumns;
 constexpr long kStride = long{kPanel} * kGroup;  // of a packed group
 constexpr int kCachedRows = 512;                 // their packed groups stay in a core's own cache
+constexpr long kUnitsOfTile = 512;               // of PolledWork: some microseconds
 
 int roundUp(int n, int multiple)
 {
@@ -53,8 +54,8 @@ void pack(const Eigen::MatrixXd& inverseL, PivotInverse& pivot)
 /// One matrix being inverted: the steps of SymmetricPanels::invert for one pivot block after the other.
 class Sweep {
 public:
-    Sweep(SymmetricPanels& A, Eigen::VectorXd& y)
-        : A_(A), y_(y), n_(A.paddedSize()), V_(packedRows(n_)), W_(packedRows(n_))
+    Sweep(SymmetricPanels& A, Eigen::VectorXd& y, const Poll& poll)
+        : A_(A), y_(y), work_(poll), n_(A.paddedSize()), V_(packedRows(n_)), W_(packedRows(n_))
     {
     }
 
@@ -78,6 +79,14 @@ private:
     double* group(AlignedArray<double>& packed, int row) const
     {
         return packed.data() + row / kGroup * kStride;
+    }
+
+    /// One tile of C −= A Bᵀ; polls.
+    void subtract(const double* a, const double* b, int length, double* C, long rowStride,
+                  long groupStride)
+    {
+        likelihoodKernels().subtractProducts(a, b, kStride, length, C, rowStride, groupStride);
+        work_.done(kUnitsOfTile);
     }
 
     bool invertPivot(SymmetricPanels::Factors& factors)
@@ -117,12 +126,11 @@ private:
     /// W = −V L⁻ᵀ; the sign cancels wherever W is used.
     void multiply()
     {
-        const auto subtract = likelihoodKernels().subtractProducts;
         W_.setZero();
         for (int i = 0; i < n_; i += kTileColumns) {
             if (isPivot(i)) continue;
             for (int j = 0; j < width_; j += kGroup)
-                subtract(group(inverse_.rows, j), group(V_, i), kStride, j + kGroup,
+                subtract(group(inverse_.rows, j), group(V_, i), j + kGroup,
                          group(W_, i) + static_cast<long>(j) * kGroup, kGroup, kStride);
         }
     }
@@ -152,25 +160,23 @@ private:
     /// A_ij −= W_i W_jᵀ for rows from … to of the lower triangle.
     void update(int from, int to)
     {
-        const auto subtract = likelihoodKernels().subtractProducts;
         for (int j = 0; j < to; j += kTileColumns) {
             if (isPivot(j)) continue;
             const int panel = j / kPanel;
             for (int i = std::max(from, j); i < to; i += kGroup)
                 if (!isPivot(i))
-                    subtract(group(W_, i), group(W_, j), kStride, width_,
-                             A_.row(panel, i) + j % kPanel, kPanel, kGroup);
+                    subtract(group(W_, i), group(W_, j), width_, A_.row(panel, i) + j % kPanel,
+                             kPanel, kGroup);
         }
     }
 
     /// A_·k = W L⁻¹ and A_kk = −L⁻ᵀ L⁻¹.
     void replaceColumns()
     {
-        const auto subtract = likelihoodKernels().subtractProducts;
         const auto tile = [&](const double* a, const double* b, int k, double* C) {
             for (int r = 0; r < kGroup; ++r) std::fill_n(C + long{r} * kPanel, kTileColumns, 0.0);
             const long skipped = static_cast<long>(k) * kGroup;  // zeros of the triangle
-            subtract(a + skipped, b + skipped, kStride, width_ - k, C, kPanel, kGroup);
+            subtract(a + skipped, b + skipped, width_ - k, C, kPanel, kGroup);
         };
         for (int k = 0; k < width_; k += kGroup)
             for (int j = 0; j < first_; j += kTileColumns)
@@ -184,6 +190,7 @@ private:
 
     SymmetricPanels& A_;
     Eigen::VectorXd& y_;
+    PolledWork work_;
     int n_;
     int panel_ = 0, first_ = 0, width_ = 0;
     AlignedArray<double> V_, W_;
@@ -192,9 +199,15 @@ private:
 
 }  // namespace
 
-SymmetricPanels::SymmetricPanels(int n)
-    : n_(n), padded_(roundUp(n, kGroup)), values_(count(offset(panels(), panels() * kPanelColumns)))
+SymmetricPanels::SymmetricPanels(int n, const Poll& poll)
+    : n_(n), padded_(roundUp(n, kGroup)),
+      values_(count(offset(panels(), panels() * kPanelColumns)), Unset{})
 {
+    constexpr std::size_t kAtOnce = std::size_t{1} << 19;  // the system gives the memory now
+    for (std::size_t from = 0; from < values_.size(); from += kAtOnce) {
+        callPoll(poll);
+        std::fill_n(values_.data() + from, std::min(kAtOnce, values_.size() - from), 0.0);
+    }
     for (int u = n_; u < padded_; ++u) row(u / kPanelColumns, u)[u % kPanelColumns] = 1.0;
 }
 
@@ -216,12 +229,12 @@ const double* SymmetricPanels::row(int panel, int u) const
     return values_.data() + offset(panel, u);
 }
 
-bool SymmetricPanels::invert(Eigen::VectorXd& y, Factors& factors)
+bool SymmetricPanels::invert(Eigen::VectorXd& y, Factors& factors, const Poll& poll)
 {
     factors = {};
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(padded_);
     solution.head(n_) = y;
-    Sweep sweep(*this, solution);
+    Sweep sweep(*this, solution, poll);
     for (int panel = 0; panel < panels(); ++panel)
         if (!sweep.pivot(panel, factors)) return false;
     y = solution.head(n_);

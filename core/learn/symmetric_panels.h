@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/learn/aligned_array.h"
+#include "core/poll.h"
 
 namespace terratact {
 
@@ -14,7 +15,8 @@ class SymmetricPanels {
 public:
     static constexpr int kPanelColumns = 96;
 
-    explicit SymmetricPanels(int n);
+    /// All zero but for the rows of the identity.  poll: here and below, every few milliseconds; what it throws comes out.
+    explicit SymmetricPanels(int n, const Poll& poll = {});
     SymmetricPanels(const SymmetricPanels&) = delete;
     SymmetricPanels& operator=(const SymmetricPanels&) = delete;
 
@@ -40,8 +42,8 @@ public:
     /// each block k of rows with A_kk = L Lᵀ and W = A_·k L⁻ᵀ
     ///   A_ij −= W_i W_jᵀ (i, j ≠ k),  A_·k = W L⁻¹,  A_kk = −L⁻ᵀ L⁻¹,
     /// n³ multiplications and additions in all, nearly all in one matrix product.
-    /// Returns false, the contents lost, where A is not positive definite (or not finite).
-    bool invert(Eigen::VectorXd& y, Factors& factors);
+    /// Returns false, the contents lost, where A is not positive definite (or not finite); they are also where it polls.
+    bool invert(Eigen::VectorXd& y, Factors& factors, const Poll& poll = {});
 
 private:
     long offset(int panel, int u) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -45,40 +46,58 @@ Hyperparameters fromLog(const Eigen::VectorXd& theta)
 struct Search {
     const Eigen::MatrixXd& X;
     const Eigen::VectorXd& y;
-    const std::function<bool()>& cancelled;
+    const Poll& poll;
     nlopt_opt optimiser;
     double best = std::numeric_limits<double>::infinity();
     Eigen::VectorXd bestTheta;
+    std::exception_ptr
+        thrown{};  ///< what must come out, though not through the optimiser, which is C
 };
+
+double uphill(unsigned n, double* gradient)
+{
+    if (gradient) std::fill(gradient, gradient + n, 0.0);
+    return std::numeric_limits<double>::max();
+}
 
 double objective(unsigned n, const double* x, double* gradient, void* context)
 {
     auto& search = *static_cast<Search*>(context);
-    if (search.cancelled && search.cancelled()) nlopt_force_stop(search.optimiser);
+    if (search.thrown) return uphill(n, gradient);  // a line search asks on for a while
     const Eigen::Map<const Eigen::VectorXd> theta(x, n);
+    const Poll poll = [&search] {
+        try {
+            callPoll(search.poll);
+        } catch (...) {  // whatever its type
+            search.thrown = std::current_exception();
+            throw;
+        }
+    };
     try {
-        const Likelihood value = negativeLogLikelihood(search.X, search.y, fromLog(theta));
+        const Likelihood value = negativeLogLikelihood(search.X, search.y, fromLog(theta), poll);
         if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, n) = value.gradient;
         if (value.negativeLog < search.best) {
             search.best = value.negativeLog;
             search.bestTheta = theta;
         }
         return value.negativeLog;
-    } catch (const std::invalid_argument&) {  // not positive definite here: uphill
-        if (gradient) std::fill(gradient, gradient + n, 0.0);
-        return std::numeric_limits<double>::max();
+    } catch (const std::invalid_argument&) {  // not positive definite here
+    } catch (...) {
+        search.thrown = std::current_exception();
     }
+    if (search.thrown) nlopt_force_stop(search.optimiser);
+    return uphill(n, gradient);
 }
 
 /// Best theta found in at most `evaluations` evaluations from `start`.
 Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                          const Eigen::VectorXd& start, int evaluations, const SearchBounds& bounds,
-                         const std::function<bool()>& cancelled, double& best)
+                         const Poll& poll, double& best)
 {
     const auto n = static_cast<unsigned>(start.size());
     const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
         nlopt_create(NLOPT_LD_LBFGS, n), &nlopt_destroy);
-    Search search{X, y, cancelled, optimiser.get(), std::numeric_limits<double>::infinity(), start};
+    Search search{X, y, poll, optimiser.get(), std::numeric_limits<double>::infinity(), start};
     Eigen::VectorXd low = Eigen::VectorXd::Constant(start.size(), std::log(0.05));
     Eigen::VectorXd high = Eigen::VectorXd::Constant(start.size(), std::log(1000.0));
     low.tail(2) << std::log(bounds.leastSignal), std::log(bounds.leastNoise);
@@ -91,6 +110,7 @@ Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
     Eigen::VectorXd theta = start.cwiseMax(low).cwiseMin(high);
     double value = 0.0;
     nlopt_optimize(optimiser.get(), theta.data(), &value);
+    if (search.thrown) std::rethrow_exception(search.thrown);
     best = search.best;
     return search.bestTheta;
 }
@@ -165,7 +185,7 @@ Eigen::VectorXd searchStart(Eigen::Index d, double outputSd)
 
 TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                               const Eigen::VectorXd& start, const TrainingOptions& options,
-                              const SearchBounds& bounds, const std::function<bool()>& cancelled)
+                              const SearchBounds& bounds, const Poll& poll)
 {
     Eigen::VectorXd theta = start;
     double best = 0.0;
@@ -174,18 +194,18 @@ TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y
     const bool thinned = static_cast<Eigen::Index>(rows.size()) < X.rows();
     if (thinned || options.fullEvaluations == 0)
         theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, bounds,
-                         cancelled, best);
+                         poll, best);
     if (options.fullEvaluations > 0) {
         const std::vector<int> full =
             drawRows(total, options.fullRows > 0 ? options.fullRows : total, options.seed);
-        theta = minimise(X(full, Eigen::all), y(full), theta, options.fullEvaluations, bounds,
-                         cancelled, best);
+        theta = minimise(X(full, Eigen::all), y(full), theta, options.fullEvaluations, bounds, poll,
+                         best);
     }
     return {fromLog(theta), -best};
 }
 
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
-                    const std::function<bool()>& cancelled)
+                    const Poll& poll)
 {
     const BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
     const Eigen::MatrixXd X =
@@ -193,7 +213,7 @@ TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const Train
     const Eigen::VectorXd y = model.scannedHeights.col(bin).array() - data.mean[bin];
     TrainingOptions ofBin = options;
     ofBin.seed += static_cast<std::uint64_t>(bin);
-    return maximiseLikelihood(X, y, searchStart(X.cols(), data.sd[bin]), ofBin, {}, cancelled);
+    return maximiseLikelihood(X, y, searchStart(X.cols(), data.sd[bin]), ofBin, {}, poll);
 }
 
 }  // namespace terratact

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "core/learn/model.h"
 #include "core/learn/scene.h"
+#include "core/poll.h"
 
 namespace terratact {
 
@@ -43,6 +43,10 @@ struct TrainingOptions {
     std::uint64_t seed = 1;      ///< draws the subsets
 };
 
+/// fullRows for a process that predicts through inducing rows.  A search on more finds shorter length scales, which want
+/// more inducing rows in turn.
+inline constexpr int kRowsOfSparseSearch = 1400;
+
 struct TrainedBin {
     Hyperparameters hyper;
     double logLikelihood = 0.0;  ///< log p(y | X) on the rows of the last search
@@ -60,15 +64,14 @@ Eigen::VectorXd searchStart(Eigen::Index d, double outputSd);
 /// Maximises log p(y | X) over θ = (log ℓ, log σ_f, log σ_n) with L-BFGS (NLopt) and analytic gradients, first
 /// on options.subset rows, then, where options.fullEvaluations > 0, on all of them or options.fullRows.
 ///   X: U × d, standardised; y: U, centred; start: d + 2, moved into the bounds.
-/// cancelled: polled at every evaluation; when true the best so far is returned.
+/// poll: every few milliseconds; what it throws comes out.
 /// Same data and seed: the same result on one machine.
 TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                               const Eigen::VectorXd& start, const TrainingOptions& options,
-                              const SearchBounds& bounds = {},
-                              const std::function<bool()>& cancelled = {});
+                              const SearchBounds& bounds = {}, const Poll& poll = {});
 
 /// The same for p(hᵢ | h_{J∖i}, s): outputs in metres within the default bounds.
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
-                    const std::function<bool()>& cancelled = {});
+                    const Poll& poll = {});
 
 }  // namespace terratact

@@ -111,6 +111,17 @@ double lowerBoundary(const TaperedHull& hull, double x)
     return lowest;
 }
 
+double reachOf(const RobotModel& robot)
+{
+    double reach = std::hypot(0.5 * robot.trackAxle, robot.trackZ) + robot.trackRadius;
+    for (const FlipperGeometry& f : {robot.front, robot.rear})
+        reach = std::max(reach, std::hypot(f.pivot.x, f.pivot.z)
+                                    + std::max(f.pivotRadius, f.axleDistance + f.tipRadius));
+    for (const auto& polygon : robot.body)
+        for (const Vec2 corner : polygon) reach = std::max(reach, std::hypot(corner.x, corner.z));
+    return reach;
+}
+
 double lowerBoundary(const std::vector<Vec2>& polygon, double x)
 {
     double lowest = kInfinity;

@@ -42,6 +42,9 @@ struct RobotShape {
 };
 RobotShape shapeAt(const RobotModel& robot, const Pose& pose);
 
+/// No point of the robot is further from its base's origin than this [m], whatever its flippers' angles.
+double reachOf(const RobotModel& robot);
+
 /// Lower boundary of one part over x; +infinity where the part is not above x.
 double lowerBoundary(const TaperedHull& hull, double x);
 double lowerBoundary(const std::vector<Vec2>& polygon, double x);

@@ -8,7 +8,8 @@ namespace terratact {
 
 namespace {
 
-constexpr double kBehind = 0.65;     // [m] the robot reaches this far behind its base
+constexpr double kBehind =
+    0.65;  // [m] of terrain behind the first base; before its begin it is level
 constexpr double kAhead = 0.80;      // [m] the last bin ends this far ahead at most
 constexpr double kSpeed = 0.3;       // [m/s]
 constexpr double kSlideStep = 0.01;  // [m]

@@ -12,10 +12,10 @@ namespace terratact {
 
 namespace {
 
-constexpr double kGravity = 9.81;    // [m/s²]
-constexpr double kReach = 0.75;      // [m] no part of the robot is further from its base in x
-constexpr double kMaxPitch = 1.2;    // [rad]
-constexpr double kMaxFlipper = 2.5;  // [rad] further up a flipper lies on the robot
+constexpr double kGravity = 9.81;     // [m/s²]
+constexpr double kLeastReach = 0.75;  // [m] of ground that is looked at on either side of the base
+constexpr double kMaxPitch = 1.2;     // [rad]
+constexpr double kMaxFlipper = 2.5;   // [rad] further up a flipper lies on the robot
 constexpr int kSoftIterations = 60;
 constexpr int kFinalIterations = 300;
 constexpr int kHalvings = 14;       // of a step that does not go down far enough
@@ -55,8 +55,8 @@ public:
     Potential(const RobotModel& robot, const TerrainProfile& terrain, double x,
               const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground)
         : robot_(robot), ground_(ground), frontTorque_(torqueOf(front)),
-          rearTorque_(torqueOf(rear)),
-          line_(terrain.sampled(x - kReach, x + kReach, ground.spacing)), looks_(line_.size())
+          rearTorque_(torqueOf(rear)), line_(lineUnder(robot, terrain, x, ground)),
+          looks_(line_.size())
     {
     }
 
@@ -91,6 +91,13 @@ public:
     }
 
 private:
+    static std::vector<Vec2> lineUnder(const RobotModel& robot, const TerrainProfile& terrain,
+                                       double x, const GroundOptions& ground)
+    {
+        const double reach = std::max(kLeastReach, reachOf(robot) + ground.skin);
+        return terrain.sampled(x - reach, x + reach, ground.spacing);
+    }
+
     double weight(const Pose& pose, Gradient& g) const
     {
         double energy = 0.0;

@@ -37,10 +37,7 @@ TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)
     stepInHalf = true;  // of the draws: a step of some 0.15 m
     exploration->setProbePolicy(ProbePolicy::Question);
     exploration->setStepLimit(1.0);  // certainly none so high: nothing to ask
-    blocked = true;
-    press();
-    ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     exploration->setStepLimit(kStepLimit);
     blocked = false;
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe)) << exploration->whyNotOffered().toStdString();
@@ -50,10 +47,7 @@ TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)
 
 TEST_F(Bench, aLimitChangedThereAndBackDuringAnEstimateHoldsNothingUp)
 {
-    blocked = true;
-    press();
-    ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     const double limit = exploration->options().stepLimit;
     exploration->setStepLimit(0.5);
     ASSERT_TRUE(answerIsQueued());
@@ -63,14 +57,29 @@ TEST_F(Bench, aLimitChangedThereAndBackDuringAnEstimateHoldsNothingUp)
     EXPECT_EQ(exploration->proposal()->stepLimit, limit);
 }
 
+TEST_F(Bench, anEstimateThatStandsWhenItIsStoppedHasItsAdviceAllTheSame)
+{
+    withDraws = true;
+    draws = 50'000;  // so many that the advice asks whether it is still wanted
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
+    workerHeld = true;
+    ASSERT_TRUE(answerIsQueued());
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->bestProbe()) << "not told yet";
+    exploration->stop();
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+    workerHeld = false;
+    EXPECT_TRUE(gui::eventually([this] { return exploration->bestProbe().has_value(); }));
+    EXPECT_FALSE(exploration->proposal());
+}
+
 /// Its estimate stands, for which advice for another limit is under way: the worker is held before it gives that.
 struct WaitingForAdvice : Bench {
     void wait()
     {
-        blocked = true;
-        press();
-        ASSERT_TRUE(reaches(AtemPhase::Estimating));
-        ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+        ASSERT_NO_FATAL_FAILURE(beginToEstimate());
         exploration->setStepLimit(0.2);
         workerHeld = true;
         ASSERT_TRUE(answerIsQueued());

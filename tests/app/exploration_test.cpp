@@ -179,13 +179,17 @@ TEST_F(Bench, aSamplingMethodsProcessesAreMadeBeforeAnybodyExplores)
     };
     ASSERT_TRUE(isMade(1));
     EXPECT_EQ(lastAsked().settings.method, Method::Pafc);
-    EXPECT_EQ(lastAsked().settings.draws, 1);
+    EXPECT_TRUE(lastAsked().prepares);
     EXPECT_FALSE(exploration->estimation().estimate()) << "nobody has asked for an estimate";
     tick(5);
     EXPECT_EQ(estimates, 1) << "once is enough";
     sampled.inducing = 300;
     exploration->setSettings(sampled);
     ASSERT_TRUE(isMade(2)) << "those of other settings";
+    exploration->setSecondMethod(Method::Pa);
+    ASSERT_TRUE(isMade(3)) << "those of the second method";
+    EXPECT_EQ(lastAsked().settings.method, Method::Pa);
+    EXPECT_TRUE(lastAsked().prepares);
     ASSERT_TRUE(begunToPress());
     ASSERT_TRUE(gui::eventually([this] {
         tick();
@@ -208,9 +212,7 @@ TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
     }));
     EXPECT_EQ(lastAsked().settings.method, Method::Pafc);
     EXPECT_EQ(lastAsked().settings.inducing, 300);
-    EXPECT_EQ(lastAsked().settings.draws, 1);
-    EXPECT_EQ(lastAsked().settings.chains, 1);
-    EXPECT_EQ(lastAsked().settings.burnIn, 0);
+    EXPECT_TRUE(lastAsked().prepares);
     tick(5);
     EXPECT_EQ(estimates, 1) << "no preview overtakes it";
     blocked = false;
@@ -230,6 +232,24 @@ TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
     telemetry.activity = RobotActivity::Pressed;
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Pafc);
+}
+
+TEST_F(Bench, aSecondMethodsProcessesWaitWhileTheFlippersMove)
+{
+    exploration->setSecondMethod(Method::Pafc);
+    blocked = true;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates == 1;
+    }));
+    EXPECT_TRUE(lastAsked().prepares);
+    ASSERT_TRUE(begunToPress());
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates == 2;
+    })) << "no preview overtakes them";
+    EXPECT_EQ(lastAsked().settings.method, Method::Local);
+    blocked = false;
 }
 
 TEST_F(Bench, aLivePreviewEndsWithTheExploration)
@@ -260,13 +280,25 @@ TEST_F(Bench, telemetryFromBeforeACommandIsNoAnswer)
     tick();  // halting
     tick();
     EXPECT_EQ(phase(), AtemPhase::Halting) << "this line may have been measured before the halt";
-    tick();
-    EXPECT_EQ(phase(), AtemPhase::Pressing);
     telemetry.activity = RobotActivity::Pressed;  // from an earlier exploration
     tick();
     EXPECT_EQ(phase(), AtemPhase::Pressing);
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Pressing) << "it was pressed before it was told to press";
     tickInSilence(3);
     EXPECT_EQ(phase(), AtemPhase::Pressing) << "without telemetry there is no answer at all";
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Estimating) << "a robot that stays pressed is";
+}
+
+TEST_F(Bench, aPressThatBeganSinceTheCommandIsItsAnswer)
+{
+    telemetry.activity = RobotActivity::Halted;
+    exploration->request();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressed;
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Estimating) << "a line later would be 50 ms later";
 }
 
 TEST_F(Bench, whyTheRobotRefusedIsTold)
@@ -349,10 +381,7 @@ TEST_F(Bench, anotherLimitAsksAnewAndAnAnswerToTheOldQuestionIsNone)
 
 TEST_F(Bench, aLimitChangedDuringAnEstimateIsThatOfItsQuestion)
 {
-    blocked = true;
-    press();
-    ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     exploration->setStepLimit(0.2);
     blocked = false;
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
@@ -456,13 +485,10 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
 
 TEST_F(Bench, anOfferThatComesWithTheStopIsNone)
 {
-    blocked = true;
-    press();
-    ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
-    ASSERT_TRUE(answerIsQueued());
-    QCoreApplication::processEvents();
-    ASSERT_TRUE(exploration->proposal()) << "offered, and not looked at yet";
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
+    blocked = false;
+    ASSERT_TRUE(gui::eventually([this] { return exploration->proposal().has_value(); }))
+        << "offered, and not looked at yet";
     exploration->stop();
     tick();
     EXPECT_EQ(phase(), AtemPhase::Stopped);
@@ -471,10 +497,7 @@ TEST_F(Bench, anOfferThatComesWithTheStopIsNone)
 
 TEST_F(Bench, anEstimateDuringWhichAModelIsChosenIsMadeWithThatModel)
 {
-    blocked = true;
-    press();
-    ASSERT_TRUE(reaches(AtemPhase::Estimating));
-    ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     worker->load([this]() -> Result<LoadedModel> {
         return LoadedModel{
             .estimate = [this](const EstimateRequest& r, const Watch& w) { return estimate(r, w); },

@@ -84,12 +84,12 @@ TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
     window->header()->setStop({.state = StopSight::State::NotSent, .why = "the bus is off"});
     window->header()->setAlarms(3, 12);
     QTest::qWait(100);
-    EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::overlapsWhenSettled(*window), std::vector<std::string>());
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     source->setSilent(true);
     ASSERT_TRUE(eventually([&] { return window->header()->linkText().startsWith("LINK LOST"); }));
     QTest::qWait(100);
-    EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
+    EXPECT_EQ(gui::overlapsWhenSettled(*window), std::vector<std::string>());
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     EXPECT_EQ(window->size(), least);
     EXPECT_EQ(window->minimumSize(), least);

@@ -1,7 +1,7 @@
-// How long an estimate makes a "cancel" wait: the longest work between two questions of its watch [ms of
-// processor time], from the very first estimate with a model (its Gaussian processes are factorised on the
-// way) and from a later one.  And what no question can divide: the first touch of a page of 2 MiB, which a virtual
-// machine may have to ask its host for.
+// How long an estimate, the advice on probes made of it, and training make a "cancel" wait: the longest work between two
+// questions of the watch [ms of processor time], from the very first estimate with a model (its Gaussian processes are
+// factorised on the way) and from a later one.  And what no question can divide: the first touch of a page of 2 MiB,
+// which a virtual machine may have to ask its host for.
 #include <benchmark/benchmark.h>
 #include <cblas.h>
 
@@ -15,10 +15,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/atem/arm_choice.h"
 #include "core/infer/estimator.h"
 #include "core/infer/quality.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/aligned_array.h"
+#include "core/learn/likelihood.h"
+#include "core/terrain/step.h"
 #include "tests/bench/shipped_model.h"
 #include "tests/support/toy_model.h"
 
@@ -103,7 +106,9 @@ Estimate estimateOf(const Scene& scene, const RobotModel& robot, const Settings&
     }
     auto models = std::make_shared<const Models>(shippedModel(), robot);
     return [=](const Watch& watch) {
-        benchmark::DoNotOptimize(estimateTerrain(scene.s, {}, robot, *models, settings, watch));
+        const TerrainEstimate estimate =
+            estimateTerrain(scene.s, {}, robot, *models, settings, watch);
+        benchmark::DoNotOptimize(adviseProbe(estimate, robot, kStepLimit, pollOf(watch)));
     };
 }
 
@@ -140,22 +145,68 @@ void efforts(benchmark::internal::Benchmark* bench)
             if (sensible) bench->Args({static_cast<long>(m), effort});
         }
 }
-/// As many bytes as a factorisation of 5600 rows holds.
+
+/// One evaluation of a likelihood, which a training makes many of.
+void cancelWaitsOfTraining(benchmark::State& state)
+{
+    openblas_set_num_threads(1);
+    constexpr Eigen::Index kInputs = 22;
+    const auto rows = static_cast<Eigen::Index>(state.range(0));
+    std::mt19937_64 rng(1);
+    std::normal_distribution<double> normal;
+    Eigen::MatrixXd X(rows, kInputs);
+    for (double& x : X.reshaped()) x = normal(rng);
+    Eigen::VectorXd y(rows);
+    for (double& value : y) value = 0.1 * normal(rng);
+    const Hyperparameters hyper{Eigen::VectorXd::Constant(kInputs, 4.0), 0.1, 0.03};
+    const auto evaluate = [&](const Watch& watch) {
+        benchmark::DoNotOptimize(negativeLogLikelihood(X, y, hyper, pollOf(watch)));
+    };
+    double first = 0.0, later = 0.0;
+    for (auto _ : state) {
+        first = longestWait(evaluate);
+        later = longestWait(evaluate);
+    }
+    state.SetLabel("training, " + std::to_string(rows) + " rows");
+    state.counters["first_ms"] = first;
+    state.counters["later_ms"] = later;
+}
+BENCHMARK(cancelWaitsOfTraining)
+    ->Arg(1400)
+    ->Arg(5600)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+/// Longest wait for `each` bytes that are written for the first time [ms].
+double longestTouch(char* fresh, std::size_t bytes, std::size_t each)
+{
+    constexpr std::size_t kPage = 4096;
+    double longest = 0.0;
+    for (std::size_t first = 0; first + each <= bytes; first += each) {
+        const double before = milliseconds();
+        for (std::size_t at = 0; at < each; at += kPage) fresh[first + at] = 1;
+        benchmark::ClobberMemory();
+        longest = std::max(longest, milliseconds() - before);
+    }
+    return longest;
+}
+
+/// As many bytes as a factorisation of 5600 rows holds, in pages of 2 MiB; then as many in 128 KiB, of 4 KiB each, which is
+/// what a thousand draws take.
 void touchesOfFreshPages(benchmark::State& state)
 {
     constexpr std::size_t kBytes = 5600UL * 5600UL * sizeof(double);
-    double longest = 0.0;
+    double huge = 0.0, small = 0.0;
     for (auto _ : state) {
-        AlignedArray<char> pages(kBytes, Unset{});
-        benchmark::DoNotOptimize(pages.data());
-        for (std::size_t at = 0; at < kBytes; at += kHugePage) {
-            const double before = milliseconds();
-            pages.data()[at] = 1;
-            benchmark::ClobberMemory();
-            longest = std::max(longest, milliseconds() - before);
+        {
+            AlignedArray<char> pages(kBytes, Unset{});
+            huge = longestTouch(pages.data(), kBytes, kHugePage);
         }
+        const std::unique_ptr<char[]> pages(new char[kBytes]);
+        small = longestTouch(pages.get(), kBytes, std::size_t{1} << 17);
     }
-    state.counters["longest_ms"] = longest;
+    state.counters["2_MiB_ms"] = huge;
+    state.counters["128_KiB_ms"] = small;
 }
 BENCHMARK(touchesOfFreshPages)->Iterations(1)->Unit(benchmark::kMillisecond);
 

@@ -141,9 +141,11 @@ void covariances(benchmark::State& state, const CovarianceKernels& kernels)
 {
     constexpr int U = 1400;
     constexpr int m = 8;
-    AlignedArray<double> X(U * m), logWeight(U), alpha(U), Z(m * kGroup), mean(kGroup);
+    AlignedArray<double> X(U * m), perLength(m), logWeight(U), alpha(U), Z(m * kGroup),
+        mean(kGroup);
     AlignedArray<float> K(static_cast<std::size_t>(paddedRows(U) * kGroup));
-    const CovarianceInput in{X.data(), logWeight.data(), alpha.data(), U, U, m, 1.0};
+    const CovarianceInput in{X.data(), perLength.data(), logWeight.data(), alpha.data(), U, U, m,
+                             1.0};
     for (auto _ : state) {
         kernels.covariancesSingle(in, Z.data(), K.data(), mean.data());
         benchmark::ClobberMemory();

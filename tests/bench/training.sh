@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What training costs: the paper's 22 processes, its growth with the rows, and a process of many rows through few.
+# What training costs: the paper's 22 processes, its growth with the rows, and processes of many rows through few.
 #   tests/bench/training.sh [build directory] [most rows]       default: build/headless 11200
-# The build directory holds an optimised build (presets headless, release).  Some minutes, 2 GB of memory.
+# The build directory holds an optimised build (presets headless, release).  Some twenty-five minutes, 4 GB of memory.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=$(realpath "${1:-build/headless}")
@@ -29,5 +29,5 @@ for ((rows = most; rows >= most / 32 && rows > 1; rows /= 2)); do sizes=("$rows"
   show train scenes.csv 1400
   show growth "${sizes[@]}"
   show sparse many.csv "$most" test.csv 6 0 300 600 1200
-  show sparse many.csv $((most * 2 / 5)) test.csv 6 0 300 600 1200
+  show sparse-bins many.csv "$most" test.csv 300 600 1200
 } | /usr/bin/python3 -B "$table"

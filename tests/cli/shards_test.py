@@ -12,11 +12,47 @@ import unittest
 from support import CLI, SOURCE, complaint, run
 
 
-def job_array():
-    """The commands for GNU parallel that docs/clusters.md shows, by the name of their heading."""
+def documented(heading):
+    """The lines that docs/clusters.md shows under a heading."""
     text = (pathlib.Path(SOURCE) / "docs/clusters.md").read_text()
-    section = text.split("## GNU parallel", 1)[1].split("\n## ", 1)[0]
-    return [line.strip() for line in section.splitlines() if line.startswith("    ")]
+    section = text.split(f"## {heading}", 1)[1].split("\n## ", 1)[0]
+    return [line.strip() for line in section.splitlines() if line.startswith("    ") or not line]
+
+
+def job_array():
+    """The commands for GNU parallel."""
+    return [line for line in documented("GNU parallel") if line]
+
+
+# What stands in for Slurm: runs a job at once, one task of its array after the other, in an order that no script may
+# count on; refuses to run before the jobs it is said to depend on.
+SBATCH = r"""#!/bin/sh -e
+parsable= script= array=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --parsable) parsable=1 ;;
+    --dependency=afterok:*) grep -qx "${1##*:}" jobs ;;
+    --wrap) printf '#!/bin/sh\n%s\n' "$2" >wrapped.sh; script=wrapped.sh; shift ;;
+    -*) echo "sbatch: $1 is not known" >&2; exit 1 ;;
+    *) script=$1 ;;
+  esac
+  shift
+done
+array=$(sed -n 's/^#SBATCH .*--array=\([0-9]*-[0-9]*\).*/\1/p' "$script")
+first=${array%-*} last=${array#*-}
+if [ "$array" ]; then
+  for SLURM_ARRAY_TASK_ID in $(seq "$last" -1 "$first"); do
+    export SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT=$((last - first + 1))
+    sh -e "$script" >&2
+  done
+else
+  sh -e "$script" >&2
+fi
+echo job >>jobs
+id=$(wc -l <jobs)
+sed -i "s/^job$/$id/" jobs
+if [ "$parsable" ]; then echo "$id"; else echo "Submitted batch job $id"; fi
+"""
 
 
 class Shards(unittest.TestCase):
@@ -161,8 +197,7 @@ class Shards(unittest.TestCase):
         complaint("merge", "--out", "never.ttm", code=2)
 
     def test_the_documented_job_array_of_gnu_parallel_gives_what_one_run_gives(self):
-        if not shutil.which("parallel"):
-            self.skipTest("GNU parallel is not installed (apt-get install parallel)")
+        self.assertTrue(shutil.which("parallel"), "GNU parallel is not installed: cmake/setup.sh test installs it")
         for name in ("array", "alone"):
             os.makedirs(name)
             shutil.copy("scenes.csv", name)
@@ -176,6 +211,31 @@ class Shards(unittest.TestCase):
             self.shell(shlex.join(alone).replace("'part_{}.ttp'", "model.ttm"), "alone")
         self.assertEqual(pathlib.Path("array/model.ttm").read_bytes(), pathlib.Path("alone/model.ttm").read_bytes())
         self.assert_same_evaluation("alone/evaluation", "array/evaluation")
+
+    def test_the_documented_jobs_of_slurm_give_what_one_run_gives(self):
+        os.makedirs("slurm/bin")
+        shutil.copy("scenes.csv", "slurm")
+        sbatch = pathlib.Path("slurm/bin/sbatch")
+        sbatch.write_text(SBATCH)
+        sbatch.chmod(0o755)
+        commands, script = [], None
+        for line in documented("Slurm"):
+            if line.startswith("$ cat "):
+                script = pathlib.Path("slurm", line.removeprefix("$ cat "))
+                script.write_text("")
+            elif line.startswith("$ "):
+                commands.append(line.removeprefix("$ "))
+            elif line:
+                few = line.replace("--array=1-32", "--array=1-3")  # each of them fits the baselines anew
+                script.write_text(f"{script.read_text()}{few}\n")
+        self.assertEqual(len(commands), 4)
+        self.shell("PATH=$PWD/bin:$PATH\n" + "\n".join(commands), "slurm")
+        os.makedirs("whole")
+        shutil.copy("scenes.csv", "whole")
+        self.shell("terratact train --data scenes.csv --out model.ttm --seed 1\n"
+                   "terratact evaluate --model model.ttm --data scenes.csv --out evaluation", "whole")
+        self.assertEqual(pathlib.Path("slurm/model.ttm").read_bytes(), pathlib.Path("whole/model.ttm").read_bytes())
+        self.assert_same_evaluation("whole/evaluation", "slurm/evaluation")
 
 
 if __name__ == "__main__":

@@ -61,7 +61,7 @@ struct Bench : testing::Test {
         if (watch.cancelled()) throw Cancelled{};
         if (broken) throw std::runtime_error("the covariance is not positive definite");
         TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
-        if (withDraws) e.draws.assign(200, e.height);  // all of them with the step
+        if (withDraws) e.draws.assign(draws, e.height);  // all of them with the step
         if (stepInHalf)
             for (std::size_t d = 0; d < e.draws.size(); d += 2) e.draws[d].fill(e.height[0]);
         e.settings = request.settings;
@@ -161,6 +161,14 @@ struct Bench : testing::Test {
         ASSERT_TRUE(reaches(AtemPhase::Pressing));
         telemetry.activity = RobotActivity::Pressed;
     }
+    /// Until an estimate is under way, which ends when it is no more blocked.
+    void beginToEstimate()
+    {
+        blocked = true;
+        press();
+        ASSERT_TRUE(reaches(AtemPhase::Estimating));
+        ASSERT_TRUE(gui::eventually([this] { return estimates > 0; }));
+    }
     void propose()
     {
         press();
@@ -169,6 +177,7 @@ struct Bench : testing::Test {
 
     std::atomic<int> estimates = 0;
     std::atomic<bool> blocked = false, broken = false, withDraws = false, stepInHalf = false;
+    std::atomic<std::size_t> draws = 200;
     std::atomic<bool> secondBlocked = false;  ///< and previews
     std::atomic<bool> workerHeld = false;
     ScriptedSource source;

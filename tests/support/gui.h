@@ -296,6 +296,13 @@ inline std::vector<std::string> overlaps(const QWidget& window)
     return found;
 }
 
+/// Those that remain once the layout has come to rest.
+inline std::vector<std::string> overlapsWhenSettled(const QWidget& window)
+{
+    (void)eventually([&] { return overlaps(window).empty(); }, 2000);
+    return overlaps(window);
+}
+
 /// All of that, with what it is.
 inline std::vector<std::string> cramped(const QWidget& window)
 {

@@ -96,9 +96,9 @@ def main():
             print(f"{build}: the compiler is not installed, not compared")
     for name, text in results.items():
         print(f"{name:<28} {' '.join(text.split())}")
-    if len(results) < 3:
-        print("SKIPPED: there is only one build")
-        return 77
+    if len(results) < 3 or len({name.split(":")[0] for name in results}) < 2:
+        print("SKIPPED: there is only one build, or one compiler")
+        return 77 if len(set(results.values())) <= 1 else 1
     return 0 if len(set(results.values())) == 1 else 1
 
 

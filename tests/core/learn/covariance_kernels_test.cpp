@@ -36,18 +36,23 @@ struct Covariances {
     {
         for (int u = 0; u < U; ++u)
             weight.data()[u] = -std::abs(weight.data()[u]) * (u == 3 ? 1e4 : 1.0);
-        in = {X.data(), weight.data(), alpha.data(), U, U, 5, 2.5};
+        in = {X.data(), perLength.data(), weight.data(), alpha.data(), U, U, 5, 2.5};
+        for (int j = 0; j < 5; ++j) perLength.data()[j] = 0.5 + 0.25 * j;
     }
     double expected(int u, int c) const
     {
         double exponent = weight.data()[u];
         for (int j = 0; j < 5; ++j)
-            exponent -= 0.5 * std::pow(X.data()[u * 5 + j] - Z.data()[j * kGroup + c], 2);
+            exponent -=
+                0.5
+                * std::pow((X.data()[u * 5 + j] - Z.data()[j * kGroup + c]) * perLength.data()[j],
+                           2);
         return 2.5 * std::exp(exponent);
     }
 
     std::mt19937_64 rng{1};
     AlignedArray<double> X;
+    AlignedArray<double> perLength{5};
     AlignedArray<double> weight = random<double>(1000, rng);
     AlignedArray<double> alpha = random<double>(1000, rng);
     AlignedArray<double> Z = random<double>(5 * kGroup, rng);
@@ -140,8 +145,8 @@ TEST(CovarianceKernels, haveTheExponentialToTheLastBits)
     AlignedArray<double> none(1), weight(U), alpha(U), K(U * kGroup), mean(kGroup);
     for (int u = 0; u < U; ++u) weight.data()[u] = -5.0 * u / (U - 1);
     for (const CovarianceKernels* kernels : variants()) {
-        kernels->covariances({none.data(), weight.data(), alpha.data(), U, U, 0, 1.0}, none.data(),
-                             K.data(), mean.data());
+        kernels->covariances({none.data(), none.data(), weight.data(), alpha.data(), U, U, 0, 1.0},
+                             none.data(), K.data(), mean.data());
         for (int u = 0; u < U; ++u) {
             const double expected = std::exp(weight.data()[u]);
             EXPECT_NEAR(K.data()[u * kGroup], expected, 4e-16 * expected)

@@ -136,7 +136,8 @@ void expectRight(const Data& data, const GaussianProcess& gp, const SomeReferenc
         const Normal got = gp.predict(x);
         const Normal expected = reference.predict(x);
         ASSERT_TRUE(std::isfinite(got.mean) && std::isfinite(got.variance)) << what;
-        EXPECT_NEAR(got.mean, expected.mean, gp.errorBound() * size) << what;
+        EXPECT_NEAR(got.mean, expected.mean, std::min(gp.errorBound() * size, gp.meanErrorBound()))
+            << what;
         EXPECT_NEAR(got.variance, expected.variance, gp.errorBound() * prior) << what;
         note(std::abs(got.mean - expected.mean) / size, gp.errorBound());
         note(std::abs(got.variance - expected.variance) / prior, gp.errorBound());
@@ -290,6 +291,50 @@ TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
         EXPECT_THROW(scene.predict(Eigen::MatrixXd::Constant(1, 3, bad), mean, variance),
                      std::invalid_argument);
     }
+}
+
+/// Rows a length scale of 1e-8 apart around 1: inputs in length scales would have rounded to 1e-8 of one.
+TEST(GaussianProcess, ofRowsThatLieTinyLengthScalesApartIsRight)
+{
+    Data data = dataOf(Kind::Plain, 40, 1e-8, 0.3, 0.1);
+    data.X = (1.0 + 1e-8 * data.X.array()).matrix();
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
+    EXPECT_EQ(gp.errorBound(), 1e-9);
+    const Reference reference(data, gp.jitter());
+    for (const double beside : {0.0, 0.7e-8, -1.3e-8}) {
+        const Eigen::Vector3d x = data.X.row(3).transpose().array() + beside;
+        const Normal expected = reference.predict(x);
+        EXPECT_NEAR(gp.predict(x).mean, expected.mean, 1e-12);
+        EXPECT_NEAR(gp.predict(x).variance, expected.variance, 1e-12);
+        EXPECT_GT(std::abs(expected.mean), 0.01);
+    }
+    const double likelihood = negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog;
+    data.X = ((data.X.array() - 1.0) * std::ldexp(1.0, 27)).matrix();  // exact
+    data.hyper.lengthScale *= std::ldexp(1.0, 27);
+    EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, likelihood, 1e-10);
+}
+
+/// Neighbours that contradict each other: weights cancel in every mean.
+TEST(GaussianProcess, ofOutputsThatSmoothnessCannotExplainIsRightToItsBound)
+{
+    double worst = 0.0;
+    for (const double noise : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5})
+        for (const double length : {0.05, 0.3, 2.0}) {
+            Data data = dataOf(Kind::Plain, 60, length, 1.0, noise);
+            for (Eigen::Index u = 0; u < 60; ++u) {
+                data.X.row(u) << 0.02 * static_cast<double>(u), 0.0, 0.0;
+                data.y[u] = u % 2 == 0 ? 1.0 : -1.0;
+            }
+            const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
+            const Reference reference(data, gp.jitter());
+            for (const double beside : {0.0, 1.0, 2.0, 3.0}) {
+                const Eigen::Vector3d x(1.2 + beside * length, 0.0, 0.0);
+                const double error = std::abs(gp.predict(x).mean - reference.predict(x).mean);
+                EXPECT_LE(error, gp.meanErrorBound()) << noise << ' ' << length << ' ' << beside;
+                worst = std::max(worst, error / gp.errorBound());
+            }
+        }
+    EXPECT_GT(worst, 1.0) << "max |y| alone would not have been enough";
 }
 
 TEST(GaussianProcess, aRowAtTenToTheTwoHundredChangesNothingElsewhere)

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/learn/covariance_block.h"
-#include "core/learn/covariance_column.h"
 #include "core/learn/covariance_kernels.h"
 
 namespace terratact {
@@ -17,19 +16,20 @@ namespace {
 
 constexpr double kSignal2 = 1.7;
 
-Eigen::MatrixXd someRows(Eigen::Index n, Eigen::Index d)
+ScaledRows someRows(Eigen::Index n, Eigen::Index d, double spread = 1.0)
 {
     std::mt19937_64 rng(4);
     std::normal_distribution<double> normal;
     Eigen::MatrixXd X(n, d);
-    for (double& x : X.reshaped()) x = 0.7 * normal(rng);
-    return X;
+    for (double& x : X.reshaped()) x = 0.7 * spread * normal(rng);
+    return {X, Eigen::RowVectorXd::Ones(d)};
 }
 
-Eigen::MatrixXd covariance(const Eigen::MatrixXd& X)
+Eigen::MatrixXd covariance(const ScaledRows& X)
 {
-    Eigen::MatrixXd K(X.rows(), X.rows());
-    for (Eigen::Index u = 0; u < X.rows(); ++u) K.col(u) = covarianceColumn(X, X.row(u), kSignal2);
+    Eigen::MatrixXd K(X.X.rows(), X.X.rows());
+    for (Eigen::Index u = 0; u < K.cols(); ++u)
+        K.col(u) = covarianceColumn(X, X.X.row(u), kSignal2);
     return K;
 }
 
@@ -43,7 +43,7 @@ Eigen::VectorXd given(const Eigen::MatrixXd& K, const std::vector<int>& rows)
 
 TEST(InducingRows, areThoseWithTheLargestVarianceGivenTheOnesBeforeOrAShareOfIt)
 {
-    const Eigen::MatrixXd X = someRows(150, 4);
+    const ScaledRows X = someRows(150, 4);
     const Eigen::MatrixXd K = covariance(X);
     for (const double share : {1.0, 0.6, 0.3}) {
         const RowsWanted wanted{.most = 60, .share = share};
@@ -68,7 +68,7 @@ TEST(InducingRows, areThoseWithTheLargestVarianceGivenTheOnesBeforeOrAShareOfIt)
 
 TEST(InducingRows, areGivenUpHalfwayWhereTooMuchIsLeft)
 {
-    const Eigen::MatrixXd X = someRows(150, 4);
+    const ScaledRows X = someRows(150, 4);
     const double halfway = chooseInducingRows(X, kSignal2, {.most = 30}).left;
     const auto count = [&](double most) {
         return chooseInducingRows(X, kSignal2, {.most = 60, .mostHalfway = most}).rows.size();
@@ -79,7 +79,7 @@ TEST(InducingRows, areGivenUpHalfwayWhereTooMuchIsLeft)
 
 TEST(InducingRows, comeWithTheFactorOfTheirCovarianceAndWhatTheySayOfTheOthers)
 {
-    const Eigen::MatrixXd X = someRows(150, 4);
+    const ScaledRows X = someRows(150, 4);
     const Eigen::MatrixXd K = covariance(X);
     for (const double share : {1.0, 0.3}) {
         const InducingRows chosen = chooseInducingRows(X, kSignal2, {.most = 70, .share = share});
@@ -94,7 +94,7 @@ TEST(InducingRows, comeWithTheFactorOfTheirCovarianceAndWhatTheySayOfTheOthers)
 
 TEST(InducingRows, areAsManyAsExplainTheOthers)
 {
-    const Eigen::MatrixXd X = someRows(200, 3);
+    const ScaledRows X = someRows(200, 3);
     const Eigen::MatrixXd K = covariance(X);
     std::vector<std::size_t> counts;
     for (const double share : {1.0, 0.3}) {
@@ -113,12 +113,12 @@ TEST(InducingRows, areAsManyAsExplainTheOthers)
 
 TEST(InducingRows, areFewerWhereRowsRepeatAndAllWhereNoneExplainsAnother)
 {
-    Eigen::MatrixXd X = someRows(60, 3);
-    for (Eigen::Index u = 10; u < 60; ++u) X.row(u) = X.row(u % 10);
+    ScaledRows X = someRows(60, 3);
+    for (Eigen::Index u = 10; u < 60; ++u) X.X.row(u) = X.X.row(u % 10);
     EXPECT_EQ(chooseInducingRows(X, kSignal2, {.most = 60, .leastVariance = 1e-8, .share = 0.5})
                   .rows.size(),
               10U);
-    const InducingRows all = chooseInducingRows(1e4 * someRows(60, 3), kSignal2,
+    const InducingRows all = chooseInducingRows(someRows(60, 3, 1e4), kSignal2,
                                                 {.most = 60, .leastVariance = 1e-8, .share = 0.5});
     EXPECT_EQ(all.rows.size(), 60U);
     EXPECT_EQ(all.left, 0.0);
@@ -130,7 +130,7 @@ TEST(InducingRows, areFewerWhereRowsRepeatAndAllWhereNoneExplainsAnother)
 TEST(InducingRows, leaveAtEveryPoll)
 {
     struct Stop {};
-    const Eigen::MatrixXd X = someRows(200, 3);
+    const ScaledRows X = someRows(200, 3);
     const auto choose = [&](const Poll& poll) {
         return factorOf(chooseInducingRows(X, kSignal2, {.most = 80, .share = 0.5}, poll), poll);
     };
@@ -148,7 +148,8 @@ TEST(InducingRows, leaveAtEveryPoll)
 
 TEST(CovarianceBlock, hasTheFormulasCovariancesForUpToEightColumns)
 {
-    const Eigen::MatrixXd X = someRows(21, 5);
+    ScaledRows X = someRows(21, 5);
+    X.perLength << 0.1, 0.5, 1.0, 2.0, 3.0;
     const Eigen::MatrixXd K = covariance(X);
     CovarianceBlock block(X, kSignal2);
     for (const std::vector<int>& columns :
@@ -163,10 +164,13 @@ TEST(CovarianceBlock, hasTheFormulasCovariancesForUpToEightColumns)
 
 TEST(CovarianceBlock, lengthScalesThatOverflowAreRefused)
 {
-    Eigen::MatrixXd X = someRows(3, 2);
-    const Hyperparameters hyper{Eigen::Vector2d(1.0, 1e-300), 1.0, 0.1};
-    EXPECT_TRUE(inLengthScales(X, hyper).allFinite());
+    Eigen::MatrixXd X = someRows(3, 2).X;
+    Hyperparameters hyper{Eigen::Vector2d(1.0, 1e-300), 1.0, 0.1};
+    EXPECT_DOUBLE_EQ(inLengthScales(X, hyper).perLength[1], 1e300);
     X(2, 1) = 1e200;
+    EXPECT_THROW((void)inLengthScales(X, hyper), std::invalid_argument);
+    X(2, 1) = 0.0;
+    hyper.lengthScale[1] = 1e-310;
     EXPECT_THROW((void)inLengthScales(X, hyper), std::invalid_argument);
 }
 

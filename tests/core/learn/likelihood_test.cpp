@@ -233,5 +233,22 @@ TEST(Likelihood, needsLessThanFourTimesItsRowsSquared)
     EXPECT_GT(doubles, 0.4 * 1200.0 * 1200.0);  // it was measured at all
 }
 
+TEST(Likelihood, asksThePollAllTheTimeAndLetsOutWhatItThrows)
+{
+    struct Stop {};
+    const Data data = someData(400, 3);
+    int polls = 0;
+    (void)negativeLogLikelihood(data.X, data.y, data.hyper, [&] { ++polls; });
+    EXPECT_GT(polls, 50);
+    for (int last = 1; last <= polls; last += 5) {
+        int left = last;
+        EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y, data.hyper,
+                                                 [&] {
+                                                     if (--left == 0) throw Stop{};
+                                                 }),
+                     Stop);
+    }
+}
+
 }  // namespace
 }  // namespace terratact

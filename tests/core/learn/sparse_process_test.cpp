@@ -91,6 +91,28 @@ TEST(SparseProcess, choosesEachRowOnceAndStopsWhereRowsRepeat)
     EXPECT_EQ(sparseProcess(data.X, data.y, 30, data.hyper).inducing.size(), 10U);
 }
 
+/// So many rows that their covariance would be singular, though each adds something: without the last ones it is not.
+TEST(SparseProcess, takesNoMoreRowsThanItsCovarianceBears)
+{
+    std::mt19937_64 rng(1);
+    std::normal_distribution<double> normal;
+    Eigen::MatrixXd X(900, 5);
+    for (double& x : X.reshaped()) x = normal(rng);
+    const Eigen::VectorXd y = X.col(0).array().sin();
+    const Hyperparameters hyper{Eigen::VectorXd::Constant(5, 3.0), 1.2, 0.2};
+    const SparseProcess p = sparseProcess(X, y, 850, hyper);
+    EXPECT_GE(p.rcond, kLeastRcond);
+    EXPECT_GT(p.inducing.size(), 300U);
+    EXPECT_LT(p.inducing.size(), 748U) << "so many were singular";
+    const GaussianProcess exact(X, y, hyper, 0.0);
+    const auto sparse = GaussianProcess::sparse(X, y, 850, hyper, 0.0);
+    for (const double at : {0.0, 0.8, 2.0}) {
+        const Eigen::VectorXd x = Eigen::VectorXd::Constant(5, at);
+        EXPECT_NEAR(sparse->predict(x).mean, exact.predict(x).mean, 1e-4);
+        EXPECT_NEAR(sparse->predict(x).variance, exact.predict(x).variance, 1e-4);
+    }
+}
+
 /// Largest difference of |F k_m|² from kᵀ (K + σ_n²)⁻¹ k, as a share of the variance, at rows and beside them.
 double worstOf(const ReducedVariance& reduced, const Data& data)
 {
@@ -137,6 +159,23 @@ TEST(ReducedVariance, isNotThereWhereItSavesNothingOrCannotBeJudged)
     data.hyper.noiseSd = 1e-156;
     EXPECT_FALSE(reducedVariance(data.X, data.hyper));
     EXPECT_FALSE(reducedVariance(data.X.topRows(1), Data(1).hyper));
+}
+
+/// Rows beside one place, none of which is worth choosing: together they know the slope there.
+TEST(ReducedVariance, isNotThereWhereManyRowsSayTogetherWhatNoneOfThemSays)
+{
+    const double perRow = 0.9 * kUnexplainedOfNoise * 0.2 * 0.2 / (1.2 * 1.2);  // of σ_f²
+    const auto rows = [perRow](int count) {
+        Data data(count);
+        data.hyper.lengthScale.setConstant(1.0);
+        data.X.setZero();
+        for (int u = 1; u < count; ++u) data.X(u, 0) = (u % 2 == 0 ? 1 : -1) * std::sqrt(perRow);
+        return data;
+    };
+    const auto few = reducedVariance(rows(100).X, rows(100).hyper);
+    ASSERT_TRUE(few) << "these say 0.9 % of the noise";
+    EXPECT_EQ(few->rows, std::vector<int>{0});
+    EXPECT_FALSE(reducedVariance(rows(150).X, rows(150).hyper));
 }
 
 TEST(ReducedVariance, leavesAtEveryPoll)

@@ -88,10 +88,18 @@ TEST(TrainBin, givesTheSameForTheSameSeedAndStopsWhenCancelled)
     const TrainedBin b = trainBin(model, FeatureSet::Paf, 0, options);
     EXPECT_EQ(a.hyper.lengthScale, b.hyper.lengthScale);
     EXPECT_EQ(a.logLikelihood, b.logLikelihood);
-    int calls = 0;
-    options.fullEvaluations = 1000;
-    (void)trainBin(model, FeatureSet::Paf, 0, options, [&] { return ++calls > 3; });
-    EXPECT_LT(calls, 20);
+    struct Stop {};
+    int polls = 0;
+    (void)trainBin(model, FeatureSet::Paf, 0, options, [&] { ++polls; });
+    EXPECT_GT(polls, 100);
+    for (const int last : {1, 2, 3, polls / 2, polls}) {
+        int asked = 0;
+        const Poll stop = [&] {
+            if (++asked == last) throw Stop{};
+        };
+        EXPECT_THROW((void)trainBin(model, FeatureSet::Paf, 0, options, stop), Stop);
+        EXPECT_EQ(asked, last) << "asked no more once it threw";
+    }
 }
 
 }  // namespace

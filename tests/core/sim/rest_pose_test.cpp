@@ -224,6 +224,24 @@ TEST(RestPose, looksAtNoMoreOfALongTerrainThanOfThePieceUnderTheRobot)
     EXPECT_GT(onAll->terrainPoints, 300U);  // 1.5 m in steps of 5 mm
 }
 
+/// Its flippers, held level, end further away than those of the robot that the others of these tests have.
+TEST(RestPose, ofALargerRobotIsOnTheGroundWithAllOfIt)
+{
+    for (const double axleDistance : {0.319, 0.7, 1.0}) {
+        RobotModel robot = absolem();
+        for (FlipperGeometry* f : {&robot.front, &robot.rear}) f->axleDistance = axleDistance;
+        // A wall where only the tip of the front flipper comes to.
+        const double tip = robot.front.pivot.x + axleDistance;
+        const TerrainProfile wall(
+            {{0.0, 0.0}, {3.0 + tip - 0.03, 0.0}, {3.0 + tip - 0.03, 0.3}, {8.0, 0.3}});
+        const auto rest = restPose(robot, wall, 3.0, HoldAngle{0.4}, HoldAngle{0.4});
+        ASSERT_TRUE(rest) << axleDistance;
+        const RobotShape shape = shapeAt(robot, rest->pose);
+        for (const Vec2 p : wall.sampled(1.0, 7.0, 0.001))
+            EXPECT_GT(lowerEnvelope(shape, p.x), p.z - 1e-3) << axleDistance << " at " << p.x;
+    }
+}
+
 TEST(ElementForces, concentrateWhereTheEdgeTouches)
 {
     const RobotModel robot = absolem();
