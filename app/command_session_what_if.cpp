@@ -109,7 +109,7 @@ public:
         if (!options_.out.empty())
             if (Status written = writeFileAtomically(options_.out, csv()); !written) return written;
         const auto failed = std::count_if(reruns_.begin(), reruns_.end(), [](const Rerun& r) {
-            return r.asRecorded && !r.differences.identical && !endedByTime(r);
+            return r.asRecorded && r.differences.likeness == Likeness::Other && !endedByTime(r);
         });
         if (failed == 0) return Done{};
         return Error{fmt::format("{} of {} estimates do not come out as they were recorded", failed,
@@ -179,19 +179,25 @@ private:
         const Differences& d = r.differences;
         fmt::print("{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
                    r.row.scene, momentText(r.row.time), name(r.row.estimate.settings.method));
-        if (r.asRecorded && d.identical) {
+        const bool identical = d.likeness == Likeness::Identical;
+        if (r.asRecorded && identical) {
             fmt::print("reproduced bit for bit\n");
+            return;
+        }
+        if (r.asRecorded && d.likeness == Likeness::LastBits) {
+            fmt::print("reproduced but for the last bits of another processor or version, "
+                       "heights within {:.1g} m\n",
+                       d.largest());
             return;
         }
         if (r.asRecorded && endedByTime(r))
             fmt::print("its sampling was ended by time, which nothing repeats\n");
         else if (r.asRecorded)
-            fmt::print("NOT reproduced, heights differ by up to {:.1g} m{}\n", d.largest(),
-                       d.largest() < 1e-6 ? ": another processor's last bits?" : "");
+            fmt::print("NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
         else
             fmt::print("now {}{}\n", name(r.again.settings.method),
-                       d.identical ? ", the same bit for bit" : "");
-        if (d.identical) return;
+                       identical ? ", the same bit for bit" : "");
+        if (identical) return;
         fmt::print("   bin   height [m]           sd [mm]      80 % band [m]\n"
                    "   [m]   then     now  moved  then  now   then              now\n");
         for (std::size_t i = 0; i < kBins; ++i) {
@@ -208,19 +214,20 @@ private:
 
     void summarise() const
     {
-        std::size_t same = 0, other = 0;
+        std::size_t same = 0, lastBits = 0, other = 0;
         std::vector<double> moved;
         for (const Rerun& r : reruns_) {
-            same += r.differences.identical;
+            same += r.differences.likeness == Likeness::Identical;
+            lastBits += r.differences.likeness == Likeness::LastBits;
             other += r.differences.before.outlook != r.differences.after.outlook;
             moved.push_back(r.differences.largest());
         }
         std::sort(moved.begin(), moved.end());
-        fmt::print("\n{} estimates of {} sessions: {} the same bit for bit, {} with another "
-                   "verdict; largest move of a bin {:.0f} mm in the median estimate, {:.0f} mm in "
-                   "the worst\n",
-                   reruns_.size(), sessions_.size(), same, other, 1000.0 * moved[moved.size() / 2],
-                   1000.0 * moved.back());
+        fmt::print("\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
+                   "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
+                   "median estimate, {:.0f} mm in the worst\n",
+                   reruns_.size(), sessions_.size(), same, lastBits, other,
+                   1000.0 * moved[moved.size() / 2], 1000.0 * moved.back());
     }
 
     static void printRow(std::string_view label, const ErrorStatistics& s)
@@ -351,7 +358,8 @@ private:
                     csvField(r.session->path()), r.row.id, r.row.scene, secondsOf(r.row.time),
                     name(b.settings.method), binCentre(static_cast<int>(i)), a.height[i],
                     b.height[i], a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i], b.q90[i],
-                    scene->truth ? numberText(scene->truth->at(i)) : "", r.differences.identical,
+                    scene->truth ? numberText(scene->truth->at(i)) : "",
+                    r.differences.likeness == Likeness::Identical,
                     name(r.differences.before.outlook), name(r.differences.after.outlook));
         }
         return text;

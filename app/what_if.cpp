@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -20,29 +21,39 @@ bool sameBits(double a, double b)
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-bool sameBits(const Heights& a, const Heights& b)
+bool nearly(double a, double b)
 {
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (!sameBits(a[i], b[i])) return false;
-    return true;
+    return sameBits(a, b)
+        || std::abs(a - b) <= kLastBits * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-bool sameBits(const std::vector<Heights>& a, const std::vector<Heights>& b)
-{
-    if (a.size() != b.size()) return false;
-    for (std::size_t k = 0; k < a.size(); ++k)
-        if (!sameBits(a[k], b[k])) return false;
-    return true;
-}
+/// A comparison of numbers, of all numbers of arrays and of lists of them.
+template <bool same(double, double)>
+struct Alike {
+    bool operator()(double a, double b) const { return same(a, b); }
+
+    template <class Numbers>
+    bool operator()(const Numbers& a, const Numbers& b) const
+    {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), *this);
+    }
+};
 
 /// All but the settings, which say how it came about.
-bool identical(const TerrainEstimate& a, const TerrainEstimate& b)
+template <class Same>
+bool alike(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
 {
-    return sameBits(a.mean, b.mean) && sameBits(a.sd, b.sd) && sameBits(a.q10, b.q10)
-        && sameBits(a.q90, b.q90) && sameBits(a.height, b.height) && sameBits(a.ceiling, b.ceiling)
-        && a.origin == b.origin && sameBits(a.rhat, b.rhat) && sameBits(a.ess, b.ess)
-        && sameBits(a.draws, b.draws) && sameBits(a.novelty, b.novelty) && a.ending == b.ending
-        && a.converged == b.converged && a.warnings == b.warnings;
+    return same(a.mean, b.mean) && same(a.sd, b.sd) && same(a.q10, b.q10) && same(a.q90, b.q90)
+        && same(a.height, b.height) && same(a.ceiling, b.ceiling) && a.origin == b.origin
+        && same(a.rhat, b.rhat) && same(a.ess, b.ess) && same(a.draws, b.draws)
+        && same(a.novelty, b.novelty) && a.ending == b.ending && a.converged == b.converged
+        && a.warnings == b.warnings;
+}
+
+Likeness likenessOf(const TerrainEstimate& a, const TerrainEstimate& b)
+{
+    if (alike(a, b, Alike<sameBits>{})) return Likeness::Identical;
+    return alike(a, b, Alike<nearly>{}) ? Likeness::LastBits : Likeness::Other;
 }
 
 }  // namespace
@@ -103,7 +114,7 @@ Differences differencesBetween(const TerrainEstimate& before, const TerrainEstim
 {
     Differences result{.before = verdictOf(before, scene, {}, stepLimit),
                        .after = verdictOf(after, scene, {}, stepLimit),
-                       .identical = identical(before, after)};
+                       .likeness = likenessOf(before, after)};
     for (std::size_t i = 0; i < kBins; ++i) {
         result.bin[i] = {.mean = after.mean[i] - before.mean[i],
                          .sd = after.sd[i] - before.sd[i],

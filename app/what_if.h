@@ -25,7 +25,7 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
 /// The estimate of the row's scene with its readings, in their order, and the session's robot.  With the row's
 /// own model and settings that is the recorded one, bit for bit, unless time had ended its sampling
 /// (Ending::Time), on a machine with the same vector instructions and with BLAS in one thread, as our programs have
-/// it; elsewhere the last bits may differ.
+/// it; elsewhere by Likeness::LastBits.
 /// models: for that robot.  Errors name the session's file.  Throws Cancelled.
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                       const Models& models, const Settings& settings,
@@ -37,11 +37,21 @@ struct BinDifference {
     bool operator==(const BinDifference&) const = default;
 };
 
+/// Of [m], and of numbers beyond 1 as a share: what different vector instructions leave between two estimates that are
+/// otherwise computed alike.
+inline constexpr double kLastBits = 1e-6;
+
+enum class Likeness {
+    Identical,  ///< every number, bit for bit, the draws among them, and every word
+    LastBits,   ///< every number within kLastBits, and every word
+    Other
+};
+
 struct Differences {
     std::array<BinDifference, kBins> bin{};
     int largestBin = 0;      ///< where the height moved most
     Verdict before, after;   ///< as if the robot were heard
-    bool identical = false;  ///< every number, bit for bit, the draws among them, and every word
+    Likeness likeness = Likeness::Other;
     double largest() const;  ///< [m] |height| of largestBin
 };
 

@@ -285,8 +285,13 @@ void WhatIfPage::showAnswer()
     const bool asRecorded = *asked_ == before.settings && isRecordedModel();
     QString text;
     Tone tone = Tone::Plain;
-    if (asRecorded && found.identical) {
+    if (asRecorded && found.likeness == Likeness::Identical) {
         text = tr("The recorded settings and model give the recorded estimate again, bit for bit.");
+        tone = Tone::Good;
+    } else if (asRecorded && found.likeness == Likeness::LastBits) {
+        text = tr("The recorded settings and model give the recorded estimate again, but for the "
+                  "last bits, which another processor or version rounds otherwise: no number "
+                  "moves by more than a millionth.");
         tone = Tone::Good;
     } else if (asRecorded && before.ending == Ending::Time) {
         text = tr("Time ended the recorded sampling, so that it cannot be repeated bit for bit: "

@@ -7231,6 +7231,10 @@ vpředu</translation>
         <translation>Zaznamenané nastavení a model dávají znovu zaznamenaný odhad, bit po bitu.</translation>
     </message>
     <message>
+        <source>The recorded settings and model give the recorded estimate again, but for the last bits, which another processor or version rounds otherwise: no number moves by more than a millionth.</source>
+        <translation>Zaznamenané nastavení a model dávají znovu zaznamenaný odhad až na poslední bity, které jiný procesor nebo verze zaokrouhluje jinak: žádné číslo se neposune o více než milióntinu.</translation>
+    </message>
+    <message>
         <source>Time ended the recorded sampling, so that it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
         <translation>Zaznamenané vzorkování ukončil čas, nelze je tedy opakovat bit po bitu: nejvýše %1 m, v dílci %2.</translation>
     </message>

@@ -7231,6 +7231,10 @@ voraus</translation>
         <translation>Die aufgezeichneten Einstellungen und das Modell ergeben die aufgezeichnete Schätzung wieder, Bit für Bit.</translation>
     </message>
     <message>
+        <source>The recorded settings and model give the recorded estimate again, but for the last bits, which another processor or version rounds otherwise: no number moves by more than a millionth.</source>
+        <translation>Die aufgezeichneten Einstellungen und das Modell ergeben wieder die aufgezeichnete Schätzung, bis auf die letzten Bits, die ein anderer Prozessor oder eine andere Version anders rundet: keine Zahl ändert sich um mehr als ein Millionstel.</translation>
+    </message>
+    <message>
         <source>Time ended the recorded sampling, so that it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
         <translation>Die Zeit beendete das aufgezeichnete Ziehen, es lässt sich also nicht Bit für Bit wiederholen: höchstens %1 m, im Feld %2.</translation>
     </message>

@@ -249,6 +249,11 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     settings.seed = 18'446'744'073'709'551'557U;
     row.estimate = loaded->estimate({scene.measurement, {}, settings}, Watch{});
     ASSERT_TRUE(writer->add(row));
+    EstimateRow rounded = row;  // as another processor has it
+    rounded.id = 2;
+    rounded.time = sessionTimeOf(1.7);
+    rounded.estimate.height[4] += 1e-12;
+    ASSERT_TRUE(writer->add(rounded));
     ASSERT_TRUE(writer->seal());
 
     open({QString::fromStdString(model)});
@@ -268,9 +273,16 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     EXPECT_EQ(page.answer()->settings.forceThreshold, 20.0);
     window->goTo(1.0);
     EXPECT_FALSE(page.answer()) << "of another estimate";
+
+    window->goTo(1.7);
+    page.estimate();
+    ASSERT_TRUE(eventually([&] { return page.answer().has_value(); }, 60000));
+    EXPECT_TRUE(page.result()->text().contains("but for the last bits"))
+        << page.result()->text().toStdString();
 }
 
-TEST_F(ReviewOf, theShippedSessionIsRepeatedBitForBit)
+/// Other processors and later versions may round its last bits otherwise.
+TEST_F(ReviewOf, theShippedSessionIsRepeated)
 {
     path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
     open({TERRATACT_SOURCE_DIR "/resources/models/default.ttm"});
@@ -283,7 +295,7 @@ TEST_F(ReviewOf, theShippedSessionIsRepeatedBitForBit)
         ASSERT_TRUE(window->moment().estimate);
         window->whatIf()->estimate();
         ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().has_value(); }, 60000));
-        EXPECT_TRUE(window->whatIf()->result()->text().contains("bit for bit"))
+        EXPECT_TRUE(window->whatIf()->result()->text().contains("give the recorded estimate again"))
             << window->whatIf()->result()->text().toStdString();
     }
 }

@@ -103,7 +103,7 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         ASSERT_TRUE(again) << again.error().text;
         const Measurement& scene = reader.scene(row.scene)->measurement;
         const Differences same = differencesBetween(*before, *again, scene, row.stepLimit);
-        EXPECT_TRUE(same.identical) << row.id;
+        EXPECT_EQ(same.likeness, Likeness::Identical) << row.id;
         EXPECT_EQ(same.largest(), 0.0);
         EXPECT_EQ(same.before, same.after);
 
@@ -111,7 +111,8 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         other.seed += 1;
         const auto moved = estimateAgain(reader, row, *models, other);
         ASSERT_TRUE(moved);
-        EXPECT_FALSE(differencesBetween(*before, *moved, scene, row.stepLimit).identical);
+        EXPECT_EQ(differencesBetween(*before, *moved, scene, row.stepLimit).likeness,
+                  Likeness::Other);
     }
 }
 
@@ -219,8 +220,11 @@ TEST(Differences, tellsBitsApartThatCompareEqual)
     TerrainEstimate minus = zero;
     minus.mean[3] = -0.0;
     ASSERT_EQ(zero, minus);
-    EXPECT_TRUE(differencesBetween(zero, zero, {}, 0.1).identical);
-    EXPECT_FALSE(differencesBetween(zero, minus, {}, 0.1).identical);
+    const auto likeness = [&](const TerrainEstimate& other) {
+        return differencesBetween(zero, other, {}, 0.1).likeness;
+    };
+    EXPECT_EQ(likeness(zero), Likeness::Identical);
+    EXPECT_EQ(likeness(minus), Likeness::LastBits);
     TerrainEstimate moved = zero;
     moved.height[8] += 0.02;
     moved.height[2] -= 0.05;
@@ -228,6 +232,30 @@ TEST(Differences, tellsBitsApartThatCompareEqual)
     EXPECT_EQ(d.largestBin, 2);
     EXPECT_NEAR(d.largest(), 0.05, 1e-12);
     EXPECT_NEAR(d.bin[8].height, 0.02, 1e-12);
+    EXPECT_EQ(d.likeness, Likeness::Other);
+}
+
+TEST(Differences, areOfLastBitsWhereEveryNumberIsNearAndEveryWordTheSame)
+{
+    TerrainEstimate recorded = stepEstimate();
+    recorded.draws.assign(3, Heights{});
+    recorded.ess.fill(400.0);
+    const auto likenessAfter = [&](const auto& change) {
+        TerrainEstimate other = recorded;
+        change(other);
+        return differencesBetween(recorded, other, {}, 0.1).likeness;
+    };
+    using Estimate = TerrainEstimate;
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 0.9e-6; }), Likeness::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 0.9e-6; }), Likeness::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 3e-4; }), Likeness::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 1.1e-6; }), Likeness::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 1.1e-6; }), Likeness::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 5e-4; }), Likeness::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.sd[2] = std::nan(""); }), Likeness::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws.pop_back(); }), Likeness::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.warnings.emplace_back("other"); }),
+              Likeness::Other);
 }
 
 TEST_F(Tools, logsHaveEveryKindOfFrameThatTheyCan)

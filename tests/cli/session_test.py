@@ -15,7 +15,7 @@ import unittest
 import xml.dom.minidom
 import zlib
 
-from support import CLI, complaint, rows, run
+from support import CLI, SOURCE, complaint, rows, run
 
 try:
     import can
@@ -440,6 +440,12 @@ class WhatIf(Session):
         self.assertEqual(text.count("reproduced bit for bit"), text.count(": estimate "))
         self.assertIn("later probes against the bands before them", text)
         self.assertIn("against the truth", text)
+
+    def test_the_shipped_session_comes_out_again(self):
+        text = run("session", "what-if", f"{SOURCE}/resources/sessions/demo.tts")
+        self.assertGreaterEqual(text.count(": estimate "), 2)
+        self.assertEqual(len(re.findall(r"reproduced (?:bit for bit|but for the last bits)", text)),
+                         text.count(": estimate "))
 
     def test_bands_are_judged_by_what_was_measured_at_later_poses(self):
         folder = self.path / "folder"
