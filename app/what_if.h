@@ -49,8 +49,8 @@ enum class Likeness {
 
 struct Differences {
     std::array<BinDifference, kBins> bin{};
-    int largestBin = 0;      ///< where the height moved most
-    Verdict before, after;   ///< as if the robot were heard
+    int largestBin = 0;     ///< where the height moved most
+    Verdict before, after;  ///< as if the robot were heard
     Likeness likeness = Likeness::Other;
     double largest() const;  ///< [m] |height| of largestBin
 };
