@@ -64,7 +64,7 @@ AVX2 against AVX-512 is bounded by the ratio of their peaks, as long as both are
 By \`tests/bench/training.sh $build\`, on generated scenes.  *train*: hyper-parameters of the paper's 22 processes, on two
 cores.  *growth*: one evaluation of likelihood and gradient, and the memory that the program came to need, in doubles and in
 multiples of the rows' square.  *sparse*: one bin's process; hyper-parameters are searched for on some rows or on all, then the process is made
-of all rows (\`through\` as many) or through inducing rows, and predicts 500 unseen scenes.  \`terratact train\` searches on all
+of all rows (\`through\` as many) or through inducing rows, and predicts 5000 unseen scenes.  \`terratact train\` searches on all
 rows, with up to 30 such evaluations, unless it is told \`--inducing\`: then on 1400.  *sparse-bins*: the error through so many rows as a share of that through all, of every bin.
 
 \`\`\`

@@ -25,10 +25,10 @@ namespace {
 constexpr double kLeastPivots[] = {1e-8, 1e-7, 1e-6};
 constexpr double kLeastLambda = 1e-9;  // of σ_f²
 constexpr int kCandidatesPerRow = 4;
-constexpr int kWorkOfACovariance = 4;  // units of PolledWork
-constexpr int kColumnsAtOnce = 64;     // of a product at once: enough that a factor is read seldom
-constexpr double kShare = 0.3;         // of the largest variance, for rows of a reduction
-constexpr double kMostReduced = 0.92;  // of the rows: more would save little
+constexpr long kWorkOfACovariance = 4;  // units of PolledWork
+constexpr int kColumnsAtOnce = 64;      // of a product at once: enough that a factor is read seldom
+constexpr double kShare = 0.3;          // of the largest variance, for rows of a reduction
+constexpr double kMostReduced = 0.92;   // of the rows: more would save little
 constexpr int kPowerSteps = 32;  // enough for an eigenvalue that is too low by a tenth at most
 constexpr double kPowerLow = 1.1;
 

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@
 #include "app/parallel.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/likelihood.h"
+#include "core/learn/scene_conditional.h"
 #include "core/learn/scene_file.h"
 #include "core/learn/training.h"
 
@@ -176,18 +178,24 @@ void train(const char* path, int rows)
 /// Root mean square error of a bin's predictions at complete scenes, all else known.
 double error(const BinModels& models, int bin, int inducing, const std::vector<Scene>& scenes)
 {
-    double sum = 0.0;
-    int count = 0;
+    std::vector<Eigen::VectorXd> x;
+    std::vector<double> truth;
     for (const Scene& scene : scenes) {
         if (!isComplete(scene)) continue;
         Heights h{};
         for (std::size_t i = 0; i < kBins; ++i) h[i] = *scene.truth[i];
-        const Eigen::VectorXd x = models.input(bin, h, features(FeatureSet::Paf, scene.s));
-        sum += std::pow(
-            models.bin(bin, inducing).predict(x).mean - h[static_cast<std::size_t>(bin)], 2);
-        ++count;
+        x.push_back(models.input(bin, h, features(FeatureSet::Paf, scene.s)));
+        truth.push_back(h[static_cast<std::size_t>(bin)]);
     }
-    return std::sqrt(sum / count);
+    Eigen::MatrixXd inputs(x.front().size(), static_cast<Eigen::Index>(x.size()));
+    for (std::size_t k = 0; k < x.size(); ++k) inputs.col(static_cast<Eigen::Index>(k)) = x[k];
+    std::vector<int> all(static_cast<std::size_t>(inputs.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    Eigen::VectorXd mean, variance;
+    SceneConditional(models.bin(bin, inducing), x.front(), all, Precision::Double)
+        .predict(inputs, mean, variance);
+    const Eigen::Map<const Eigen::VectorXd> known(truth.data(), mean.size());
+    return std::sqrt((mean - known).squaredNorm() / static_cast<double>(mean.size()));
 }
 
 /// Hyper-parameters from `searched` rows (0: all), then predictions through several numbers of rows.

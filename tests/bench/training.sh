@@ -22,7 +22,7 @@ show() {
 }
 scenes --count 1400 --seed 5 --out scenes.csv
 scenes --count $((most + most / 9)) --seed 6 --out many.csv # a few stops give no scene
-scenes --count 500 --seed 7 --out test.csv
+scenes --count 5000 --seed 7 --out test.csv # of fewer the choice shows
 sizes=()
 for ((rows = most; rows >= most / 32 && rows > 1; rows /= 2)); do sizes=("$rows" "${sizes[@]}"); done
 {
