@@ -101,7 +101,7 @@ twenty million multiplications of a factorisation (\`core/learn/cholesky.h\`), e
 squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/poll.h\`). So do
 a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, the advice
 where to probe, and training within every evaluation of a likelihood. Reading a model does not ask. What cannot ask is the system, when it gives memory (in pages of 2 MiB for
-factors, \`core/learn/huge_pages.h\`) or takes it back: a virtual machine whose host has to find the memory first may stand still for
+factors, \`core/learn/huge_pages.h\`; training asks before each) or takes it back: a virtual machine whose host has to find the memory first may stand still for
 as long as the table's last lines say, and longer where several such waits lie between two questions.  The factor of 5600 rows takes
 120 such pages; a million draws take 88 MB. With memory that the process keeps (\`MALLOC_TRIM_THRESHOLD_=8000000000
 MALLOC_MMAP_THRESHOLD_=4000000000\` before the command) the waits of a million draws are those of arithmetic.

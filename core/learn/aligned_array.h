@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <new>
 
 #include "core/learn/huge_pages.h"
+#include "core/poll.h"
 
 namespace terratact {
 
@@ -17,9 +19,15 @@ template <class T>
 class AlignedArray {
 public:
     AlignedArray(std::size_t size, Unset) : size_(size), values_(allocate(size * sizeof(T))) {}
-    explicit AlignedArray(std::size_t size = 0) : AlignedArray(size, Unset{})
+    explicit AlignedArray(std::size_t size = 0) : AlignedArray(size, Poll{}) {}
+    /// poll: before every huge page, for which the system may take milliseconds; what it throws comes out.
+    AlignedArray(std::size_t size, const Poll& poll) : AlignedArray(size, Unset{})
     {
-        for (std::size_t k = 0; k < size; ++k) values_[k] = T{};
+        constexpr std::size_t kOfPage = kHugePage / sizeof(T);
+        for (std::size_t from = 0; from < size; from += kOfPage) {
+            callPoll(poll);
+            std::fill_n(values_.get() + from, std::min(kOfPage, size - from), T{});
+        }
     }
 
     std::size_t size() const { return size_; }

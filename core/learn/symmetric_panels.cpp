@@ -29,9 +29,9 @@ std::size_t count(long n)
 }
 
 /// Room for the groups of n rows, and for the last tile's excess.
-AlignedArray<double> packedRows(int n)
+AlignedArray<double> packedRows(int n, const Poll& poll = {})
 {
-    return AlignedArray<double>(count((roundUp(n, kTileColumns) / kGroup) * kStride));
+    return {count((roundUp(n, kTileColumns) / kGroup) * kStride), poll};
 }
 
 /// The pivot block's L⁻¹, packed by rows and by columns.
@@ -55,7 +55,8 @@ void pack(const Eigen::MatrixXd& inverseL, PivotInverse& pivot)
 class Sweep {
 public:
     Sweep(SymmetricPanels& A, Eigen::VectorXd& y, const Poll& poll)
-        : A_(A), y_(y), work_(poll), n_(A.paddedSize()), V_(packedRows(n_)), W_(packedRows(n_))
+        : A_(A), y_(y), work_(poll), n_(A.paddedSize()), V_(packedRows(n_, poll)),
+          W_(packedRows(n_, poll))
     {
     }
 
@@ -201,13 +202,8 @@ private:
 
 SymmetricPanels::SymmetricPanels(int n, const Poll& poll)
     : n_(n), padded_(roundUp(n, kGroup)),
-      values_(count(offset(panels(), panels() * kPanelColumns)), Unset{})
+      values_(count(offset(panels(), panels() * kPanelColumns)), poll)
 {
-    constexpr std::size_t kAtOnce = std::size_t{1} << 19;  // the system gives the memory now
-    for (std::size_t from = 0; from < values_.size(); from += kAtOnce) {
-        callPoll(poll);
-        std::fill_n(values_.data() + from, std::min(kAtOnce, values_.size() - from), 0.0);
-    }
     for (int u = n_; u < padded_; ++u) row(u / kPanelColumns, u)[u % kPanelColumns] = 1.0;
 }
 

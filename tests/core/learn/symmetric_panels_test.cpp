@@ -163,5 +163,16 @@ TEST(LikelihoodKernels, ofAllInstructionSetsGiveTheSameWeightedSquares)
     }
 }
 
+TEST(SymmetricPanels, asksBeforeEveryHugePage)
+{
+    constexpr int n = 1400;
+    std::size_t asked = 0;
+    SymmetricPanels panels(n, [&] { ++asked; });
+    std::size_t numbers = 0;  // a panel holds all rows from its own on
+    for (int first = 0; first < n; first += kColumns)
+        numbers += static_cast<std::size_t>(kColumns * (panels.paddedSize() - first));
+    EXPECT_EQ(asked, numbers * sizeof(double) / kHugePage + 1);
+}
+
 }  // namespace
 }  // namespace terratact
