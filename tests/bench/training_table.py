@@ -44,5 +44,5 @@ width = max(len(what) for what, _, _ in rows)
 for what, target, reached in [("", "target", "reached"), *rows]:
     print(f"{what:<{width}}  {target:>7}  {reached:>7}")
 if (training > 60 or max(row[2] for row in growth) > 4 or worst[max(made)] > 1.05
-        or faster[max(made)] < 10):
+        or off[max(made)] > 1.05 or faster[max(made)] < 10):
     sys.exit("a target was missed")
