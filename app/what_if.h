@@ -24,8 +24,8 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
 
 /// The estimate of the row's scene with its readings, in their order, and the session's robot.  With the row's
 /// own model and settings that is the recorded one, bit for bit, unless time had ended its sampling
-/// (Ending::Time), on a machine with the same vector instructions and with BLAS in one thread, as our programs have
-/// it; elsewhere by Likeness::LastBits.
+/// (Ending::Time), with the same version on a machine with the same vector instructions and with BLAS in one thread, as
+/// our programs have it; else Likeness::LastBits may be left.
 /// models: for that robot.  Errors name the session's file.  Throws Cancelled.
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                       const Models& models, const Settings& settings,
@@ -37,8 +37,8 @@ struct BinDifference {
     bool operator==(const BinDifference&) const = default;
 };
 
-/// Of [m], and of numbers beyond 1 as a share: what different vector instructions leave between two estimates that are
-/// otherwise computed alike.
+/// Of [m], and of numbers beyond 1 as a share: what other vector instructions, or sums in another order by a later version,
+/// may leave between two estimates that are otherwise computed alike.
 inline constexpr double kLastBits = 1e-6;
 
 enum class Likeness {

@@ -77,7 +77,8 @@ enum class EstimateRole : std::uint8_t {
 std::string_view name(EstimateRole role);
 std::optional<EstimateRole> estimateRoleFromName(std::string_view text);
 
-/// An estimate as it was shown.  Scene, readings, settings, robot and model bring it forth again, bit for bit.
+/// An estimate as it was shown.  Scene, readings, settings, robot and model bring it forth again, but for last bits on
+/// another processor or by another version.
 struct EstimateRow {
     std::int64_t id = 0;
     SessionTime time = 0;
