@@ -128,9 +128,7 @@ Status demo(const DemoOptions& options)
 
     const auto estimateWith = [&](std::span<const ArmReading> arm) {
         Watch watch = endingAfter(options.seconds);
-        watch.sideBySide = [](int count, const std::function<void(int)>& work) {
-            parallelFor(count, work);
-        };
+        lendProcessors(watch);
         return estimateTerrain(scene.s, arm, (*toolbox)->robot, (*toolbox)->models,
                                options.settings, watch);
     };

@@ -153,9 +153,7 @@ private:
         auto before = recordedEstimate(session, row);
         if (!before) return before.error();
         Watch watch;
-        watch.sideBySide = [](int count, const std::function<void(int)>& work) {
-            parallelFor(count, work);
-        };
+        lendProcessors(watch);
         const Settings settings = changed(row.estimate.settings, options_);
         auto again = estimateAgain(session, row, (*toolbox)->models, settings, watch);
         if (!again) return again.error();

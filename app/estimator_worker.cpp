@@ -171,9 +171,7 @@ std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const Estim
         watch.progress = [this, job](double share) {
             if (!overtaken(job)) progress_ = share;
         };
-        watch.sideBySide = [](int count, const std::function<void(int)>& work) {
-            parallelFor(count, work);
-        };
+        lendProcessors(watch);
         QElapsedTimer timer;
         timer.start();
         TerrainEstimate result = estimate_(request, watch);

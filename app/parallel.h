@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "core/infer/watch.h"
 
 namespace terratact {
 
@@ -46,6 +49,15 @@ void parallelFor(int count, Work work, int most = 0)
         run();
     }
     if (failure) std::rethrow_exception(failure);
+}
+
+/// Has a computation run its parts on all processors().
+inline void lendProcessors(Watch& watch)
+{
+    watch.threads = processors();
+    watch.sideBySide = [](int count, const std::function<void(int)>& work) {
+        parallelFor(count, work);
+    };
 }
 
 }  // namespace terratact

@@ -50,11 +50,13 @@ private:
     double done_ = 0.0;
 };
 
-/// Chains that one thread runs: full groups of columns, two where that still makes several parts.
+/// Chains that one thread runs: full groups of columns, and no more parts than threads, for a factor that is read for
+/// one group serves its neighbours, too.
 int chainsPerPart(const GibbsProblem& problem, const Watch& watch)
 {
     if (!watch.sideBySide) return problem.chains;
-    return problem.chains > 4 * kGroup ? 2 * kGroup : kGroup;
+    if (watch.threads == 0) return kGroup;
+    return kGroup * ((groupsOf(problem.chains) + watch.threads - 1) / watch.threads);
 }
 
 /// Whether every bin's draws are within the limits.

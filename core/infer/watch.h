@@ -15,8 +15,10 @@ struct Watch {
     /// Asked between sweeps, every few where parts run side by side, by the thread that called; true ends
     /// sampling with what there is.
     std::function<bool()> outOfTime;
-    ForEach
-        sideBySide;  ///< runs parts that do not depend on each other; empty: one after the other
+    /// Runs parts that do not depend on each other; empty: one after the other.
+    ForEach sideBySide;
+    /// That sideBySide runs them on, and so many parts there are at most; 0: unknown, the parts are as small as can be.
+    int threads = 0;
 };
 
 /// Thrown by a computation whose Watch said "cancelled".

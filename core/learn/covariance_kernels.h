@@ -5,6 +5,12 @@ namespace terratact {
 /// Predictions are computed for this many columns (chains) at a time.
 inline constexpr int kGroup = 8;
 
+/// Groups that hold so many columns.
+constexpr int groupsOf(int columns)
+{
+    return (columns + kGroup - 1) / kGroup;
+}
+
 /// Rows of L⁻¹ in one panel: 192 bytes.
 template <class T>
 inline constexpr int kPanelRows = 192 / static_cast<int>(sizeof(T));

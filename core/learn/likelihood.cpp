@@ -126,7 +126,7 @@ Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& sign
             }
             double* S = block.data() + area(r, kColumns);
             const int left = std::min(kColumns, u - first);  // of the diagonal
-            const int columns = (left + kGroup - 1) / kGroup * kGroup;
+            const int columns = kGroup * groupsOf(left);
             std::fill(S + left, S + columns, 0.0);
             likelihoodKernels().addWeightedSquares(K.row(panel, u), S, alpha[u],
                                                    alphaOfPanel.data(), columns, signal.row(u),

@@ -18,11 +18,6 @@ std::size_t entries(Eigen::Index a, Eigen::Index b)
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
 }
 
-int groupsOf(int columns)
-{
-    return (columns + kGroup - 1) / kGroup;
-}
-
 template <class T>
 void makeRoom(AlignedArray<T>& array, std::size_t size)
 {

@@ -65,5 +65,18 @@ TEST(ParallelFor, takesNoMoreThreadsThanItMayUse)
     EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 
+TEST(ParallelFor, isLentToAComputationThatIsToldOfTheProcessors)
+{
+    Watch watch;
+    lendProcessors(watch);
+    EXPECT_EQ(watch.threads, processors());
+    std::array<std::atomic<int>, 7> done{};
+    watch.sideBySide(7, [&](int k) { ++done[static_cast<std::size_t>(k)]; });
+    for (const auto& times : done) EXPECT_EQ(times, 1);
+    const OneProcessor one;
+    lendProcessors(watch);
+    EXPECT_EQ(watch.threads, 1);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -139,15 +140,19 @@ TEST(Gibbs, drawsTheSameInSeveralThreadsAndInAnyGroupsOfChains)
     for (const ScanOrder scan : {ScanOrder::Forward, ScanOrder::Random}) {
         problem.scan = scan;
         const GibbsDraws together = sampleHeights(models(), problem);
-        Watch watch;
-        int parts = 0;
-        watch.sideBySide = [&](int count, const std::function<void(int)>& work) {
-            parts = count;
-            std::vector<std::jthread> threads;
-            for (int i = 0; i < count; ++i) threads.emplace_back(work, i);
-        };
-        EXPECT_EQ(sampleHeights(models(), problem, watch).draws, together.draws);
-        EXPECT_GT(parts, 1);
+        const std::map<int, int> partsOnThreads{{0, 6}, {1, 1}, {2, 2}, {3, 3}, {4, 3}, {99, 6}};
+        for (const auto& [threads, wanted] : partsOnThreads) {
+            Watch watch;
+            int parts = 1;
+            watch.threads = threads;
+            watch.sideBySide = [&](int count, const std::function<void(int)>& work) {
+                parts = count;
+                std::vector<std::jthread> running;
+                for (int i = 0; i < count; ++i) running.emplace_back(work, i);
+            };
+            EXPECT_EQ(sampleHeights(models(), problem, watch).draws, together.draws) << threads;
+            EXPECT_EQ(parts, wanted) << threads;
+        }
         GibbsProblem some = problem;
         some.firstChain = 5;
         some.chains = 13;
