@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace terratact {
 
@@ -39,9 +40,23 @@ Received received(const std::optional<Received>& before, Sample sample, const Ar
     return now;
 }
 
-Acquisition::Acquisition(MeasurementSource& source)
-    : source_(source), thread_([this](const std::stop_token& stop) { read(stop); })
+Acquisition::Acquisition(MeasurementSource& source, std::function<void()> heard)
+    : source_(source), heard_(std::move(heard)),
+      thread_([this](const std::stop_token& stop) { read(stop); })
 {
+}
+
+void Acquisition::take(Sample sample)
+{
+    const SteadyTime now = std::chrono::steady_clock::now();
+    {
+        const std::scoped_lock lock(mutex_);
+        latest_ = received(latest_, std::move(sample), {now, sleeplessNow()});
+        arrivals_.push_back(now);
+        while (now - arrivals_.front() > 1s) arrivals_.pop_front();
+        trouble_.clear();
+    }
+    if (heard_) heard_();
 }
 
 void Acquisition::read(const std::stop_token& stop)
@@ -52,12 +67,7 @@ void Acquisition::read(const std::stop_token& stop)
             auto next = source_.next(50ms);
             if (next && !*next) continue;
             if (next) {
-                const SteadyTime now = std::chrono::steady_clock::now();
-                const std::scoped_lock lock(mutex_);
-                latest_ = received(latest_, **std::move(next), {now, sleeplessNow()});
-                arrivals_.push_back(now);
-                while (now - arrivals_.front() > 1s) arrivals_.pop_front();
-                trouble_.clear();
+                take(**std::move(next));
                 continue;
             }
             trouble = next.error().text;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -45,7 +46,8 @@ Received received(const std::optional<Received>& before, Sample sample, const Ar
 /// it likes and can never be flooded.  The source must outlive it.
 class Acquisition {
 public:
-    explicit Acquisition(MeasurementSource& source);
+    /// heard: called by that thread when there is a new latest(); empty: nobody is told.
+    explicit Acquisition(MeasurementSource& source, std::function<void()> heard = {});
 
     std::optional<Received> latest() const;
     double rate() const;  ///< [Hz] over the last second
@@ -54,8 +56,10 @@ public:
 
 private:
     void read(const std::stop_token& stop);
+    void take(Sample sample);
 
     MeasurementSource& source_;
+    std::function<void()> heard_;
     mutable std::mutex mutex_;  // guards what follows
     std::optional<Received> latest_;
     std::deque<SteadyTime> arrivals_;

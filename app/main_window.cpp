@@ -55,7 +55,7 @@ MainWindow::MainWindow(Options options)
                                        : std::make_unique<PreferenceStore>()),
       presets_(std::move(options.presets)), robot_(std::move(options.robot)),
       source_(std::move(options.source)), link_(options.link),
-      acquisition_(std::make_unique<Acquisition>(*source_)),
+      acquisition_(std::make_unique<Acquisition>(*source_, [this] { lookSoon(); })),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
@@ -361,7 +361,9 @@ void MainWindow::notice(const QString& text, Weight weight)
 
 void MainWindow::connectWorker()
 {
-    connect(worker_.get(), &EstimatorWorker::estimated, this, &MainWindow::look);
+    // Queued here, behind what made it stand and before anything is painted.
+    connect(&exploration_->estimation(), &Estimation::stands, this, &MainWindow::look,
+            Qt::QueuedConnection);
     connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::look);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
@@ -383,8 +385,15 @@ void MainWindow::connectStop()
     sharedStop_->listen();
 }
 
+void MainWindow::lookSoon()
+{
+    if (!lookComes_.exchange(true))
+        QMetaObject::invokeMethod(this, &MainWindow::look, Qt::QueuedConnection);
+}
+
 void MainWindow::look()
 {
+    lookComes_ = false;
     const double now = steadyNow();
     sharedStop_->look();
     tickPanel(now);
@@ -393,11 +402,14 @@ void MainWindow::look()
     const AtemPhase before = exploration_->state().phase;
     exploration_->tick(now, latest_);
     // An estimate is shown as soon as it is there, and what another phase asks and allows; telemetry and previews as
-    // often as can be seen; all else can wait.
-    const bool news = exploration_->state().phase != before
+    // often as can be seen; all else can wait.  So does what painting would keep from the processors that compute an
+    // estimate: the next picture is due when most estimates are there.
+    const AtemPhase phase = exploration_->state().phase;
+    const bool computes = phase == AtemPhase::Estimating || phase == AtemPhase::EstimatingAgain;
+    if (computes && phase != before) redrawn_ = now;
+    const bool news = (phase != before && !computes)
                    || (exploration_->estimation().estimate().has_value() && !showsEstimate());
-    const bool isLive =
-        exploring(exploration_->state().phase) || (latest_ && latest_->count != drawn_);
+    const bool isLive = exploring(phase) || (latest_ && latest_->count != drawn_);
     if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);
 }
 

@@ -2,6 +2,7 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -116,7 +117,9 @@ private:
     void connectExploration();
     void tell(const QString& text, Weight weight);  ///< among the events
     void connectWorker();
-    void look();  ///< at telemetry, panel and estimator, every 10 ms; draws at 25 Hz at most
+    /// At telemetry, panel and estimator: as telemetry and estimates come, and every 10 ms.  Draws at 25 Hz at most.
+    void look();
+    void lookSoon();  ///< from any thread
     void redraw(double now);
     void showTerrain(double now);
     void tickPanel(double now);
@@ -142,7 +145,8 @@ private:
     PresetTable presets_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
-    CanSource* link_;  ///< null where the source is no bus
+    CanSource* link_;                      ///< null where the source is no bus
+    std::atomic<bool> lookComes_ = false;  ///< as lookSoon() was called
     std::unique_ptr<Acquisition> acquisition_;
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;

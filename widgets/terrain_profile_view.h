@@ -75,6 +75,7 @@ public:
     QPointF pointAt(QPointF pixel) const;
     /// One bin in words: "bin 0.4 m: +0.07 m, 80 % in +0.05 … +0.09, contact".
     QString binText(int bin) const;
+    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }  ///< that is drawn
     BinInspector* inspector() const { return inspector_; }
     bool drawsShown() const { return drawsShown_; }
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+#include <vector>
+
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
 
@@ -21,6 +24,33 @@ TEST(AcquisitionTest, keepsTheNewestOnly)
               static_cast<double>(second->count - first->count));
     EXPECT_GE(second->arrived, first->arrived);
     EXPECT_GT(acquisition.rate(), 5.0);
+}
+
+TEST(AcquisitionTest, tellsOfEveryLineOnceItIsTheLatest)
+{
+    ScriptedSource source;
+    source.setSilent(true);
+    std::mutex mutex;
+    std::vector<std::uint64_t> counts;
+    const Acquisition* reader = nullptr;
+    const auto heard = [&] {
+        const std::scoped_lock lock(mutex);
+        counts.push_back(reader->latest()->count);
+    };
+    const Acquisition acquisition(source, heard);
+    {
+        const std::scoped_lock lock(mutex);
+        reader = &acquisition;
+    }
+    source.setSilent(false);
+    constexpr std::size_t kEnough = 10;
+    ASSERT_TRUE(gui::eventually([&] {
+        const std::scoped_lock lock(mutex);
+        return counts.size() >= kEnough;
+    }));
+    source.setSilent(true);
+    const std::scoped_lock lock(mutex);
+    for (std::size_t n = 0; n < counts.size(); ++n) EXPECT_EQ(counts[n], n + 1);
 }
 
 TEST(AcquisitionTest, silenceLeavesTheLastAndItsAge)
