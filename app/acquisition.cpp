@@ -46,12 +46,12 @@ Acquisition::Acquisition(MeasurementSource& source, std::function<void()> heard)
 {
 }
 
-void Acquisition::take(Sample sample)
+void Acquisition::take(const Sample& sample)
 {
     const SteadyTime now = std::chrono::steady_clock::now();
     {
         const std::scoped_lock lock(mutex_);
-        latest_ = received(latest_, std::move(sample), {now, sleeplessNow()});
+        latest_ = received(latest_, sample, {now, sleeplessNow()});
         arrivals_.push_back(now);
         while (now - arrivals_.front() > 1s) arrivals_.pop_front();
         trouble_.clear();
@@ -67,7 +67,7 @@ void Acquisition::read(const std::stop_token& stop)
             auto next = source_.next(50ms);
             if (next && !*next) continue;
             if (next) {
-                take(**std::move(next));
+                take(**next);
                 continue;
             }
             trouble = next.error().text;

@@ -56,7 +56,7 @@ public:
 
 private:
     void read(const std::stop_token& stop);
-    void take(Sample sample);
+    void take(const Sample& sample);
 
     MeasurementSource& source_;
     std::function<void()> heard_;
