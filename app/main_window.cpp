@@ -361,7 +361,7 @@ void MainWindow::notice(const QString& text, Weight weight)
 
 void MainWindow::connectWorker()
 {
-    // Queued here, behind what made it stand and before anything is painted.
+    // Queued, for it is told while the rest of what made it stand is still being done.
     connect(&exploration_->estimation(), &Estimation::stands, this, &MainWindow::look,
             Qt::QueuedConnection);
     connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::look);
