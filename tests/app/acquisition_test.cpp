@@ -49,7 +49,12 @@ TEST(AcquisitionTest, tellsOfEveryLineOnceItIsTheLatest)
         return counts.size() >= kEnough;
     }));
     source.setSilent(true);
+    ASSERT_TRUE(gui::eventually([&] {
+        return std::chrono::steady_clock::now() - acquisition.latest()->arrived
+             > std::chrono::milliseconds(200);
+    }));
     const std::scoped_lock lock(mutex);
+    EXPECT_EQ(counts.size(), acquisition.latest()->count);
     for (std::size_t n = 0; n < counts.size(); ++n) EXPECT_EQ(counts[n], n + 1);
 }
 
