@@ -27,7 +27,9 @@
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
+#include "widgets/plain_label.h"
 #include "widgets/status_header.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 namespace {
@@ -76,7 +78,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
 
 QLabel* ConsoleWindow::addStrip(const QString& look)
 {
-    return addStrip(new QLabel(this), look);
+    return addStrip(new PlainLabel(this), look);
 }
 
 QLabel* ConsoleWindow::addStrip(QLabel* strip, const QString& look)
@@ -137,7 +139,7 @@ QPushButton* ConsoleWindow::addTool(const QString& text, const QString& tip)
 {
     auto* button = new QPushButton(text, rail_);
     button->setAccessibleName(text);
-    button->setToolTip(tip);
+    setTip(*button, tip);
     rail_->addTool(button);
     return button;
 }
@@ -193,7 +195,7 @@ void ConsoleWindow::addHelpKeys()
 void ConsoleWindow::addRemoteStop()
 {
     constexpr int kFor = 8000;  // [ms]
-    auto* banner = new QLabel(this);
+    auto* banner = new PlainLabel(this);
     banner->setObjectName(QStringLiteral("banner"));
     banner->setWordWrap(true);
     banner->hide();

@@ -30,6 +30,8 @@
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -264,12 +266,12 @@ QString plainText(const QList<DiagnosticsSection>& sections)
 DiagnosticsPage::DiagnosticsPage(Look look, QWidget* parent)
     : Page(parent), look_(std::move(look)), standing_(standingDiagnostics())
 {
-    auto* title = new QLabel(tr("Diagnostics"), this);
+    auto* title = new PlainLabel(tr("Diagnostics"), this);
     title->setProperty("heading", true);
     copy_ = new QPushButton(tr("Copy as text"), this);
     copy_->setFocusPolicy(Qt::TabFocus);
     copy_->setMinimumHeight(kTarget);
-    copy_->setToolTip(tr("All of this page, for a report"));
+    setTip(*copy_, tr("All of this page, for a report"));
     connect(copy_, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(text()); });
     auto* head = new QHBoxLayout;
@@ -311,10 +313,9 @@ QWidget* DiagnosticsPage::cardOf(const DiagnosticsSection& section, QList<QLabel
     grid->setColumnStretch(1, 1);
     for (const auto& [name, value] : section.lines) {
         const int row = grid->rowCount();
-        auto* label = new QLabel(name, card);
+        auto* label = new PlainLabel(name, card);
         setTone(*label, Tone::Muted);
-        auto* shown = new QLabel(value, card);
-        shown->setTextFormat(Qt::PlainText);
+        auto* shown = new PlainLabel(value, card);
         shown->setTextInteractionFlags(Qt::TextSelectableByMouse);
         shown->setWordWrap(true);
         shown->setAccessibleName(name);

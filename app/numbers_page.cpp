@@ -10,6 +10,8 @@
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/numbers_table.h"
+#include "widgets/plain_label.h"
+#include "widgets/tips.h"
 #include "widgets/verdict_strip.h"
 #include "widgets/words.h"
 
@@ -21,13 +23,13 @@ NumbersPage::NumbersPage(std::function<NumbersSight()> look, QWidget* parent)
     auto* card = new Card(tr("The scene as numbers"), this);
     copy_ = new QPushButton(tr("Copy (Ctrl+C)"), card);
     copy_->setFocusPolicy(Qt::TabFocus);
-    copy_->setToolTip(tr("The whole table, columns apart by tabs"));
+    setTip(*copy_, tr("The whole table, columns apart by tabs"));
     card->titleRow()->addWidget(copy_);
-    verdict_ = new QLabel(card);
+    verdict_ = new PlainLabel(card);
     verdict_->setWordWrap(true);
     verdict_->setAccessibleName(tr("Verdict"));
     setTone(*verdict_, Tone::Strong);
-    summary_ = new QLabel(card);
+    summary_ = new PlainLabel(card);
     summary_->setWordWrap(true);
     summary_->setAccessibleName(tr("Estimate"));
     setTone(*summary_, Tone::Muted);

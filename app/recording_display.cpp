@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QStyle>
 
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -20,14 +21,14 @@ void RecordingDisplay::show(const RecordingState& state)
     const bool failed = state.on && !state.trouble.empty();
     strip_.setVisible(failed);
     if (failed) strip_.setText(tr("NOT RECORDED: %1").arg(words::sentence(state.trouble)));
-    button_.setToolTip(state.recording
-                           ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames found no room\nA "
-                                "click marks this moment (K)")
-                                 .arg(QString::fromStdString(state.path))
-                                 .arg(state.frames)
-                                 .arg(words::number(static_cast<double>(state.bytes) / 1e6, 1))
-                                 .arg(state.missing)
-                           : tr("Nothing is recorded"));
+    setTip(button_, state.recording
+                        ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames found no room\nA "
+                             "click marks this moment (K)")
+                              .arg(QString::fromStdString(state.path))
+                              .arg(state.frames)
+                              .arg(words::number(static_cast<double>(state.bytes) / 1e6, 1))
+                              .arg(state.missing)
+                        : tr("Nothing is recorded"));
     const QString text = failed    ? tr("✕ NOT\nRECORDED")
                        : !state.on ? tr("○ not\nrecorded")
                                    : tr("● REC\nmark K");

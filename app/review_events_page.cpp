@@ -13,7 +13,9 @@
 #include "core/log/review_moment.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
+#include "widgets/plain_label.h"
 #include "widgets/plain_table.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 
@@ -95,12 +97,12 @@ private:
 ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent) : Page(parent)
 {
     auto* card = new Card(tr("Events of the session"), this);
-    alarms_ = new QLabel(card);
+    alarms_ = new PlainLabel(card);
     alarms_->setWordWrap(true);
     alarms_->setAccessibleName(tr("Alarms that stand"));
     kinds_ = new QComboBox(card);
     kinds_->setAccessibleName(tr("Kind of the events"));
-    kinds_->setToolTip(tr("Which events are listed"));
+    setTip(*kinds_, tr("Which events are listed"));
     kinds_->addItem(tr("all kinds"));
     for (int kind = 0; kind < kEventKinds; ++kind)
         kinds_->addItem(nameOf(static_cast<EventKind>(kind)));
@@ -110,7 +112,7 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
     table_ = new QTableView(card);
     table_->setModel(events_);
     table_->setAccessibleName(tr("Events of the session"));
-    table_->setToolTip(tr("Enter or a double click goes there"));
+    setTip(*table_, tr("Enter or a double click goes there"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -18,7 +18,9 @@
 
 #include "app/file_dialog.h"
 #include "widgets/look.h"
+#include "widgets/plain_label.h"
 #include "widgets/session_timeline.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 namespace {
@@ -107,7 +109,7 @@ ReviewExportDialog::ReviewExportDialog(Sources sources, QWidget* parent)
     progress_->setRange(0, 100);
     progress_->setAccessibleName(tr("Progress of the export"));
     column->addWidget(progress_);
-    result_ = new QLabel(this);
+    result_ = new PlainLabel(this);
     result_->setWordWrap(true);
     result_->setAccessibleName(tr("Result of the export"));
     result_->setMinimumHeight(scaled(44));
@@ -133,16 +135,16 @@ QWidget* ReviewExportDialog::form()
         auto* box = new QComboBox(form);
         box->setMinimumHeight(scaled(kTarget));
         box->setAccessibleName(name);
-        box->setToolTip(tip);
-        rows->addRow(name, box);
+        setTip(*box, tip);
+        addField(*rows, name, box);
         return box;
     };
     what_ = combo(tr("What"), tr("What of the session is to be a file"));
     for (const Choice& choice : choices())
         what_->addItem(QCoreApplication::translate("ReviewExport", choice.name));
     format_ = combo(tr("Format"), tr("Which programs can read it"));
-    rows->addRow(tr("Of"), span());
-    rows->addRow(tr("File"), file());
+    addField(*rows, tr("Of"), span());
+    addField(*rows, tr("File"), file());
     connect(what_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::offerFormats);
     connect(format_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::takeFormat);
     return form;
@@ -157,7 +159,7 @@ QWidget* ReviewExportDialog::span()
     visible_ = new QRadioButton(box);
     visible_->setChecked(true);
     everything_ = new QRadioButton(box);
-    moment_ = new QLabel(box);
+    moment_ = new PlainLabel(box);
     for (QWidget* const line : std::initializer_list<QWidget*>{visible_, everything_, moment_}) {
         line->setMinimumHeight(scaled(kTarget));
         column->addWidget(line);
@@ -175,7 +177,7 @@ QWidget* ReviewExportDialog::file()
     path_ = new QLineEdit(row);
     path_->setMinimumSize(scaled(420), scaled(kTarget));
     path_->setAccessibleName(tr("File"));
-    path_->setToolTip(tr("Where it is written"));
+    setTip(*path_, tr("Where it is written"));
     browse_ = new QPushButton(tr("Choose …"), row);
     line->addWidget(path_, 1);
     line->addWidget(browse_);
@@ -276,17 +278,17 @@ void ReviewExportDialog::showButtons()
     const QString whyNot = whyNotExport();
     export_->setText(QFileInfo::exists(path()) ? tr("Replace the file") : tr("Export"));
     export_->setEnabled(whyNot.isEmpty());
-    export_->setToolTip(whyNot.isEmpty() ? tr("Writes the file") : whyNot);
+    setTip(*export_, whyNot.isEmpty() ? tr("Writes the file") : whyNot);
     for (QWidget* const choice :
          std::initializer_list<QWidget*>{what_, format_, visible_, everything_, path_, browse_})
         choice->setEnabled(!job_);
-    browse_->setToolTip(job_ ? whyNot : tr("Choose the file"));
-    visible_->setToolTip(job_ ? whyNot
-                              : tr("From A to B, else what the timeline shows: zoom with Z and X"));
-    everything_->setToolTip(job_ ? whyNot : tr("All that the session holds"));
+    setTip(*browse_, job_ ? whyNot : tr("Choose the file"));
+    setTip(*visible_,
+           job_ ? whyNot : tr("From A to B, else what the timeline shows: zoom with Z and X"));
+    setTip(*everything_, job_ ? whyNot : tr("All that the session holds"));
     cancel_->setEnabled(job_ != nullptr);
-    cancel_->setToolTip(job_ ? tr("Ends the export and leaves no file (Esc)")
-                             : tr("Nothing is being written"));
+    setTip(*cancel_,
+           job_ ? tr("Ends the export and leaves no file (Esc)") : tr("Nothing is being written"));
     progress_->setVisible(job_ != nullptr);
 }
 

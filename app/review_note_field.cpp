@@ -6,6 +6,7 @@
 
 #include "app/review_player.h"
 #include "core/log/session_reader.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -16,8 +17,9 @@ ReviewNoteField::ReviewNoteField(const SessionReader& session, const ReviewPlaye
 {
     setPlaceholderText(tr("note (M)"));
     setAccessibleName(tr("Note at this time"));
-    setToolTip(tr("Kept beside the session, in %1; Enter saves it")
-                   .arg(QFileInfo(QString::fromStdString(notesPath(session.path()))).fileName()));
+    setTip(*this,
+           tr("Kept beside the session, in %1; Enter saves it")
+               .arg(QFileInfo(QString::fromStdString(notesPath(session.path()))).fileName()));
     if (auto notes = readNotes(session.path()))
         notes_ = std::move(*notes);
     else

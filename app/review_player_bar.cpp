@@ -13,6 +13,8 @@
 #include "app/review_difference.h"
 #include "app/review_timeline.h"
 #include "widgets/look.h"
+#include "widgets/plain_label.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 namespace {
@@ -27,7 +29,7 @@ ReviewPlayerBar::ReviewPlayerBar(const SessionReader& session, ReviewMoments& mo
 {
     timeline_ = new SessionTimeline(this);
     connect(timeline_, &SessionTimeline::seekWanted, this, &ReviewPlayerBar::goTo);
-    difference_ = new QLabel(this);
+    difference_ = new PlainLabel(this);
     difference_->setAccessibleName(tr("From A to B"));
     difference_->setVisible(false);
     row_ = new QHBoxLayout;
@@ -59,7 +61,7 @@ QPushButton* ReviewPlayerBar::button(QHBoxLayout& row, const QString& text, cons
     made->setProperty("role", "compact");
     made->setFocusPolicy(Qt::TabFocus);
     made->setAccessibleName(name);
-    made->setToolTip(tip);
+    setTip(*made, tip);
     connect(made, &QPushButton::clicked, this, std::move(clicked));
     row.addWidget(made);
     return made;
@@ -108,7 +110,7 @@ void ReviewPlayerBar::addSpeed(QHBoxLayout& row)
 {
     button(row, QStringLiteral("−"), tr("Slower"), tr("Half as fast (H)"),
            [this] { speedUp(0.5); });
-    speed_ = new QLabel(this);
+    speed_ = new PlainLabel(this);
     speed_->setAccessibleName(tr("Speed"));
     speed_->setAlignment(Qt::AlignCenter);
     row.addWidget(speed_);
@@ -143,7 +145,7 @@ void ReviewPlayerBar::addPosition(QHBoxLayout& row)
     position_->setAccessibleName(tr("Time in the session"));
     connect(position_, &QLineEdit::returnPressed, this, &ReviewPlayerBar::takePosition);
     row.addWidget(position_);
-    of_ = new QLabel(this);
+    of_ = new PlainLabel(this);
     setTone(*of_, Tone::Muted);
     row.addWidget(of_);
 }
@@ -211,8 +213,8 @@ void ReviewPlayerBar::showPlayer()
                                           : QString());
     if (of_->text() != of) {
         of_->setText(of);
-        position_->setToolTip(tr("Go to a time (G): seconds, or hours:minutes:seconds")
-                              + QLatin1Char('\n') + timeWords(now) + QLatin1Char(' ') + of);
+        setTip(*position_, tr("Go to a time (G): seconds, or hours:minutes:seconds")
+                               + QLatin1Char('\n') + timeWords(now) + QLatin1Char(' ') + of);
         showClock();
     }
     speed_->setText(QString::number(player_.speed(), 'g', 3) + QStringLiteral("×"));
@@ -224,7 +226,7 @@ void ReviewPlayerBar::showPlayer()
     loop_->setChecked(player_.loopWanted());
     follow_->setChecked(player_.following());
     follow_->setEnabled(!session_.sealed());
-    if (session_.sealed()) follow_->setToolTip(tr("The session is closed: nothing more will come"));
+    if (session_.sealed()) setTip(*follow_, tr("The session is closed: nothing more will come"));
     const bool both = player_.a() && player_.b();
     if (both != difference_->isVisibleTo(this)) difference_->setVisible(both);
 }

@@ -19,6 +19,8 @@
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -78,7 +80,7 @@ SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(paren
     const auto [look, lookForm] = card(tr("Look and sound"));
     buildLook(lookForm);
     defaults_ = new QPushButton(tr("All back to the defaults"), look);
-    defaults_->setToolTip(defaultsTip());
+    setTip(*defaults_, defaultsTip());
     look->body()->addWidget(defaults_);
     connect(defaults_, &QPushButton::clicked, this, [this] {
         store_.change([](Preferences& p) {
@@ -132,8 +134,8 @@ QComboBox* SettingsPage::choice(QFormLayout* form, const QString& label, const Q
     box->addItems(names);
     box->setMinimumHeight(kTarget);
     box->setAccessibleName(label);
-    box->setToolTip(tip);
-    form->addRow(label, box);
+    setTip(*box, tip);
+    addField(*form, label, box);
     shows_.emplace_back(
         [box, get = std::move(get)](const Preferences& p) { box->setCurrentIndex(get(p)); });
     connect(box, &QComboBox::currentIndexChanged, this, [this, set = std::move(set)](int index) {
@@ -154,8 +156,8 @@ QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, Pr
     box->setKeyboardTracking(false);  // a number is told when it is whole
     box->setMinimumHeight(kTarget);
     box->setAccessibleName(label);
-    box->setToolTip(tip);
-    form->addRow(label, box);
+    setTip(*box, tip);
+    addField(*form, label, box);
     shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value / unit); });
     connect(box, &QDoubleSpinBox::valueChanged, this,
             [=, this](double shown) { change([&](Preferences& p) { p.*value = shown * unit; }); });
@@ -171,8 +173,8 @@ QSpinBox* SettingsPage::whole(QFormLayout* form, const QString& label, int least
     box->setKeyboardTracking(false);
     box->setMinimumHeight(kTarget);
     box->setAccessibleName(label);
-    box->setToolTip(tip);
-    form->addRow(label, box);
+    setTip(*box, tip);
+    addField(*form, label, box);
     shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value); });
     connect(box, &QSpinBox::valueChanged, this,
             [=, this](int shown) { change([&](Preferences& p) { p.*value = shown; }); });
@@ -184,8 +186,8 @@ QCheckBox* SettingsPage::flag(QFormLayout* form, const QString& text, const QStr
 {
     auto* box = new QCheckBox(text, this);
     box->setMinimumHeight(kTarget);
-    box->setToolTip(tip);
-    form->addRow(QString(), box);
+    setTip(*box, tip);
+    addField(*form, QString(), box);
     shows_.emplace_back([=](const Preferences& p) { box->setChecked(p.*value); });
     connect(box, &QCheckBox::toggled, this,
             [=, this](bool shown) { change([&](Preferences& p) { p.*value = shown; }); });
@@ -242,11 +244,11 @@ void SettingsPage::buildLook(QFormLayout* form)
     whole(form, tr("Size of text"), kSmallestFont, kLargestFont, QStringLiteral("%"),
           tr("Ctrl + and Ctrl −"), &Preferences::fontScale)
         ->setSingleStep(10);
-    lettersNote_ = new QLabel(this);
+    lettersNote_ = new PlainLabel(this);
     setTone(*lettersNote_, Tone::Doubt);
     lettersNote_->setWordWrap(true);
     lettersNote_->hide();
-    form->addRow(QString(), lettersNote_);
+    addField(*form, QString(), lettersNote_);
     language_ = choice(
         form, tr("Language"),
         {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
@@ -285,16 +287,16 @@ QWidget* SettingsPage::buildFiles()
     grid->setColumnStretch(0, 1);
     const auto file = [&](int row, const QString& name, QLabel*& text, QPushButton*& choose,
                           QPushButton*& shipped) {
-        text = new QLabel(card);
+        text = new PlainLabel(card);
         text->setAccessibleName(name);
         text->setWordWrap(true);
         text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         choose = new QPushButton(tr("Choose a file …"), card);
         choose->setAccessibleName(tr("Choose a file: %1").arg(name));
-        choose->setToolTip(chooseTip());
+        setTip(*choose, chooseTip());
         shipped = new QPushButton(tr("The shipped one"), card);
         shipped->setAccessibleName(tr("The shipped one: %1").arg(name));
-        shipped->setToolTip(shippedTip());
+        setTip(*shipped, shippedTip());
         grid->addWidget(text, row, 0);
         grid->addWidget(choose, row, 1, Qt::AlignTop);
         grid->addWidget(shipped, row, 2, Qt::AlignTop);
@@ -360,7 +362,7 @@ void SettingsPage::setReopenBlocked(const QString& why)
 {
     const auto block = [&why](QWidget* control, const QString& tip, bool mayBe = true) {
         control->setEnabled(why.isEmpty() && mayBe);
-        control->setToolTip(why.isEmpty() ? tip : why);
+        setTip(*control, why.isEmpty() ? tip : why);
     };
     block(chooseRobot_, chooseTip());
     const bool own = !store_.current().robot.isEmpty();
@@ -378,7 +380,7 @@ void SettingsPage::refresh(double /*now*/)
 {
     const bool own = !store_.current().model.isEmpty();
     shippedModel_->setEnabled(own);
-    shippedModel_->setToolTip(own ? shippedTip() : shippedInUseTip());
+    setTip(*shippedModel_, own ? shippedTip() : shippedInUseTip());
     lettersNote_->setText(terratact::lettersNote(store_.current().fontScale));
     lettersNote_->setVisible(!lettersNote_->text().isEmpty());
 }

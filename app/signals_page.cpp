@@ -22,8 +22,10 @@
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
 #include "widgets/raw_trace.h"
 #include "widgets/robot_readout.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -117,9 +119,8 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
     : Page(parent), acquisition_(acquisition), link_(link), preferences_(preferences)
 {
     auto* signalCard = new Card(tr("Signals"), this);
-    headline_ = new QLabel(signalCard);
+    headline_ = new PlainLabel(signalCard);
     headline_->setAccessibleName(tr("State of the bus"));
-    headline_->setTextFormat(Qt::PlainText);
     headline_->setWordWrap(true);
     table_ = new SignalTable(signalCard);
     signalCard->body()->addWidget(headline_);
@@ -133,8 +134,7 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
     signalCard->note()->hide();
     addTools(*signalCard->titleRow());
     for (QLabel** label : {&dbcFiles_, &dbcTroubles_}) {
-        *label = new QLabel(signalCard);
-        (*label)->setTextFormat(Qt::PlainText);
+        *label = new PlainLabel(signalCard);
         (*label)->setWordWrap(true);
         QSizePolicy policy = (*label)->sizePolicy();  // names of files are no reason to be wide
         policy.setHorizontalPolicy(QSizePolicy::Ignored);
@@ -170,7 +170,7 @@ void SignalsPage::addTools(QHBoxLayout& row)
         auto* button = new QPushButton(text, this);
         button->setFocusPolicy(Qt::TabFocus);
         button->setMinimumHeight(kTarget);
-        button->setToolTip(tip);
+        setTip(*button, tip);
         row.addWidget(button);
         return button;
     };
@@ -238,7 +238,7 @@ void SignalsPage::showDbc(const QStringList& files, const QStringList& troubles)
         shown << tr("… and %1 more, all of them in the tip here").arg(troubles.size() - kMostLines);
     dbcTroubles_->setText(shown.join(QLatin1Char('\n')));
     dbcTroubles_->setVisible(!troubles.isEmpty());
-    dbcTroubles_->setToolTip(plainTip(troubles.join(QLatin1Char('\n'))));
+    setTip(*dbcTroubles_, plainTip(troubles.join(QLatin1Char('\n'))));
 
     addDbc_->setEnabled(files.size() < kMostDbcFiles);
     removeDbc_->setVisible(!files.isEmpty());

@@ -15,6 +15,7 @@
 #include "widgets/event_list.h"
 #include "widgets/look.h"
 #include "widgets/terrain_profile_view.h"
+#include "widgets/tips.h"
 #include "widgets/verdict_strip.h"
 #include "widgets/words.h"
 
@@ -126,7 +127,7 @@ Card* TerrainPage::terrainCard()
     auto* card = new Card(tr("Terrain"), this);
     view_ = new QPushButton(tr("view"), card);
     view_->setFocusPolicy(Qt::TabFocus);
-    view_->setToolTip(tr("What else is drawn: draws, a second method"));
+    setTip(*view_, tr("What else is drawn: draws, a second method"));
     view_->setAccessibleName(tr("View of the terrain"));
     strip_ = new EstimateStrip(card);
     terrain_ = new TerrainProfileView(card);
@@ -148,7 +149,7 @@ Card* TerrainPage::forceCard()
     forceUnit_->setCheckable(true);
     forceUnit_->setFocusPolicy(Qt::TabFocus);
     forceUnit_->setAccessibleName(tr("Raw voltages of the force elements"));
-    forceUnit_->setToolTip(tr("Raw voltages instead of calibrated forces"));
+    setTip(*forceUnit_, tr("Raw voltages instead of calibrated forces"));
     connect(forceUnit_, &QPushButton::toggled, this, [this](bool raw) {
         forces_->setUnit(raw ? ForceBars::Unit::Volts : ForceBars::Unit::Newtons);
         showThreshold();
@@ -305,8 +306,8 @@ void TerrainPage::showForcesAge(const TerrainSight& sight)
     const auto said =
         isScene || sight.ended || age <= kStaleAfter ? std::nullopt : std::optional(age);
     if (sight.numbersDue || said != forcesAge_)
-        thresholdText_->setToolTip(isScene ? QString()
-                                           : tr("the forces are %1 old").arg(words::age(age)));
+        setTip(*thresholdText_,
+               isScene ? QString() : tr("the forces are %1 old").arg(words::age(age)));
     if (said == forcesAge_) return;
     forcesAge_ = said;
     showThreshold();

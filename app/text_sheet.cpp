@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTextDocumentFragment>
@@ -14,8 +15,16 @@
 #include <utility>
 
 #include "widgets/palette.h"
+#include "widgets/tips.h"
 
 namespace terratact {
+
+QString withoutResources(const QString& html)
+{
+    static const QRegularExpression kOther(QStringLiteral(
+        "<(?!/?(?:h3|p|b|table|tr|td)(?: (?:cellpadding|valign|width)=[a-z0-9]+)*>)"));
+    return QString(html).replace(kOther, QStringLiteral("&lt;"));
+}
 
 TextSheet::TextSheet(const QString& title, QList<int> closedBy, QWidget* parent)
     : QWidget(parent, Qt::Tool), closedBy_(std::move(closedBy) << Qt::Key_Escape)
@@ -33,7 +42,7 @@ TextSheet::TextSheet(const QString& title, QList<int> closedBy, QWidget* parent)
     text_->setMargin(18);
     area_->setWidget(text_);
     copy_ = new QPushButton(tr("Copy as text"), this);
-    copy_->setToolTip(tr("All of it, for a report"));
+    setTip(*copy_, tr("All of it, for a report"));
     connect(copy_, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(plainText()); });
     close_ = new QPushButton(tr("Close (Esc)"), this);
@@ -57,7 +66,7 @@ void TextSheet::setText(const QString& html, QSize room, int widest)
 {
     for (QPushButton* button : {copy_, close_}) button->setMinimumHeight(scaled(kTarget));
     text_->setWordWrap(false);
-    text_->setText(html);
+    text_->setText(withoutResources(html));
     const int bar = area_->verticalScrollBar()->sizeHint().width();
     const int width = std::min(widest, room.width() - bar);
     QSize needed = text_->sizeHint();

@@ -9,6 +9,10 @@ class QScrollArea;
 
 namespace terratact {
 
+/// HTML of which no tag can name a file to load: any but those of headings, paragraphs, tables and bold letters, or with
+/// another attribute than theirs, is shown as it is written.  A QLabel opens what an image names, also a device or a pipe.
+QString withoutResources(const QString& html);
+
 /// A text in a small window of its own: as large as it needs to be, and where there is less room it scrolls.  It can be
 /// copied; Esc closes it.
 class TextSheet final : public QWidget {

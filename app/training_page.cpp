@@ -28,7 +28,9 @@
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
 #include "widgets/plain_table.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -83,16 +85,15 @@ QPushButton* makeButton(const QString& text, const QString& tip, QWidget* parent
     auto* button = new QPushButton(text, parent);
     button->setAccessibleName(text);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setToolTip(tip);
+    setTip(*button, tip);
     return button;
 }
 
 QLabel* makeSentence(const QString& name, QWidget* parent)
 {
-    auto* label = new QLabel(parent);
+    auto* label = new PlainLabel(parent);
     label->setWordWrap(true);
     label->setAccessibleName(name);
-    label->setTextFormat(Qt::PlainText);
     return label;
 }
 
@@ -143,7 +144,7 @@ QPushButton* TrainingPage::addFile(QBoxLayout* column, const QString& what, cons
     field->setAccessibleName(title);
     field->setMinimumHeight(kTarget);
     field->setPlaceholderText(tr("scenes as CSV, with heights"));
-    auto* label = new QLabel(what, this);
+    auto* label = new PlainLabel(what, this);
     label->setBuddy(field);
     auto* button = makeButton(tr("Choose …"), title, this);
     button->setAccessibleName(title);
@@ -169,22 +170,22 @@ QWidget* TrainingPage::trainCard()
     name_->setMaxLength(60);
     name_->setValidator(new QRegularExpressionValidator(
         QRegularExpression(QStringLiteral("[A-Za-z0-9_][A-Za-z0-9_.-]*")), name_));
-    name_->setToolTip(
-        tr("Letters, digits, - _ and .; the file is %1/NAME.ttm").arg(options_.directory));
+    setTip(*name_,
+           tr("Letters, digits, - _ and .; the file is %1/NAME.ttm").arg(options_.directory));
     seed_ = new QSpinBox(card);
     seed_->setRange(0, std::numeric_limits<int>::max());
     seed_->setValue(1);
     seed_->setMinimumHeight(kTarget);
     seed_->setAccessibleName(tr("Seed of the search"));
-    seed_->setToolTip(tr("Same scenes and seed: the same model"));
+    setTip(*seed_, tr("Same scenes and seed: the same model"));
     start_ = makeButton(tr("Start"), {}, card);  // showButtons() gives the tips
     start_->setProperty("role", "primary");
     cancel_ = makeButton(tr("Cancel"), {}, card);
     auto* what = new QHBoxLayout;
     what->setSpacing(8);
-    auto* nameLabel = new QLabel(tr("Name"), card);
+    auto* nameLabel = new PlainLabel(tr("Name"), card);
     nameLabel->setBuddy(name_);
-    auto* seedLabel = new QLabel(tr("Seed"), card);
+    auto* seedLabel = new PlainLabel(tr("Seed"), card);
     seedLabel->setBuddy(seed_);
     what->addWidget(nameLabel);
     what->addWidget(name_, 1);
@@ -218,7 +219,7 @@ QWidget* TrainingPage::trainCard()
         tr("The same elsewhere"),
     };
     for (int column = 0; column < tips.size(); ++column)
-        bins_->horizontalHeaderItem(column)->setToolTip(tips[column]);
+        setTip(*bins_->horizontalHeaderItem(column), tips[column]);
     for (int bin = 0; bin < kBins; ++bin) bins_->item(bin, 0)->setText(words::binName(bin));
     for (const int wide : {0, 3, 5, 6})  // whose names are
         bins_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
@@ -250,7 +251,7 @@ QWidget* TrainingPage::compareCard()
                                                               QHeaderView::ResizeToContents);
     for (int row = 0; row < rows.size(); ++row) {
         comparison_->item(row, 0)->setText(rows[row].what);
-        comparison_->item(row, 0)->setToolTip(rows[row].what);
+        setTip(*comparison_->item(row, 0), rows[row].what);
     }
     card->body()->addWidget(comparison_, 1);
     verdict_ = makeSentence(tr("Outcome"), card);
@@ -453,7 +454,7 @@ void TrainingPage::showButtons()
 {
     const auto offer = [](QPushButton* button, const QString& whyNot, const QString& tip) {
         button->setEnabled(whyNot.isEmpty());
-        button->setToolTip(whyNot.isEmpty() ? tip : whyNot);
+        setTip(*button, whyNot.isEmpty() ? tip : whyNot);
     };
     const QString busy = whyBusy(), whyNot = whyNotStart(), why = whyNotAdopt();
     const bool runs = phase_ == Phase::Training || phase_ == Phase::Comparing;
@@ -470,7 +471,7 @@ void TrainingPage::showButtons()
           chooseTest_->accessibleName());
     offer(compare_, whyNotCompare(), tr("Estimate the test scenes with both models"));
     adopt_->setEnabled(phase_ == Phase::Compared && why.isEmpty());
-    adopt_->setToolTip(!why.isEmpty() ? why : runs ? busy : tr("Use the new model from now on"));
+    setTip(*adopt_, !why.isEmpty() ? why : runs ? busy : tr("Use the new model from now on"));
     offer(discard_, whyNotDiscard(), tr("Delete the new model's file"));
     if (reason_->text() != why) reason_->setText(why);
     reason_->setVisible(!why.isEmpty());
@@ -529,7 +530,7 @@ void TrainingPage::showBins(const TrainingProgress& progress)
                 && item->font() == font)
                 continue;
             item->setText(text);
-            item->setToolTip(text);  // there may be no room for all of it
+            setTip(*item, text);  // there may be no room for all of it
             item->setFont(font);
             item->setForeground(colour);
         }

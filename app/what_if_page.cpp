@@ -24,7 +24,9 @@
 #include "core/learn/sha256.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
+#include "widgets/plain_label.h"
 #include "widgets/plain_table.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -33,9 +35,9 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     : Page(parent), robot_(std::move(robot)), models_(std::move(models))
 {
     auto* card = new Card(tr("What if …"), this);
-    what_ = new QLabel(card);
+    what_ = new PlainLabel(card);
     what_->setWordWrap(true);
-    result_ = new QLabel(card);
+    result_ = new PlainLabel(card);
     result_->setWordWrap(true);
     result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     result_->setAccessibleName(tr("What differs"));
@@ -94,9 +96,9 @@ QWidget* WhatIfPage::form()
     const auto combo = [&](const QString& label, const QString& tip) {
         auto* box = new QComboBox(form);
         box->setAccessibleName(label);
-        box->setToolTip(tip);
+        setTip(*box, tip);
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        rows->addRow(label, box);
+        addField(*rows, label, box);
         return box;
     };
     method_ = combo(tr("Method"), tr("Which method estimates"));
@@ -110,14 +112,14 @@ QWidget* WhatIfPage::form()
     threshold_->setDecimals(2);
     threshold_->setSuffix(QStringLiteral(" N"));
     threshold_->setAccessibleName(tr("An element is a contact above"));
-    threshold_->setToolTip(tr("Force from which an element touches the ground"));
-    rows->addRow(tr("Contact above"), threshold_);
+    setTip(*threshold_, tr("Force from which an element touches the ground"));
+    addField(*rows, tr("Contact above"), threshold_);
     seed_ = new QLineEdit(form);
     seed_->setAccessibleName(tr("Seed"));
-    seed_->setToolTip(tr("Of the random numbers: a whole number"));
+    setTip(*seed_, tr("Of the random numbers: a whole number"));
     seed_->setValidator(
         new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,20}")), seed_));
-    rows->addRow(tr("Seed"), seed_);
+    addField(*rows, tr("Seed"), seed_);
     model_ = combo(tr("Model"), tr("File of the model"));
     for (const QString& path : std::as_const(models_))
         model_->addItem(QFileInfo(path).fileName(), path);
@@ -160,9 +162,9 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
     scene_ = scene ? std::optional(*scene) : std::nullopt;
     const QString whyNot = tr("No estimate stood at this time");
     for (QPushButton* button : {estimate_, asRecorded_}) button->setEnabled(recorded_ != nullptr);
-    estimate_->setToolTip(recorded_ ? tr("Estimates the recorded scene with what is set here")
-                                    : whyNot);
-    asRecorded_->setToolTip(recorded_ ? tr("Sets everything to what was recorded") : whyNot);
+    setTip(*estimate_,
+           recorded_ ? tr("Estimates the recorded scene with what is set here") : whyNot);
+    setTip(*asRecorded_, recorded_ ? tr("Sets everything to what was recorded") : whyNot);
     what_->setText(recorded_
                        ? tr("Estimate %1 of scene %2 at %3 s, by %4 with the model %5")
                              .arg(recorded_->id)

@@ -38,6 +38,53 @@ std::optional<double> numberFrom(std::string_view text)
     return value;
 }
 
+namespace {
+
+/// The character at the front of a text in UTF-8, which it takes off; empty where the bytes spell none.
+std::optional<char32_t> nextCharacter(std::string_view& text)
+{
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    const std::size_t length = first < 0x80 ? 1
+                             : first < 0xC2 ? 0
+                             : first < 0xE0 ? 2
+                             : first < 0xF0 ? 3
+                             : first < 0xF5 ? 4
+                                            : 0;
+    if (length == 0 || text.size() < length) return std::nullopt;
+    char32_t value = length == 1 ? first : first & (0x7FU >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80U) return std::nullopt;
+        value = value << 6U | (byte(i) & 0x3FU);
+    }
+    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+    if (value < kLeast.at(length) || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF))
+        return std::nullopt;
+    text.remove_prefix(length);
+    return value;
+}
+
+/// Control characters of ASCII and Latin-1, ends of lines, and marks of direction, which reorder what stands around them.
+bool hidesOrMoves(char32_t c)
+{
+    const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
+    return c < 0x20 || within(0x7F, 0x9F) || within(0x200B, 0x200F) || within(0x2028, 0x202E)
+        || within(0x2060, 0x2069) || c == 0x061C || c == 0xFEFF;
+}
+
+}  // namespace
+
+bool isReadableName(std::string_view text)
+{
+    constexpr int kMost = 100;
+    int characters = 0;
+    while (!text.empty()) {
+        const auto next = nextCharacter(text);
+        if (!next || hidesOrMoves(*next) || ++characters > kMost) return false;
+    }
+    return characters > 0;
+}
+
 std::string shown(std::string_view text)
 {
     constexpr std::size_t kLongest = 40;

@@ -46,6 +46,10 @@ constexpr bool isControl(char c)
     return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
 }
 
+/// Whether a text in UTF-8 may be a name that people read: 1 to 100 characters, none of them a control character, the end
+/// of a line, or a mark that turns the direction of reading; and whole: no byte that is no part of a character.
+bool isReadableName(std::string_view text);
+
 /// A piece of somebody's file for a message: in quotes, cut after 40 characters, unprintable ones as '?'.
 std::string shown(std::string_view text);
 

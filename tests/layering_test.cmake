@@ -7,6 +7,8 @@
 #   tests    anything, through headers
 # And nothing that has to be answered before all else: a modal window would stand between the operator and STOP:
 #   widgets, app  no box of Qt's that asks, no exec() but the application's, no loop of events, no modality
+# And a text of somebody's file is shown as it is, whatever it looks like:
+#   widgets, app  no label but a PlainLabel, no tip but by widgets/tips.h, no other widget or document for rich text
 # And the same seed gives the same draws with every compiler and standard library (docs/extremes.md):
 #   core/{infer,learn}  no distribution nor shuffle of the standard library, whose algorithms differ from one to the next
 #   build files         no option that lets a compiler reorder sums or forget NaN
@@ -22,6 +24,9 @@ set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bin
 set(widgets_core "^core/(text|robot/(command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
 
 set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|QColorDialog::get|QFontDialog::get|QMenu::exec[(]|[Dd]ialog[A-Za-z0-9_]*([.]|->)open[(]|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
+set(rich "(new[ \t]+QLabel|QLabel[ \t]+[A-Za-z_]+[ \t]*[;({]|public[ \t]+QLabel|setToolTip[(]|QToolTip::showText|setTextFormat|setWhatsThis|setStatusTip|QTextEdit|QTextBrowser|QTextDocument|setHtml|insertHtml|RichText|QGraphicsTextItem|[Aa]ddRow[(][^(]*(tr[(]|QString|label,|name,))")
+# The label and the tips themselves; the sheet of the keys, whose HTML is the program's own; how a label is read aloud.
+set(may_be_rich "^(widgets/(plain_label|tips|spoken)\\.(h|cpp)|app/text_sheet\\.cpp)$")
 set(unlike "std::([a-z_]+_distribution|shuffle|sample|generate_canonical|random_device)")
 # A campaign's rows for a search and a simulated scanner's noise: what training draws is kept in the model.
 set(may_be_unlike "^core/learn/training\\.cpp$")
@@ -122,6 +127,9 @@ foreach(file IN LISTS building own files)
 endforeach()
 
 foreach(file IN LISTS files)
+  if(file MATCHES "^(widgets|app)/" AND NOT file MATCHES "${may_be_rich}")
+    refuse("${rich}" "has" ": it may show a file's text as HTML; use widgets/plain_label.h and widgets/tips.h")
+  endif()
   if(file MATCHES "^(widgets|app)/")
     refuse("${blocking}" "shows" ": a modal window stands between the operator and STOP")
   endif()

@@ -12,7 +12,9 @@
 
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
 #include "widgets/plain_table.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -61,7 +63,7 @@ QStringList allStates()
 QPushButton* button(const QString& text, const QString& tip, QWidget* parent)
 {
     auto* made = new QPushButton(text, parent);
-    made->setToolTip(tip);
+    setTip(*made, tip);
     made->setFocusPolicy(Qt::TabFocus);
     made->setMinimumHeight(kTarget);
     return made;
@@ -89,7 +91,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table_->horizontalHeader()->setSectionResizeMode(Text, QHeaderView::Stretch);
-    nothing_ = new QLabel(tr("✔ No alarms."), this);
+    nothing_ = new PlainLabel(tr("✔ No alarms."), this);
     nothing_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTone(*nothing_, Tone::Good);
 
@@ -100,16 +102,16 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     two_ = button(tr("Silence 120 s"),
                   tr("No sound for two minutes; a new alarm sounds all the same"), this);
     sound_ = new QCheckBox(tr("Sound"), this);
-    sound_->setToolTip(
-        tr("Critical alarms beep until they are acknowledged: at once, then every 10 s"));
+    setTip(*sound_,
+           tr("Critical alarms beep until they are acknowledged: at once, then every 10 s"));
     sound_->setMinimumHeight(kTarget);
     sound_->setChecked(true);
     try_ = button(tr("Test the sound"), tr("Sounds once, as an alarm does"), this);
-    soundTrouble_ = new QLabel(this);
+    soundTrouble_ = new PlainLabel(this);
     soundTrouble_->setWordWrap(true);
     soundTrouble_->hide();
     setTone(*soundTrouble_, Tone::Bad);
-    silence_ = new QLabel(this);
+    silence_ = new PlainLabel(this);
     silence_->setAccessibleName(tr("Silence"));
     setTone(*silence_, Tone::Doubt);
     connect(acknowledge_, &QPushButton::clicked, this, [this] { emit acknowledged(chosen()); });
@@ -200,11 +202,11 @@ void AlarmTable::offer()
     const bool any = table_->rowCount() > 0, one = !chosen().isEmpty();
     const QString none = tr("There is no alarm");
     acknowledge_->setEnabled(one);
-    acknowledge_->setToolTip(one   ? tr("The chosen alarm has been seen")
-                             : any ? tr("No alarm is chosen in the list")
-                                   : none);
+    setTip(*acknowledge_, one   ? tr("The chosen alarm has been seen")
+                          : any ? tr("No alarm is chosen in the list")
+                                : none);
     all_->setEnabled(any);
-    all_->setToolTip(any ? tr("All alarms have been seen") : none);
+    setTip(*all_, any ? tr("All alarms have been seen") : none);
 }
 
 void AlarmTable::say(double silentFor)

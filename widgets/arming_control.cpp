@@ -5,6 +5,7 @@
 
 #include "widgets/held_button.h"
 #include "widgets/palette.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -34,11 +35,11 @@ ArmingControl::ArmingControl(QWidget* parent) : QWidget(parent)
     arm_->setProperty("role", "quiet");
     confirm_ = new HoldToConfirmButton(tr("hold to arm (M)"), &Theme::caution, this);
     confirm_->setAccessibleName(tr("Hold to arm the robot"));
-    confirm_->setToolTip(tr("Within 5 s; then commands from here move the robot"));
+    setTip(*confirm_, tr("Within 5 s; then commands from here move the robot"));
     confirm_->setHoldTime(1000);
     disarm_ = new QPushButton(this);
     disarm_->setProperty("role", "armed");
-    disarm_->setToolTip(tr("Commands from here move the robot. A click halts and disarms it"));
+    setTip(*disarm_, tr("Commands from here move the robot. A click halts and disarms it"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     for (QPushButton* button : std::initializer_list<QPushButton*>{arm_, confirm_, disarm_}) {
@@ -64,7 +65,7 @@ void ArmingControl::setState(const ArmingState& state, const QList<Precondition>
     arm_->setText(disarmedText());
     arm_->setVisible(off);
     arm_->setEnabled(possible);
-    arm_->setToolTip(tip);
+    setTip(*arm_, tip);
     confirm_->setVisible(state.phase == ArmingPhase::Confirming);
     disarm_->setText(on ? armedText() : requestedText());
     disarm_->setVisible(on || state.phase == ArmingPhase::Requested);
@@ -76,7 +77,7 @@ void ArmingControl::setListening(const QString& why)
     arm_->setText(tr("NO COMMANDS"));
     arm_->setVisible(true);
     arm_->setEnabled(false);
-    arm_->setToolTip(why);
+    setTip(*arm_, why);
     confirm_->setVisible(false);
     disarm_->setVisible(false);
 }

@@ -13,7 +13,9 @@
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
 #include "widgets/scroll_column.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -70,18 +72,18 @@ QString nameOf(Commanded command)
 
 AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
 {
-    stateText_ = new QLabel(this);
+    stateText_ = new PlainLabel(this);
     stateText_->setWordWrap(true);
     stateText_->setAccessibleName(tr("State of the exploration"));
     timeText_ = note();
-    subject_ = new QLabel(this);
+    subject_ = new PlainLabel(this);
     subject_->setWordWrap(true);
     setTone(*subject_, Tone::Muted);
     needsButton_ = new QPushButton(tr("needs (P)"), this);
     needsButton_->setFocusPolicy(Qt::TabFocus);
     needsButton_->setProperty("role", "flat");
     needsButton_->setAccessibleName(tr("What a command needs"));
-    needsButton_->setToolTip(tr("What each command needs, and what of it is missing (P)"));
+    setTip(*needsButton_, tr("What each command needs, and what of it is missing (P)"));
     auto* menu = new QMenu(needsButton_);
     needsButton_->setMenu(menu);
     connect(menu, &QMenu::aboutToShow, this, &AtemPanel::offerCommands);
@@ -99,12 +101,12 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     abort_->setFocusPolicy(Qt::TabFocus);
     release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), &Theme::caution, this);
     release_->setAccessibleName(tr("Hold to release STOP"));
-    release_->setToolTip(tr("Lets commands through again; the robot does not move by itself"));
+    setTip(*release_, tr("Lets commands through again; the robot does not move by itself"));
 
     override_ = new QPushButton(tr("Override (O)"), this);
     override_->setFocusPolicy(Qt::TabFocus);
-    override_->setToolTip(
-        tr("Explore in spite of what is doubtful; it is noted, and stays on the screen"));
+    setTip(*override_,
+           tr("Explore in spite of what is doubtful; it is noted, and stays on the screen"));
     connect(override_, &QPushButton::clicked, this, &AtemPanel::overrideWanted);
     texts_ = new ScrollColumn(kLines, this);
     texts_->setAccessibleName(tr("Exploration (ATEM)"));
@@ -200,8 +202,8 @@ void AtemPanel::setNeeds(Commanded command, const QList<Precondition>& precondit
 {
     needs_[indexOf(command)] = preconditions;
     if (command == Commanded::ReleaseStop)
-        release_->setToolTip(tr("Lets commands through again; the robot does not move by itself")
-                             + QLatin1Char('\n') + linesOf(preconditions));
+        setTip(*release_, tr("Lets commands through again; the robot does not move by itself")
+                              + QLatin1Char('\n') + linesOf(preconditions));
     if (command == listed()) showList();
     if (command != Commanded::Explore) return;
     showState();
@@ -283,8 +285,8 @@ void AtemPanel::showList()
     if (preconditions == shown_) return;
     while (list_->count() < 2 * preconditions.size()) {
         const int row = list_->count() / 2;
-        auto* mark = new QLabel(this);
-        auto* reason = new QLabel(this);
+        auto* mark = new PlainLabel(this);
+        auto* reason = new PlainLabel(this);
         reason->setWordWrap(true);
         list_->addWidget(mark, row, 0, Qt::AlignTop);
         list_->addWidget(reason, row, 1);
@@ -390,13 +392,13 @@ void AtemPanel::showButtons()
         tip = tr("Not possible now:");
     else if (!doubtful.isEmpty())
         tip = tr("Doubtful, override it first (O):");
-    request_->setToolTip(tip + QLatin1Char('\n') + linesOf(needs));
+    setTip(*request_, tip + QLatin1Char('\n') + linesOf(needs));
     const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Forget (Esc)") : tr("Abort (Esc)"));
-    abort_->setToolTip(!abort_->isEnabled() ? tr("No exploration is running")
-                       : clears             ? tr("Takes the result off the screen")
-                                            : tr("Halts the robot and ends the exploration"));
+    setTip(*abort_, !abort_->isEnabled() ? tr("No exploration is running")
+                    : clears             ? tr("Takes the result off the screen")
+                                         : tr("Halts the robot and ends the exploration"));
 }
 
 }  // namespace terratact

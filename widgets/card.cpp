@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/look.h"
+#include "widgets/plain_label.h"
 
 namespace terratact {
 
@@ -17,9 +18,9 @@ Card::Card(const QString& title, QWidget* parent) : QFrame(parent)
     body_->setSpacing(kSpacing);
     titleRow_ = new QHBoxLayout;
     titleRow_->setSpacing(12);
-    heading_ = new QLabel(title, this);
+    heading_ = new PlainLabel(title, this);
     heading_->setProperty("heading", true);
-    note_ = new QLabel(this);
+    note_ = new PlainLabel(this);
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setTone(*note_, Tone::Muted);
     titleRow_->addWidget(heading_);

@@ -5,6 +5,7 @@
 
 #include "widgets/held_button.h"
 #include "widgets/palette.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 
@@ -35,7 +36,7 @@ void DrivePad::setPreconditions(const QList<Precondition>& preconditions)
                       + linesOf(preconditions);
     for (HeldButton* button : {forward_, back_}) {
         button->setEnabled(firstMissing(preconditions).isEmpty());
-        button->setToolTip(tip.trimmed());
+        setTip(*button, tip.trimmed());
     }
 }
 

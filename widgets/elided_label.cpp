@@ -3,8 +3,9 @@
 #include <QHelpEvent>
 #include <QPainter>
 #include <QStyle>
-#include <QToolTip>
 #include <algorithm>
+
+#include "widgets/tips.h"
 
 namespace terratact {
 
@@ -53,8 +54,8 @@ QSize ElidedLabel::minimumSizeHint() const
 bool ElidedLabel::event(QEvent* event)
 {
     if (event->type() != QEvent::ToolTip || !isElided()) return QLabel::event(event);
-    const QString tip = toolTip().isEmpty() ? text() : text() + QLatin1Char('\n') + toolTip();
-    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), tip, this);
+    const QString tip = toolTip().isEmpty() ? text() : text() + QLatin1Char('\n') + tipOf(*this);
+    showTip(static_cast<QHelpEvent*>(event)->globalPos(), tip, this);
     return true;
 }
 

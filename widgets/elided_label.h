@@ -1,15 +1,15 @@
 #pragma once
 
-#include <QLabel>
+#include "widgets/plain_label.h"
 
 namespace terratact {
 
 /// A line whose text changes: it keeps the room of the texts that are usual, and ends in "…" where a text has less
 /// than it needs.  The tip then says all of it; text() always does.
-class ElidedLabel final : public QLabel {
+class ElidedLabel final : public PlainLabel {
     Q_OBJECT
 public:
-    using QLabel::QLabel;
+    using PlainLabel::PlainLabel;
 
     /// Room for each of these is wanted, whatever is shown.
     void setUsual(const QStringList& texts);

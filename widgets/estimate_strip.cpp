@@ -13,6 +13,8 @@
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -51,10 +53,10 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     headline_ = new ElidedLabel(this);
     headline_->setAccessibleName(tr("Result"));
     headline_->setProperty("headline", true);
-    details_ = new QLabel(this);
+    details_ = new PlainLabel(this);
     details_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setTone(*details_, Tone::Muted);
-    warnings_ = new QLabel(this);
+    warnings_ = new PlainLabel(this);
     warnings_->setWordWrap(true);
     warnings_->setAccessibleName(tr("What makes the result doubtful"));
     setTone(*warnings_, Tone::Doubt);
@@ -63,7 +65,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     progress_->setAccessibleName(tr("Progress of the estimate"));
     cancel_ = new QPushButton(tr("Cancel (Esc)"), this);
     cancel_->setFocusPolicy(Qt::TabFocus);
-    cancel_->setToolTip(tr("Ends the estimate and the exploration"));
+    setTip(*cancel_, tr("Ends the estimate and the exploration"));
 
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -113,7 +115,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
         ended.isEmpty() ? details_->text() : details_->text() + QStringLiteral(" · ") + ended;
     if (estimate.ending == Ending::Time) details_->setText(all);
     for (QLabel* const label : std::initializer_list<QLabel*>{headline_, details_})
-        label->setToolTip(all);
+        setTip(*label, all);
     arrange();
     QStringList warnings;
     if (!estimate.converged && estimate.warnings.empty())
@@ -135,7 +137,7 @@ void EstimateStrip::setNothing(const QString& why)
 {
     headline_->setText(why);
     headline_->setVisible(!why.isEmpty());
-    headline_->setToolTip(QString());
+    setTip(*headline_, QString());
     setTone(*headline_, Tone::Muted);
     details_->clear();
     warnings_->clear();

@@ -16,6 +16,7 @@
 #include "widgets/force_chart.h"
 #include "widgets/palette.h"
 #include "widgets/plain_plot.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -472,7 +473,7 @@ void ForceBars::show()
     QStringList lines;
     for (int element = 0; element < kForceElements; ++element) lines << spoken(element);
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
-    setToolTip(accessibleDescription());
+    setTip(*this, accessibleDescription());
     replot();
 }
 

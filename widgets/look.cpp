@@ -13,6 +13,7 @@
 #include "widgets/palette.h"
 #include "widgets/spoken.h"
 #include "widgets/target_style.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 namespace {
@@ -233,6 +234,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     current = themeOf(name);
     inForce = {name, fontScale};
     installSpokenLabels();
+    keepPlotsPlain();
     // A style sheet wraps the style and would wrap a second one, too.
     if (application.styleSheet().isEmpty()) QApplication::setStyle(new TargetStyle);
     QFont font = QApplication::font();

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "widgets/palette.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 namespace {
@@ -43,7 +44,7 @@ void NavigationRail::addPage(const QString& name, Qt::Key key, const QString& ti
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(name);
-    button->setToolTip(QStringLiteral("%1 (%2)").arg(tip, keyText(key)));
+    setTip(*button, QStringLiteral("%1 (%2)").arg(tip, keyText(key)));
     column_->insertWidget(page, button);
     buttons_ << button;
     keys_ << key;

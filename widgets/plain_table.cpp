@@ -28,13 +28,6 @@ void fitRows(QTableView& table, const QFontMetrics& letters)
     table.verticalHeader()->setDefaultSectionSize(letters.height() + kSpace);
 }
 
-QString plainTip(const QString& text)
-{
-    return text.isEmpty()
-             ? QString()
-             : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(text.toHtmlEscaped());
-}
-
 QSize HeadedTable::minimumSizeHint() const
 {
     const QHeaderView& header = *horizontalHeader();

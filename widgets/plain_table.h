@@ -19,9 +19,6 @@ int columnWidthFor(const QTableView& table, const QFontMetrics& letters, int col
 /// Makes the rows as high as the letters need.  A QTableView's are so many pixels whatever its letters are.
 void fitRows(QTableView& table, const QFontMetrics& letters);
 
-/// A tip that wraps and shows the text as it is: somebody's file may say what looks like HTML.
-QString plainTip(const QString& text);
-
 /// A table that is as wide at least as the names of its columns need.
 class HeadedTable : public QTableWidget {
     Q_OBJECT

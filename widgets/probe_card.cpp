@@ -14,8 +14,10 @@
 #include "widgets/held_button.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
 #include "widgets/scroll_column.h"
 #include "widgets/spoken.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -43,7 +45,7 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
     pages_ = new QStackedLayout;
     body()->addLayout(pages_, 1);
 
-    nothing_ = new QLabel(this);
+    nothing_ = new PlainLabel(this);
     nothing_->setWordWrap(true);
     nothing_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTone(*nothing_, Tone::Muted);
@@ -65,10 +67,10 @@ ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
 
 QLabel* ProbeCard::fact(QGridLayout& rows, const QString& name, Tone tone)
 {
-    auto* key = new QLabel(name, this);
+    auto* key = new PlainLabel(name, this);
     setTone(*key, Tone::Muted);
     key->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    auto* value = new QLabel(this);
+    auto* value = new PlainLabel(this);
     setTone(*value, tone);
     value->setAccessibleName(name);
     value->setWordWrap(true);
@@ -98,13 +100,13 @@ QWidget* ProbeCard::questionPage()
     costLine_ = rows->rowCount() - 1;
     question_ = fact(*rows, tr("step ahead"), Tone::Strong);
     questionKey_ = keys_.last();
-    decided_ = new QLabel(question);
+    decided_ = new PlainLabel(question);
     decided_->setWordWrap(true);
     decided_->setAccessibleName(tr("Whether a probe is needed"));
     setTone(*decided_, Tone::Good);
     facts_->column()->addWidget(decided_);
     facts_->column()->addLayout(rows, 2);
-    ranking_ = new QLabel(question);
+    ranking_ = new PlainLabel(question);
     ranking_->setWordWrap(true);
     ranking_->setAccessibleName(tr("The other bins, the best first"));
     setTone(*ranking_, Tone::Muted);
@@ -143,7 +145,7 @@ QWidget* ProbeCard::answers()
     setPreconditions({});
     refuse_ = new QPushButton(all);
     refuse_->setFocusPolicy(Qt::TabFocus);
-    refuse_->setToolTip(tr("Refuses the arm; as good an answer as any other"));
+    setTip(*refuse_, tr("Refuses the arm; as good an answer as any other"));
     auto* column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kProbeGap);
@@ -158,7 +160,7 @@ QWidget* ProbeCard::probingPage()
     auto* probing = new QWidget(this);
     auto* column = new QVBoxLayout(probing);
     column->setContentsMargins(0, 0, 0, 0);
-    probingText_ = new QLabel(probing);
+    probingText_ = new PlainLabel(probing);
     probingText_->setWordWrap(true);
     setTone(*probingText_, Tone::Accent);
     probingBar_ = new QProgressBar(probing);
@@ -366,7 +368,7 @@ void ProbeCard::showOthers()
         const QString all =
             tr("Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit")
                 .arg(bin, percent(other.varianceShare), words::number(other.bitsAfter, 2));
-        others_[i]->setToolTip(isVoid() ? tr("Cannot be approved: %1").arg(whyVoid_) : all);
+        setTip(*others_[i], isVoid() ? tr("Cannot be approved: %1").arg(whyVoid_) : all);
         others_[i]->setAccessibleName(all);
     }
 }
@@ -400,7 +402,7 @@ void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
         missing.isEmpty()
             ? tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing")
             : tr("Cannot be approved: %1").arg(missing);
-    approve_->setToolTip((how + QLatin1Char('\n') + linesOf(preconditions)).trimmed());
+    setTip(*approve_, (how + QLatin1Char('\n') + linesOf(preconditions)).trimmed());
     if (missing == whyVoid_) return;
     whyVoid_ = missing;
     if (!asks()) return;

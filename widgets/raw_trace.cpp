@@ -11,7 +11,9 @@
 
 #include "widgets/look.h"
 #include "widgets/palette.h"
+#include "widgets/plain_label.h"
 #include "widgets/plain_table.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -139,9 +141,8 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     pause_ = new QPushButton(tr("Hold the picture"), this);
     pause_->setCheckable(true);
     pause_->setFocusPolicy(Qt::TabFocus);
-    pause_->setToolTip(
-        tr("The list stands still; everything is received and counted all the same"));
-    summary_ = new QLabel(this);
+    setTip(*pause_, tr("The list stands still; everything is received and counted all the same"));
+    summary_ = new PlainLabel(this);
     setTone(*summary_, Tone::Muted);
 
     view_ = new PlainTable(this);

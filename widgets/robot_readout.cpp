@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "widgets/look.h"
+#include "widgets/plain_label.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -28,11 +30,10 @@ RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
                                            tr("front currents"), tr("rear currents")};
     for (int row = 0; row < kRows; ++row) {
         const auto i = static_cast<std::size_t>(row);
-        auto* name = new QLabel(names[i], this);
+        auto* name = new PlainLabel(names[i], this);
         setTone(*name, Tone::Muted);
-        values_[i] = new QLabel(this);
+        values_[i] = new PlainLabel(this);
         values_[i]->setAccessibleName(names[i]);
-        values_[i]->setTextFormat(Qt::PlainText);
         grid->addWidget(name, row, 0);
         grid->addWidget(values_[i], row, 1);
     }
@@ -86,7 +87,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
         if (row == Pitch && captured)
             tip +=
                 tr("; beside it that of the captured scene: the robot is drawn as it stood then");
-        values_[row]->setToolTip(tip);
+        setTip(*values_[row], tip);
     }
 }
 
@@ -95,7 +96,7 @@ void RobotReadout::clearMeasurement()
     for (std::size_t row = 0; row < values_.size(); ++row) {
         show(static_cast<Row>(row), words::kNothing, false);
         ages_[row].clear();
-        values_[row]->setToolTip({});
+        setTip(*values_[row], {});
     }
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "widgets/palette.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -392,7 +393,7 @@ bool SessionTimeline::event(QEvent* event)
         if (text.isEmpty())
             QToolTip::hideText();
         else
-            QToolTip::showText(help->globalPos(), text, this);
+            showTip(help->globalPos(), text, this);
         return true;
     }
     return QWidget::event(event);

@@ -9,6 +9,7 @@
 
 #include "core/robot/measurement.h"
 #include "widgets/palette.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {

@@ -15,6 +15,7 @@
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
 #include "widgets/spoken.h"
+#include "widgets/tips.h"
 
 namespace terratact {
 namespace {
@@ -139,14 +140,14 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     alarms_ = new QPushButton(this);
     alarms_->setProperty("role", "quiet");
     alarms_->setFocusPolicy(Qt::TabFocus);
-    alarms_->setToolTip(tr("What is wrong, and what was and has not been seen (F4)"));
+    setTip(*alarms_, tr("What is wrong, and what was and has not been seen (F4)"));
     connect(alarms_, &QPushButton::clicked, this, &StatusHeader::alarmsRequested);
     setAlarms(0, 0);
     quality_ = new QPushButton(this);
     quality_->setProperty("role", "quiet");
     quality_->setFocusPolicy(Qt::TabFocus);
     quality_->setAccessibleName(tr("Quality of the estimate"));
-    quality_->setToolTip(tr("How much time an estimate may take for its accuracy"));
+    setTip(*quality_, tr("How much time an estimate may take for its accuracy"));
     quality_->setVisible(false);
     arming_ = new ArmingControl(this);
     stop_ = new QPushButton(this);
@@ -180,7 +181,7 @@ void StatusHeader::setSource(const QString& name)
 void StatusHeader::setLink(const QString& text, Tone tone, const QString& details)
 {
     link_->setText(text);
-    if (link_->toolTip() != details) link_->setToolTip(details);
+    if (link_->toolTip() != details) setTip(*link_, details);
     const bool wasLost = link_->property("tone").toString() == QLatin1String("bad");
     setTone(*link_, tone);
     if (wasLost != (tone == Tone::Bad)) announce(*link_);
@@ -203,7 +204,7 @@ void StatusHeader::setBus(const QString& text, Tone tone, const QString& details
     }
     const QString tip = details + QLatin1Char('\n') + tr("All of it: F5");
     if (bus_->toolTip() != tip) {
-        bus_->setToolTip(tip);
+        setTip(*bus_, tip);
         bus_->setAccessibleDescription(details);
     }
 }
@@ -227,13 +228,13 @@ void StatusHeader::setRobot(const QString& text, Tone tone)
 void StatusHeader::setOverridden(const QString& what)
 {
     overridden_->setVisible(!what.isEmpty());
-    overridden_->setToolTip(what);
+    setTip(*overridden_, what);
 }
 
 void StatusHeader::setModel(const QString& text, Tone tone, const QString& details)
 {
     model_->setText(text);
-    model_->setToolTip(details);
+    setTip(*model_, details);
     setTone(*model_, tone);
     fit();
 }
@@ -406,7 +407,7 @@ void StatusHeader::setStop(const StopSight& sight)
     const QString meaning = stopMeaning(sight);
     if (stop_->toolTip() != meaning) {
         stop_->setAccessibleDescription(meaning);
-        stop_->setToolTip(meaning);
+        setTip(*stop_, meaning);
     }
     if (stopState_ == sight.state && !stop_->text().isEmpty()) return;
     stopState_ = sight.state;

@@ -13,7 +13,9 @@
 #include <utility>
 
 #include "widgets/look.h"
+#include "widgets/plain_label.h"
 #include "widgets/spoken.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -74,20 +76,20 @@ QString withheldText(const std::vector<Doubt>& doubts)
 VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
 {
     setProperty("card", true);
-    badge_ = new QLabel(this);
+    badge_ = new PlainLabel(this);
     badge_->setObjectName(QStringLiteral("verdictBadge"));
     badge_->setAlignment(Qt::AlignCenter);
     badge_->setAccessibleName(tr("Verdict"));
-    question_ = new QLabel(this);
+    question_ = new PlainLabel(this);
     question_->setObjectName(QStringLiteral("verdictQuestion"));
     question_->setWordWrap(true);
-    question_->setToolTip(
-        tr("A step: two bins at most %3 m apart that differ in height by more than the limit, "
-           "anywhere from %1 to %2 m ahead of the IMU")
-            .arg(words::number(binBegin(kFirstAhead), 2), words::number(binEnd(kBins - 1), 2),
-                 words::number(kStepBins * kBinWidth, 1)));
+    setTip(*question_,
+           tr("A step: two bins at most %3 m apart that differ in height by more than the limit, "
+              "anywhere from %1 to %2 m ahead of the IMU")
+               .arg(words::number(binBegin(kFirstAhead), 2), words::number(binEnd(kBins - 1), 2),
+                    words::number(kStepBins * kBinWidth, 1)));
     question_->setAccessibleName(tr("Probability of a step ahead"));
-    reason_ = new QLabel(this);
+    reason_ = new PlainLabel(this);
     reason_->setAccessibleName(tr("Why"));
     reason_->setWordWrap(true);
     setTone(*reason_, Tone::Muted);
@@ -208,7 +210,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     reason_->setText(why);
     QStringList tip{why};
     for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
-    reason_->setToolTip(tip.join(QLatin1Char('\n')));
+    setTip(*reason_, tip.join(QLatin1Char('\n')));
     say(answerOf(verdict), outlookOf(verdict), isWithheld);
 }
 
@@ -219,7 +221,7 @@ void VerdictStrip::setNothing(const QString& why)
     setTone(*question_, Tone::Strong);
     setTone(*reason_, Tone::Muted);
     reason_->setText(why);
-    reason_->setToolTip(QString());
+    setTip(*reason_, QString());
     say(tr("NO VERDICT"), QStringLiteral("none"), false);
 }
 
@@ -243,12 +245,13 @@ void VerdictStrip::setLimit(double metres)
     const bool lowest = limit_ <= kLeastLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
     lower_->setEnabled(!lowest);
     raise_->setEnabled(!highest);
-    lower_->setToolTip(
-        lowest ? tr("No lower limit can be set than %1 m").arg(words::number(kLeastLimit, 2))
-               : tr("A lower step counts as an obstacle, too (PgDown)"));
-    raise_->setToolTip(
-        highest ? tr("No higher limit can be set than %1 m").arg(words::number(kGreatestLimit, 2))
-                : tr("Only a higher step counts as an obstacle (PgUp)"));
+    setTip(*lower_,
+           lowest ? tr("No lower limit can be set than %1 m").arg(words::number(kLeastLimit, 2))
+                  : tr("A lower step counts as an obstacle, too (PgDown)"));
+    setTip(*raise_,
+           highest
+               ? tr("No higher limit can be set than %1 m").arg(words::number(kGreatestLimit, 2))
+               : tr("Only a higher step counts as an obstacle (PgUp)"));
 }
 
 void VerdictStrip::choose(double metres)

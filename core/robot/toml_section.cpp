@@ -65,8 +65,7 @@ double TomlSection::number(std::string_view key, TomlRange range)
 std::string TomlSection::text(std::string_view key)
 {
     const auto* const value = node(key).as_string();
-    if (!value || value->get().empty() || value->get().size() > 100
-        || std::any_of(value->get().begin(), value->get().end(), isControl))
+    if (!value || !isReadableName(value->get()))
         throw TomlRefused{
             tomlLine(node(key)) + ": " + path(key)
             + " is not a text of 1 to 100 characters, none of them a control character"};

@@ -44,7 +44,7 @@ public:
     bool has(std::string_view key) const { return table_.contains(key); }
 
     double number(std::string_view key, TomlRange range);
-    std::string text(std::string_view key);  ///< 1 to 100 bytes, none of them a control character
+    std::string text(std::string_view key);  ///< as isReadableName() wants it
     /// The position of the key's text among the choices.
     std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices);
 

@@ -1,5 +1,6 @@
 // Every window that the program opens beside its own: not modal, and STOP works while it has the focus.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QApplication>
@@ -39,6 +40,7 @@
 #include "widgets/look.h"
 #include "widgets/navigation_rail.h"
 #include "widgets/status_header.h"
+#include "widgets/tips.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -213,6 +215,31 @@ TEST_F(Windows, aboutSaysWhatTheProgramIsAndWhoseWorkIsInIt)
     const auto sheets = window->findChildren<TextSheet*>();
     ASSERT_EQ(sheets.size(), 2);
     EXPECT_TRUE(sheets.last()->plainText().contains(aboutLine())) << "below the keys, too";
+}
+
+TEST_F(Windows, showTextsOfFilesAsTheyAre)
+{
+    const auto window = scripted();
+    QTest::keyClick(window.get(), Qt::Key_F1);
+    for (const QLabel* label : window->findChildren<QLabel*>())
+        EXPECT_TRUE(label->textFormat() == Qt::PlainText || label->window() != window.get())
+            << label->metaObject()->className() << ": " << label->text().toStdString();
+    for (const QWidget* widget : window->findChildren<QWidget*>())
+        EXPECT_TRUE(!Qt::mightBeRichText(widget->toolTip())
+                    || widget->toolTip() == plainTip(tipOf(*widget)))
+            << widget->toolTip().toStdString();
+}
+
+TEST_F(Windows, aSheetOpensNothingThatItsTextNames)
+{
+    const std::string pipe = directory.file("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    TextSheet sheet("test", {}, nullptr);
+    const QString image = QStringLiteral("<IMG src=\"%1\">").arg(QString::fromStdString(pipe));
+    sheet.setText(QStringLiteral("<h3>a</h3>%1<p style=\"background:url(%2)\">b</p>")
+                      .arg(image, QString::fromStdString(pipe)),
+                  QSize(800, 600));  // who reads the pipe waits for ever
+    EXPECT_TRUE(sheet.plainText().contains(image)) << sheet.plainText().toStdString();
 }
 
 /// A window with nothing but its help.

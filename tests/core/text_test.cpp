@@ -88,5 +88,24 @@ TEST(Shown, bringsTextOfAStrangerOnOneShortLine)
     EXPECT_EQ(shown(std::string(41, 'x')), "'" + std::string(40, 'x') + "…'");
 }
 
+TEST(Text, aNameIsAtMostHundredPlainCharacters)
+{
+    for (const std::string& good : {std::string("Absolem"), std::string("č"),
+                                    std::string("<b> & \"x\""), std::string(100, 'x')})
+        EXPECT_TRUE(isReadableName(good)) << good;
+    std::string hundred;
+    for (int i = 0; i < 100; ++i) hundred += "ř";  // two bytes each
+    EXPECT_TRUE(isReadableName(hundred));
+    EXPECT_FALSE(isReadableName(hundred + "x"));
+    for (const std::string& bad :
+         {std::string(), std::string(101, 'x'), std::string("a\nb"), std::string("a\0b", 3),
+          std::string("\x1b[2J"), std::string("\x7f"), std::string("\xC2\x9B") + "2J",
+          std::string("\xE2\x80\xA8"), std::string("\xE2\x80\xAE") + "RAELC",
+          std::string("\xE2\x81\xA6"), std::string("\xEF\xBB\xBF"), std::string("\xFF"),
+          std::string("\xC0\x80"), std::string("\xED\xA0\x80"), std::string("\xF4\x90\x80\x80"),
+          std::string("\xE2\x80")})
+        EXPECT_FALSE(isReadableName(bad)) << shown(bad);
+}
+
 }  // namespace
 }  // namespace terratact
