@@ -14,7 +14,7 @@ namespace terratact {
 // The subcommands of `terratact can`.  Each returns what stood in its way, in one sentence.
 
 struct CanDecodeOptions {
-    std::string log;
+    std::string log;        ///< "-": standard input
     std::string interface;  ///< empty: all
     CanProtocol protocol = CanProtocol::Terratact;
     std::vector<std::string> dbc{};  ///< files for frames that are not the protocol's
@@ -25,7 +25,7 @@ struct CanDecodeOptions {
 Status decodeCanLog(const CanDecodeOptions& options);
 
 struct CanMonitorOptions {
-    std::string bus;        ///< an interface, or the file of a log to be replayed
+    std::string bus;        ///< an interface, or a log to be replayed
     std::string interface;  ///< of a log that holds several
     double speed = 1.0;     ///< of a replay
     CanProtocol protocol = CanProtocol::Terratact;
@@ -36,7 +36,8 @@ struct CanMonitorOptions {
 /// Shows what is on a bus: a table that is refreshed five times a second on a terminal, else once a second.
 Status monitorCan(const CanMonitorOptions& options);
 
-/// Prints what is wrong with an interface and which command mends it.  An Error where it cannot be used.
-Status checkCan(const std::string& interface);
+/// Prints what is wrong with an interface and which command mends it, or what a log holds.  An Error where it cannot be
+/// used.
+Status checkCan(const std::string& interfaceOrLog);
 
 }  // namespace terratact

@@ -13,6 +13,7 @@
 #include "core/wire/absolem_words.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/can_error.h"
+#include "core/wire/dbc_text.h"
 
 namespace terratact {
 namespace {
@@ -65,7 +66,8 @@ public:
         words.trouble = judged.trouble;
         if (judged.kind) words.name = layoutOf(*judged.kind).name;
         if (judged.fault) {
-            words.verdict = describe(*judged.fault);
+            words.verdict = *judged.fault == FrameFault::NotClassicData ? kindText(frame)
+                                                                        : describe(*judged.fault);
             if (meansStop(frame)) words.verdict += "; a robot stops all the same";
             return words;
         }
@@ -106,7 +108,8 @@ public:
         if (frame.error) return errorWords(frame);
         const AbsolemListener::Heard heard = listener_.take(frame, now);
         FrameWords words;
-        words.verdict = describe(heard.verdict);
+        words.verdict = heard.verdict == AbsolemVerdict::NotClassicData ? kindText(frame)
+                                                                        : describe(heard.verdict);
         words.trouble = troubleOf(heard.verdict);
         if (!heard.frame) return words;
         words.name = nameOf(*heard.frame);
@@ -242,7 +245,7 @@ std::string wordsOf(const std::vector<NamedValue>& values)
         text += value.name;
         text += ' ';
         text += value.value;
-        if (!value.unit.empty()) text.append(" ").append(value.unit);
+        if (!value.unit.empty()) text.append(" ").append(shownDbcText(value.unit));
     }
     return text;
 }
@@ -261,13 +264,19 @@ std::string idText(const CanFrame& frame)
                        frame.remote ? " remote" : "");
 }
 
+std::string kindText(const CanFrame& frame)
+{
+    if (frame.error) return "error frame";
+    const char* const kind = frame.remote ? "remote frame" : frame.fd ? "CAN FD frame" : "frame";
+    return fmt::format("{}{}", frame.extended ? "extended " : "", kind);
+}
+
 std::string bytesText(const CanFrame& frame)
 {
     std::string text = fmt::format("[{}]", frame.length);
     if (frame.remote) return text;
-    for (std::size_t i = 0; i < std::min<std::size_t>(frame.length, frame.data.size()); ++i)
-        text += fmt::format(" {:02X}", frame.data[i]);
-    return text;
+    for (const std::uint8_t byte : bytesOf(frame)) text += fmt::format(" {:02X}", byte);
+    return text + (frame.isCut ? " …" : "");
 }
 
 }  // namespace terratact

@@ -20,6 +20,9 @@ std::optional<CanProtocol> canProtocolFromName(std::string_view name);  ///< "te
 /// A number or a word with its name: "Pitch", "0.2100", "rad".
 struct NamedValue {
     std::string name, value, unit;
+    std::string exact{};  ///< with all its digits, for files; empty: `value` has them
+
+    const std::string& forFiles() const { return exact.empty() ? value : exact; }
     bool operator==(const NamedValue&) const = default;
 };
 
@@ -57,7 +60,10 @@ std::string contentText(const CanFrame& frame, const FrameWords& words);
 /// "044", "00000044", "error 004"; "044 FD", "044 remote"
 std::string idText(const CanFrame& frame);
 
-/// "[5] 2A 36 6C 2B BA"; of a longer CAN FD frame the first eight bytes.
+/// Why a frame is none of a protocol of standard data frames: "extended frame", "CAN FD frame".
+std::string kindText(const CanFrame& frame);
+
+/// "[5] 2A 36 6C 2B BA"; of a frame that is cut the bytes that are known, and "…".
 std::string bytesText(const CanFrame& frame);
 
 }  // namespace terratact

@@ -4,6 +4,7 @@
 #include "app/cli_options.h"
 #include "app/cli_subcommands.h"
 #include "app/commands.h"
+#include "app/log_help.h"
 
 namespace terratact {
 namespace {
@@ -85,7 +86,7 @@ void addCanDecode(CLI::App& can, Job& job)
 {
     auto* c = can.add_subcommand("decode", "Every frame of a log in words, and what was wrong");
     const auto o = std::make_shared<CanDecodeOptions>();
-    c->add_option("log", o->log, "Log of candump or python-can")->required();
+    c->add_option("log", o->log, kLogHelp)->required();
     c->add_option("--interface", o->interface, "Only of this one");
     c->add_option("--csv", o->csv, "CSV to write, a row for each value");
     c->add_flag("--summary", o->summaryOnly, "No line for each frame");
@@ -98,7 +99,7 @@ void addCanMonitor(CLI::App& can, Job& job)
 {
     auto* c = can.add_subcommand("monitor", "What is on a bus: values, rates, ages, load, drops");
     const auto o = std::make_shared<CanMonitorOptions>();
-    c->add_option("bus", o->bus, "Interface, or a log to replay")->required();
+    c->add_option("bus", o->bus, "Interface, or a log to replay (as of decode)")->required();
     c->add_option("--seconds", o->seconds, "Then it ends (default: never)")
         ->check(CLI::Range(0.0, 1e6));
     addNumber(*c, "--bitrate", o->bitrate, "Of the bus, for its load [bit/s]")
@@ -115,9 +116,10 @@ void addCanCheck(CLI::App& can, Job& job)
 {
     auto* c = can.add_subcommand(
         "check",
-        "What is wrong with an interface, and which command mends it; exit code 0: usable");
+        "What is wrong with an interface, and which command mends it, or what a log holds; exit "
+        "code 0: usable");
     const auto interface = std::make_shared<std::string>();
-    c->add_option("interface", *interface, "Such as can0")->required();
+    c->add_option("interface", *interface, "Such as can0, or a log")->required();
     c->callback([interface, &job] { job = [interface] { return checkCan(*interface); }; });
 }
 

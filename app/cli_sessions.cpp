@@ -2,6 +2,7 @@
 
 #include "app/cli_options.h"
 #include "app/cli_subcommands.h"
+#include "app/log_help.h"
 #include "app/session_commands.h"
 
 namespace terratact {
@@ -50,6 +51,10 @@ void addSessionExport(CLI::App& session, Job& job)
               "frames|signals|estimates|events", "Which rows (CSV: frames if not said; MCAP: all)");
     c->add_option("--from", o->selection.from, "Seconds since the session's start");
     c->add_option("--to", o->selection.to, "Seconds since the session's start");
+    c->add_option("--dbc", o->dbc,
+                  "DBC file: adds the signals of frames that are not the protocol's to signals "
+                  "(CSV) or everything (MCAP); may be repeated")
+        ->allow_extra_args(false);
     c->callback([o, &job] { job = [o] { return exportSession(*o); }; });
 }
 
@@ -119,9 +124,9 @@ void addSessionWhatIf(CLI::App& session, Job& job)
 
 void addSessionImport(CLI::App& session, Job& job)
 {
-    auto* c = session.add_subcommand("import", "Make a session of a log of candump or python-can");
+    auto* c = session.add_subcommand("import", "Make a session of a log of CAN frames");
     const auto o = std::make_shared<SessionImportOptions>();
-    c->add_option("log", o->log, "Log to read")->required();
+    c->add_option("log", o->log, kLogHelp)->required();
     c->add_option("--out", o->out, "Session to write (*.tts)")->required();
     c->add_option("--interface", o->interface, "Of a log that holds several");
     addRobot(*c, o->robot);

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 
 #include "app/can_check.h"
 #include "app/can_commands.h"
+#include "core/file_read.h"
+#include "core/wire/log_reader.h"
 #include "drivers/can_interface.h"
 #include "drivers/socketcan.h"
 
@@ -20,10 +24,54 @@ const char* wordOf(CanFinding::Level level)
     return "problem";
 }
 
+void tell(CanFinding::Level level, const std::string& what)
+{
+    fmt::print("{:<8} {}\n", wordOf(level), what);
+}
+
+/// What a log holds, and what was wrong when it was recorded.
+Status checkLog(const std::string& path)
+{
+    Result<LogReader> log = LogReader::open(path);
+    if (!log) return log.error();
+    std::map<std::string, std::uint64_t> frames;
+    std::uint64_t untimed = 0, others = 0;
+    for (;;) {
+        const auto logged = log->next();
+        for (const std::string& remark : log->takeRemarks())
+            tell(CanFinding::Level::Warning, remark);
+        if (!logged) return logged.error();
+        if (!*logged) break;
+        if (!(*logged)->time) ++untimed;
+        const std::string& name = (*logged)->interface;
+        if (frames.size() < 64 || frames.contains(name))
+            ++frames[name];
+        else
+            ++others;
+    }
+    if (frames.empty()) return fileError(path, "holds no frame");
+    tell(CanFinding::Level::Fine, "it is a log of the format " + log->format());
+    for (const auto& [name, count] : frames)
+        tell(CanFinding::Level::Fine, fmt::format("{} frames of {}", count, name));
+    if (others > 0)
+        tell(CanFinding::Level::Fine, fmt::format("{} frames of other interfaces", others));
+    tell(CanFinding::Level::Fine, fmt::format("it lasts {:.3f} s", log->elapsed()));
+    if (untimed > 0)
+        tell(CanFinding::Level::Warning,
+             fmt::format("{} frames have no time: record with candump -L", untimed));
+    if (log->dropped() > 0)
+        tell(CanFinding::Level::Warning,
+             fmt::format("{} frames were lost when the log was recorded", log->dropped()));
+    return Done{};
+}
+
 }  // namespace
 
 Status checkCan(const std::string& interface)
 {
+    std::error_code ignored;
+    if (interface == "-" || std::filesystem::is_regular_file(interface, ignored))
+        return checkLog(interface);
     if (Status name = checkInterfaceName(interface); !name) return name;
     const CanInterfaceFacts facts = lookAtInterface(interface);
     const CanController controller =

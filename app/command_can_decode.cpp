@@ -12,7 +12,7 @@
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/text.h"
-#include "core/wire/candump_log.h"
+#include "core/wire/log_reader.h"
 
 namespace terratact {
 namespace {
@@ -45,7 +45,7 @@ public:
             csvField(logged.interface), idText(logged.frame), csvField(words.name),
             words.counter ? std::to_string(*words.counter) : "", csvField(words.verdict));
         for (const NamedValue& value : words.values)
-            out_ << begin << ',' << csvField(value.name) << ',' << csvField(value.value) << ','
+            out_ << begin << ',' << csvField(value.name) << ',' << csvField(value.forFiles()) << ','
                  << csvField(value.unit) << '\n';
         if (words.values.empty())
             out_ << begin << "," << (words.counter ? "," : "data," + bytesText(logged.frame))
@@ -73,7 +73,7 @@ private:
 
 class Decoder {
 public:
-    Decoder(const CanDecodeOptions& options, std::shared_ptr<const DbcBook> book, CandumpReader log,
+    Decoder(const CanDecodeOptions& options, std::shared_ptr<const DbcBook> book, LogReader log,
             std::optional<CsvOutput> csv)
         : options_(options), book_(std::move(book)), log_(std::move(log)), csv_(std::move(csv))
     {
@@ -93,10 +93,17 @@ private:
     {
         for (;;) {
             const auto logged = log_.next();
+            tellRemarks();
             if (!logged) return logged.error();
             if (!*logged) return ending();
             if (Status done = take(**logged); !done) return done;
         }
+    }
+
+    void tellRemarks()
+    {
+        for (const std::string& remark : log_.takeRemarks())
+            fmt::print(stderr, "terratact: {}\n", remark);
     }
 
     Status ending() const
@@ -114,10 +121,11 @@ private:
                 fmt::format("is of the {}th interface: so many are not believed", kMostBuses + 1));
         Bus& bus = buses_[logged.interface];
         if (!bus.reader) bus.reader = frameReader(options_.protocol, book_);
-        const double now = logged.time.value_or(0.0);
+        if (logged.time && !begin_) begin_ = logged.time;
+        // On the log's even clock: the recording machine's may have been set.
+        const double now = log_.elapsed();
         if (logged.time && !bus.first) bus.first = now;
         if (logged.time) bus.last = now;
-        if (logged.time && !begin_) begin_ = now;
         const FrameWords words = bus.reader->read(logged.frame, now);
         bus.statistics.take(logged.frame, words, now);
         if (csv_) csv_->write(logged, words);
@@ -127,8 +135,7 @@ private:
 
     void print(const LoggedFrame& logged, const FrameWords& words) const
     {
-        const std::string time =
-            logged.time ? fmt::format("{:.6f}", *logged.time - begin_.value_or(0.0)) : "-";
+        const std::string time = logged.time ? fmt::format("{:.6f}", log_.elapsed()) : "-";
         const std::string counter = words.counter ? fmt::format("#{:03d}", *words.counter) : "-";
         const std::string content = contentText(logged.frame, words);
         fmt::print("{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
@@ -141,18 +148,21 @@ private:
         if (begin_ && !options_.summaryOnly)
             fmt::print("\ntimes are since {:.6f} s of the log's clock\n", *begin_);
         for (const auto& [name, bus] : buses_) {
-            fmt::print("\n{} in {}\n", name, options_.log);
+            fmt::print("\n{} in {}\n", name, options_.log == "-" ? "standard input" : options_.log);
             fmt::print("{}",
                        summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
                                                              : std::nullopt));
         }
+        if (log_.stepsBack() > 0)
+            fmt::print("the log's clock goes back {} times: the times above go on evenly\n",
+                       log_.stepsBack());
         if (log_.dropped() > 0)
             fmt::print("{} frames were lost when the log was recorded\n", log_.dropped());
     }
 
     const CanDecodeOptions& options_;
     std::shared_ptr<const DbcBook> book_;
-    CandumpReader log_;
+    LogReader log_;
     std::optional<CsvOutput> csv_;
     std::map<std::string, Bus> buses_;
     std::optional<double> begin_;  ///< [s] of the first frame with a time
@@ -166,7 +176,7 @@ Status decodeCanLog(const CanDecodeOptions& options)
     if (!book) return book.error();
     for (const std::string& remark : remarksOf(*book))
         fmt::print(stderr, "terratact: {}\n", remark);
-    Result<CandumpReader> log = CandumpReader::open(options.log);
+    Result<LogReader> log = LogReader::open(options.log);
     if (!log) return log.error();
     std::optional<CsvOutput> csv;
     if (!options.csv.empty()) {

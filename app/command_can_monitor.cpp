@@ -75,19 +75,61 @@ Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, Clock::time_po
     }
 }
 
+/// The bus to look at.
+struct Monitored {
+    std::unique_ptr<CanBus> bus;
+    LogReplay* replay = nullptr;  ///< the same; null: it is an interface
+};
+
+/// A name with a folder in it, or of something that exists here, is no interface's.
+bool isLog(const std::string& name)
+{
+    std::error_code ignored;
+    return name == "-" || name.find('/') != std::string::npos
+        || (std::filesystem::exists(name, ignored)
+            && !std::filesystem::is_directory(name, ignored));
+}
+
+Result<Monitored> open(const CanMonitorOptions& options)
+{
+    if (!isLog(options.bus)) {
+        auto bus = openBus(options.bus);
+        if (!bus) return bus.error();
+        return Monitored{*std::move(bus)};
+    }
+    auto replay = openReplay(options.bus, options.interface, options.speed);
+    if (!replay) return replay.error();
+    LogReplay* const log = replay->get();
+    return Monitored{*std::move(replay), log};
+}
+
+std::string stateText(const Monitored& monitored)
+{
+    constexpr double kShort = 2.0;  // [s] of waiting that needs no word
+    const CanBus& bus = *monitored.bus;
+    if (!monitored.replay) return describe(bus.state(), bus.name());
+    if (bus.state() == BusState::Ended) return bus.name() + " has ended";
+    const double wait = monitored.replay->wait().value_or(0.0);
+    if (wait < kShort) return bus.name();
+    return fmt::format("{}, whose next frame comes in {:.0f} s", bus.name(), wait);
+}
+
 }  // namespace
 
 Status monitorCan(const CanMonitorOptions& options)
 {
-    const bool isReplay = std::filesystem::is_regular_file(options.bus);
-    const auto bus =
-        isReplay ? openReplay(options.bus, options.interface, options.speed) : openBus(options.bus);
-    if (!bus) return bus.error();
+    const Result<Monitored> opened = open(options);
+    if (!opened) return opened.error();
+    const bool isReplay = opened->replay != nullptr;
+    CanBus& bus = *opened->bus;
     const auto book = readDbcBook(options.protocol, options.dbc);
     if (!book) return book.error();
     CanMonitor monitor(options.protocol, options.bitrate, *book);
     const Screen screen;
-    const std::vector<std::string> remarks = remarksOf(*book);
+    std::vector<std::string> remarks = remarksOf(*book);
+    if (isReplay)
+        remarks.insert(remarks.end(), opened->replay->remarks().begin(),
+                       opened->replay->remarks().end());
     if (!screen.isRedrawn())
         for (const std::string& remark : remarks) fmt::print(stderr, "terratact: {}\n", remark);
     screen.clear();
@@ -99,17 +141,14 @@ Status monitorCan(const CanMonitorOptions& options)
                                                + std::chrono::duration_cast<Clock::duration>(
                                                    std::chrono::duration<double>(*options.seconds))
                                          : Clock::time_point::max();
-        if (Status done = takeUntil(**bus, isReplay, monitor, std::min(next, end)); !done)
+        if (Status done = takeUntil(bus, isReplay, monitor, std::min(next, end)); !done)
             return done;
         const double now = seconds(Clock::now());
         monitor.mark(now);
-        const bool ended = isReplay && (*bus)->state() == BusState::Ended;
-        const std::string state = !isReplay ? describe((*bus)->state(), (*bus)->name())
-                                : ended     ? (*bus)->name() + " has ended"
-                                            : (*bus)->name();
+        const bool ended = isReplay && bus.state() == BusState::Ended;
         std::vector<std::string> lines = monitor.table(now);
         if (screen.isRedrawn()) lines.insert(lines.end(), remarks.begin(), remarks.end());
-        screen.show(monitor.headline(state, (*bus)->counters()), lines);
+        screen.show(monitor.headline(stateText(*opened), bus.counters()), lines);
         if (ended || Clock::now() >= end) return Done{};
     }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/payload_signals.h"
 #include "app/session_commands.h"
 #include "app/session_text.h"
 #include "app/what_if.h"
@@ -211,8 +212,23 @@ Status exportSession(const SessionExportOptions& options)
                                       "it is to be");
     auto session = SessionReader::open(options.file);
     if (!session) return session.error();
-    const auto counts = writeExport(*session, options.out, *format, options.selection);
+    const bool holdsSignals = *format == ExportFormat::Csv || *format == ExportFormat::Mcap;
+    if (!options.dbc.empty() && !holdsSignals)
+        return fileError(options.out, "a log of CAN frames holds no signals of --dbc; csv and mcap "
+                                      "do");
+    const auto book = readDbcBook(CanProtocol::Terratact, options.dbc);
+    if (!book) return book.error();
+    for (const std::string& remark : remarksOf(*book))
+        fmt::print(stderr, "terratact: {}\n", remark);
+    ExportSelection selection = options.selection;
+    selection.book = *book;
+    const auto counts = writeExport(*session, options.out, *format, selection);
     if (!counts) return counts.error();
+    if (counts->withoutColumns > 0)
+        fmt::print(stderr,
+                   "terratact: {}: {} messages of --dbc are left out: their signals and "
+                   "those before are more than {}\n",
+                   options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
     fmt::print("{} written\n", options.out);
     if (counts->leftOut > 0)
         fmt::print(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",

@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/session_commands.h"
 #include "core/file_read.h"
 #include "core/learn/sha256.h"
 #include "core/log/session_writer.h"
-#include "core/wire/candump_log.h"
+#include "core/wire/log_reader.h"
 
 namespace terratact {
 
@@ -24,28 +27,23 @@ public:
     {
     }
 
-    Status run(CandumpReader& log)
+    Status run(LogReader& log)
     {
         for (;;) {
             const auto logged = log.next();
+            for (const std::string& remark : log.takeRemarks())
+                fmt::print(stderr, "terratact: {}\n", remark);
             if (!logged) return logged.error();
             if (!*logged) break;
-            if (!options_.interface.empty() && (*logged)->interface != options_.interface) continue;
+            const bool isWanted =
+                options_.interface.empty() || (*logged)->interface == options_.interface;
+            // A step of the clock counts whichever interface shows it.
+            if (log.stepBack()) stepped(log);
+            if (!isWanted) continue;
             if (Status taken = take(log, **logged); !taken) return taken;
         }
-        if (!writer_) return fileError(options_.log, "holds no frame");
-        EventRow ended{.id = 2, .time = last_, .kind = EventKind::Session, .subject = "ended"};
-        if (log.dropped() > 0) {
-            ended.id = 3;
-            const EventRow gap{.id = 2,
-                               .time = last_,
-                               .kind = EventKind::Gap,
-                               .subject = "log",
-                               .text = "frames that were lost when the log was recorded",
-                               .number = static_cast<double>(log.dropped())};
-            if (Status told = writer_->add(gap); !told) return told;
-        }
-        if (Status told = writer_->add(ended); !told) return told;
+        if (!writer_) return fileError(options_.log, "holds no frame" + ofInterface());
+        if (Status told = tellEnd(log); !told) return told;
         if (Status sealed = writer_->seal(); !sealed) return sealed;
         fmt::print("{} frames of {} written to {}; last link {}\n", writer_->frames(), interface_,
                    options_.out, writer_->chain());
@@ -55,30 +53,96 @@ public:
     bool began() const { return writer_.has_value(); }
 
 private:
-    Status take(const CandumpReader& log, const LoggedFrame& logged)
+    std::string sourceName() const
+    {
+        return options_.log == "-" ? "standard input"
+                                   : std::filesystem::path(options_.log).filename().string();
+    }
+
+    std::string ofInterface() const
+    {
+        return options_.interface.empty() ? "" : " of " + options_.interface;
+    }
+
+    Status take(const LogReader& log, const LoggedFrame& logged)
     {
         if (!logged.time || *logged.time < 0.0 || *logged.time > 9e9)
             return log.error("has no time that a session could have");
         if (!writer_)
-            if (Status begun = begin(logged); !begun) return begun;
+            if (Status begun = begin(log, logged); !begun) return begun;
         if (logged.interface != interface_)
             return log.error(fmt::format("is of {}, the log began with {}: --interface says which "
                                          "is wanted",
                                          logged.interface, interface_));
-        last_ = sessionTimeOf(*logged.time - begin_);
+        last_ = sessionTimeOf(log.elapsed() - begin_);
+        if (Status told = tellSteps(); !told) return told;
         const FrameRow row{
             .time = last_, .frame = logged.frame, .sent = logged.direction == LogDirection::Sent};
         if (Status added = writer_->add(row); !added) return added;
         return ++count_ % kBatch == 0 ? writer_->commit() : Status(Done{});
     }
 
-    Status begin(const LoggedFrame& first)
+    /// Remembers a step of the log's clock until the next frame of the session.
+    void stepped(const LogReader& log)
     {
-        begin_ = *first.time;
+        constexpr std::size_t kMost = 200;  // that are told one by one
+        if (!writer_) return;
+        if (told_ + steps_.size() >= kMost) {
+            ++untold_;
+            return;
+        }
+        steps_.push_back(fmt::format("at line {} the log's clock was set back by {:.6f} s; the "
+                                     "session goes on evenly",
+                                     log.line(), *log.stepBack()));
+    }
+
+    EventRow event(EventKind kind, std::string subject, std::string text = {})
+    {
+        return {.id = ++events_,
+                .time = last_,
+                .kind = kind,
+                .subject = std::move(subject),
+                .text = std::move(text)};
+    }
+
+    Status tellSteps()
+    {
+        for (std::string& step : std::exchange(steps_, {})) {
+            ++told_;
+            if (Status told = writer_->add(event(EventKind::Gap, "clock", std::move(step))); !told)
+                return told;
+        }
+        return Done{};
+    }
+
+    Status tellEnd(const LogReader& log)
+    {
+        if (Status told = tellSteps(); !told) return told;
+        std::vector<EventRow> rows;
+        if (untold_ > 0)
+            rows.push_back(
+                event(EventKind::Gap, "clock",
+                      fmt::format("the log's clock was set back {} more times", untold_)));
+        if (log.dropped() > 0) {
+            rows.push_back(
+                event(EventKind::Gap, "log", "frames that were lost when the log was recorded"));
+            rows.back().number = static_cast<double>(log.dropped());
+        }
+        if (log.isTorn())
+            rows.push_back(event(EventKind::Gap, "log", "the end of the log is torn"));
+        rows.push_back(event(EventKind::Session, "ended"));
+        for (const EventRow& row : rows)
+            if (Status told = writer_->add(row); !told) return told;
+        return Done{};
+    }
+
+    Status begin(const LogReader& log, const LoggedFrame& first)
+    {
+        begin_ = log.elapsed();
         interface_ = first.interface;
-        const SessionStart start{.wallTime = sessionTimeOf(begin_),
+        const SessionStart start{.wallTime = sessionTimeOf(*first.time),
                                  .program = "terratact session import",
-                                 .source = std::filesystem::path(options_.log).filename().string(),
+                                 .source = sourceName(),
                                  .bus = interface_,
                                  .transmits = false,
                                  .robot = robot_,
@@ -86,18 +150,18 @@ private:
         auto writer = SessionWriter::create(options_.out, start);
         if (!writer) return writer.error();
         writer_ = std::move(*writer);
-        return writer_->add(EventRow{.id = 1,
-                                     .kind = EventKind::Session,
-                                     .subject = "begun",
-                                     .text = "from a log of CAN frames"});
+        return writer_->add(event(EventKind::Session, "begun", "from a log of CAN frames"));
     }
 
     const SessionImportOptions& options_;
     std::string robot_, interface_;
     std::optional<SessionWriter> writer_;
-    double begin_ = 0.0;  ///< [s] on the log's clock
+    double begin_ = 0.0;  ///< [s] of the first frame, on the log's even clock
     SessionTime last_ = 0;
-    std::uint64_t count_ = 0;
+    std::uint64_t count_ = 0, untold_ = 0;
+    std::int64_t events_ = 0;
+    std::size_t told_ = 0;
+    std::vector<std::string> steps_;  ///< of the clock since the last frame
 };
 
 }  // namespace
@@ -106,7 +170,7 @@ Status importLog(const SessionImportOptions& options)
 {
     auto robot = readFile(options.robot, kMostRobot);
     if (!robot) return robot.error();
-    auto log = CandumpReader::open(options.log);
+    auto log = LogReader::open(options.log);
     if (!log) return log.error();
     Importer importer(options, std::move(*robot));
     Status done = importer.run(*log);

@@ -52,8 +52,8 @@ void declareFile(CLI::App& app, ConsoleOptions& options)
 {
     auto* replay =
         app.add_option("file,--replay", options.replay,
-                       "Session to review, scenes as CSV to go through, or log of candump "
-                       "-L to show as if it happened now")
+                       "Session to review, scenes as CSV to go through, or log of CAN frames "
+                       "to show as if it happened now")
             ->excludes("--can")
             ->excludes("--terrain")
             ->excludes("--fault");

@@ -12,6 +12,8 @@
 #include "core/file_read.h"
 #include "core/wire/absolem.h"
 #include "core/wire/dbc_file.h"
+#include "core/wire/dbc_number.h"
+#include "core/wire/dbc_text.h"
 #include "core/wire/frame_layout.h"
 
 namespace terratact {
@@ -58,17 +60,29 @@ private:
     std::string ids_;
 };
 
-/// How many digits behind the point show every step of a scale; of one that never ends, so many as tell its steps
-/// apart.
-int digitsOf(double scale)
+/// The signals that a frame is too short for, the first few named; empty: it has them all.
+std::string missingText(const DbcMessage& message, const CanFrame& frame)
 {
-    constexpr int kMostDigits = 6;
-    const double size = std::abs(scale);
-    for (int digits = 0; digits <= kMostDigits; ++digits) {
-        const double steps = size * std::pow(10.0, digits);
-        if (std::abs(steps - std::round(steps)) <= 1e-9 * steps) return digits;
+    std::string names;
+    std::size_t count = 0;
+    for (const DbcSignal& signal : message.payload) {
+        if (bitsOf(signal, frame) || !signal.selectedBy.empty()) continue;
+        if (++count <= kMostNamed) names += (names.empty() ? "" : ", ") + signal.name;
     }
-    return std::max(0, static_cast<int>(std::ceil(-std::log10(size))) + 1);
+    if (count == 0) return {};
+    return fmt::format(", {} for {}{}",
+                       frame.isCut ? "cut before it was stored, too short" : "too short", names,
+                       count > kMostNamed ? " …" : "");
+}
+
+/// "by engine.dbc, source address 0x00"
+std::string verdictOf(const DescribedFrame& described, const CanFrame& frame)
+{
+    const DbcMessage& message = described.message;
+    return "by " + described.file
+         + (message.isParameterGroup ? fmt::format(", source address 0x{:02X}", frame.id & 0xFFU)
+                                     : std::string())
+         + missingText(message, frame);
 }
 
 class DescribingReader final : public FrameReader {
@@ -84,7 +98,7 @@ public:
         const auto described = book_->find(frame);
         if (!described) return words;
         return {.name = described->message.name,
-                .verdict = "by " + described->file,
+                .verdict = verdictOf(*described, frame),
                 .trouble = FrameTrouble::None,
                 .values = valuesOf(described->message, frame)};
     }
@@ -115,6 +129,8 @@ Status DbcBook::add(const std::string& path)
         }
         const auto described = std::make_shared<const DescribedFrame>(
             DescribedFrame{std::move(message), std::filesystem::path(path).filename().string()});
+        if (described->message.isParameterGroup)
+            groups_.emplace(parameterGroupOf(frame.id), described);
         const auto [place, isNew] = frames_.emplace(keyOf(frame.id, frame.extended), described);
         if (isNew)
             ++added.frames;
@@ -139,7 +155,9 @@ std::shared_ptr<const DescribedFrame> DbcBook::find(const CanFrame& frame) const
 {
     if (frame.error || frame.remote) return nullptr;
     const auto found = frames_.find(keyOf(frame.id, frame.extended));
-    return found == frames_.end() ? nullptr : found->second;
+    if (found != frames_.end()) return found->second;
+    const auto group = frame.extended ? groups_.find(parameterGroupOf(frame.id)) : groups_.end();
+    return group == groups_.end() ? nullptr : group->second;
 }
 
 Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,
@@ -159,26 +177,35 @@ std::vector<std::string> remarksOf(const std::shared_ptr<const DbcBook>& book)
 
 std::string wordOrNumber(const DbcSignal& signal, double value)
 {
-    constexpr double kLargest = 1e12;
-    constexpr int kMostDigits = 9;
-    if (const std::string* word = wordOf(signal, value)) return *word;
-    const bool isFloating =
-        signal.type == DbcSignal::Type::Float || signal.type == DbcSignal::Type::Double;
-    const int digits = std::max(digitsOf(signal.scale), digitsOf(signal.offset));
-    if (isFloating || std::abs(value) >= kLargest || digits > kMostDigits)
-        return fmt::format("{:.7g}", value + 0.0);
-    return fmt::format("{:.{}f}", value + 0.0, digits);
+    if (const std::string* word = wordOf(signal, value)) return shownDbcText(*word);
+    return shownText(signal, value);
+}
+
+std::string wordOrNumber(const DbcSignal& signal, std::uint64_t bits)
+{
+    if (const std::string* word = wordOfBits(signal, bits)) return shownDbcText(*word);
+    return shownText(signal, bits);
+}
+
+std::string exactWordOrNumber(const DbcSignal& signal, std::uint64_t bits)
+{
+    const std::string* word = wordOfBits(signal, bits);
+    return word ? *word : exactText(signal, bits);
 }
 
 std::vector<NamedValue> valuesOf(const DbcMessage& message, const CanFrame& frame)
 {
-    std::vector<std::optional<double>> values(message.payload.size());
-    decode(message, frame, values);
+    std::vector<std::optional<std::uint64_t>> bits(message.payload.size());
+    decodeBits(message, frame, bits);
     std::vector<NamedValue> said;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (values[i])
-            said.push_back({message.payload[i].name, wordOrNumber(message.payload[i], *values[i]),
-                            message.payload[i].unit});
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        if (!bits[i]) continue;
+        const DbcSignal& signal = message.payload[i];
+        NamedValue value{signal.name, wordOrNumber(signal, *bits[i]), signal.unit};
+        std::string exact = exactWordOrNumber(signal, *bits[i]);
+        if (exact != value.value) value.exact = std::move(exact);
+        said.push_back(std::move(value));
+    }
     return said;
 }
 

@@ -28,7 +28,8 @@ public:
     /// Adds a regular file.  What of it is not used, is among the remarks from then on.
     Status add(const std::string& path);
 
-    /// Null: no file describes it.  Remote, error and the protocol's own frames are never described.
+    /// Null: no file describes it.  Remote, error and the protocol's own frames are never described.  A parameter group
+    /// of J1939 is found from any source address; a message with the very identifier comes first.
     std::shared_ptr<const DescribedFrame> find(const CanFrame& frame) const;
 
     std::size_t frames() const { return frames_.size(); }
@@ -42,6 +43,7 @@ public:
 private:
     CanProtocol protocol_;
     std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>> frames_;  // by keys
+    std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>> groups_;  // of J1939
     std::vector<File> files_;
     std::vector<std::string> remarks_;
 };
@@ -53,8 +55,13 @@ Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,
 /// Those of a book that may be null.
 std::vector<std::string> remarksOf(const std::shared_ptr<const DbcBook>& book);
 
-/// The value of a signal for people: its word, or a number with the digits that its scale resolves.
-std::string wordOrNumber(const DbcSignal& signal, double value);
+/// The value of a signal for people: its word, which may be cut, or a number with the digits that its scale resolves.
+std::string wordOrNumber(const DbcSignal& signal, std::uint64_t bits);
+std::string wordOrNumber(const DbcSignal& signal,
+                         double value);  ///< of a value whose bits are not known
+
+/// The same for files: the whole word, or all digits.
+std::string exactWordOrNumber(const DbcSignal& signal, std::uint64_t bits);
 
 /// The signals of a frame that are in it, for people.
 std::vector<NamedValue> valuesOf(const DbcMessage& message, const CanFrame& frame);

@@ -1,6 +1,7 @@
 #include "app/foreign_frames.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -12,6 +13,7 @@ constexpr float kNoPoint = std::numeric_limits<float>::quiet_NaN();
 float pointOf(double value)
 {
     constexpr double kMost = std::numeric_limits<float>::max();
+    if (!std::isfinite(value)) return kNoPoint;
     return static_cast<float>(std::clamp(value, -kMost, kMost));
 }
 
@@ -91,12 +93,14 @@ ForeignFrames::Kept* ForeignFrames::begin(const Key& key,
 
 void ForeignFrames::takeValues(Kept& kept, const CanFrame& frame, double time)
 {
+    const DbcMessage& message = kept.frame.described->message;
     values_.resize(kept.payload.size());
-    decode(kept.frame.described->message, frame, values_);
+    decodeBits(message, frame, values_);
     for (std::size_t i = 0; i < values_.size(); ++i) {
         if (!values_[i]) continue;
         KeptSignal& of = kept.payload[i];
-        of.signal.take(*values_[i]);
+        of.signal.bits = *values_[i];
+        of.signal.take(physicalOf(message.payload[i], *values_[i]));
         if (of.usedAt) of.interval.take(time - *of.usedAt);
         of.usedAt = time;
         ++of.times;

@@ -78,7 +78,7 @@ private:
     Kinds described_, unknown_;
     std::size_t signals_ = 0;  ///< of the described ones
     std::uint64_t beyond_ = 0;
-    std::vector<std::optional<double>> values_;  // of one frame
+    std::vector<std::optional<std::uint64_t>> values_;  // of one frame, as they were sent
 };
 
 }  // namespace terratact

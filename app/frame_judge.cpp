@@ -53,7 +53,7 @@ JudgedFrame FrameJudge::judge(const CanFrame& frame, double now)
     judged.kind = judged.content.kind;
     E2eReceiver& receiver = receivers_[static_cast<std::size_t>(*judged.kind)];
     judged.silence = receiver.age(now);
-    judged.check = receiver.receive(frame.data, now);
+    judged.check = receiver.receive(bytesOf(frame), now);
     judged.trouble = troubleOf(judged.check);
     const bool isCyclic = layoutOf(*judged.kind).period > 0.0;
     if (judged.check == FrameCheck::Ok && isCyclic && judged.silence && *judged.silence > kOutage)

@@ -1,6 +1,5 @@
 #include "app/open_bus.h"
 
-#include "drivers/candump_replay.h"
 #include "drivers/socketcan.h"
 
 namespace terratact {
@@ -12,13 +11,10 @@ Result<std::unique_ptr<CanBus>> openBus(const std::string& interface)
     return std::unique_ptr<CanBus>(*std::move(bus));
 }
 
-Result<std::unique_ptr<CanBus>> openReplay(const std::string& path, const std::string& interface,
-                                           double speed)
+Result<std::unique_ptr<LogReplay>> openReplay(const std::string& path, const std::string& interface,
+                                              double speed)
 {
-    Result<std::unique_ptr<CandumpReplay>> replay =
-        CandumpReplay::open(path, {.interface = interface, .speed = speed});
-    if (!replay) return replay.error();
-    return std::unique_ptr<CanBus>(*std::move(replay));
+    return LogReplay::open(path, {.interface = interface, .speed = speed});
 }
 
 }  // namespace terratact

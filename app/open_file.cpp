@@ -27,6 +27,7 @@ constexpr qsizetype kApplicationId = 68;  // of an SQLite file, see its format
 
 FileKind kindOfFile(const QString& path)
 {
+    if (!QFileInfo(path).isFile()) return FileKind::Log;  // of a pipe nothing may be taken
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return FileKind::Log;
     const QByteArray head = file.read(kHead);
@@ -56,8 +57,8 @@ void openInAnotherWindow(const QString& path, const std::string& stopLine,
 void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
                                std::function<void(const QString& why)> failed)
 {
-    const QString filter =
-        OpenFile::tr("Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)");
+    const QString filter = OpenFile::tr(
+        "Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)");
     const QString start = QFileInfo(folder).isDir() ? folder : QString();
     askForFile(parent, {.title = OpenFile::tr("Open"), .start = start, .filter = filter},
                [stopLine, failed = std::move(failed)](const QString& path) {

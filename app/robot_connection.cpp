@@ -9,8 +9,8 @@
 #include "app/steady_now.h"
 #include "core/atem/panel_file.h"
 #include "drivers/can_interface.h"
-#include "drivers/candump_replay.h"
 #include "drivers/gpio_lines.h"
+#include "drivers/log_replay.h"
 #include "drivers/socketcan.h"
 
 namespace terratact {
@@ -59,9 +59,11 @@ std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& rob
 Result<std::unique_ptr<CanBus>> namedBus(const ConsoleOptions& options)
 {
     if (!options.replay.empty()) {
-        auto log = CandumpReplay::open(options.replay,
-                                       {.interface = options.interface, .speed = options.speed});
-        if (!log) return Error{log.error().text + " (a replay needs a log of candump -L)"};
+        auto log = LogReplay::open(options.replay,
+                                   {.interface = options.interface, .speed = options.speed});
+        if (!log) return log.error();
+        for (const std::string& remark : (*log)->remarks())
+            std::fprintf(stderr, "terratact-console: %s\n", remark.c_str());
         return std::unique_ptr<CanBus>(std::move(*log));
     }
     auto bus = SocketCan::open({.interface = options.can, .transmit = options.transmit});

@@ -38,6 +38,7 @@ struct SessionExportOptions {
     std::string file, out;
     std::optional<ExportFormat> format;  ///< empty: by the ending of `out`
     ExportSelection selection;
+    std::vector<std::string> dbc{};  ///< files for frames that are not the protocol's
 };
 Status exportSession(const SessionExportOptions& options);
 

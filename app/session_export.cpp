@@ -13,6 +13,7 @@
 
 #include "app/csv_field.h"
 #include "app/mcap_writer.h"
+#include "app/payload_signals.h"
 #include "app/session_text.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
@@ -21,6 +22,7 @@
 #include "core/wire/can_codec.h"
 #include "core/wire/candump_log.h"
 #include "core/wire/frame_layout.h"
+#include "core/wire/log_words.h"
 #include "core/wire/telemetry_listener.h"
 
 namespace terratact {
@@ -50,18 +52,13 @@ std::string interfaceName(const SessionStart& start)
     return name.empty() ? "can0" : name;
 }
 
-bool isShort(const CanFrame& frame)
-{
-    return frame.length <= frame.data.size();
-}
-
 class CandumpExporter final : public Exporter {
 public:
     CandumpExporter(std::ostream& out, const SessionStart& start) : out_(out), start_(start) {}
 
     bool take(const FrameRow& row) override
     {
-        if (!isShort(row.frame)) return false;
+        if (row.frame.isCut) return false;
         const double time = static_cast<double>(wallTimeOf(start_, row.time)) * 1e-9;
         out_ << candumpLine(time, interface_, row.frame) << '\n';
         return true;
@@ -89,13 +86,17 @@ public:
         const std::int64_t wall = wallTimeOf(start_, row.time);
         if (!base_) writeHeader(wall);
         const std::int64_t time = wall - *base_;
-        if (!isShort(frame) || frame.fd || time < 0) return false;
+        if (frame.isCut || time < 0) return false;
         const std::string moment = fmt::format("{:4}.{:06}", time / kSecond, time % kSecond / 1000);
         if (frame.error) {
             out_ << moment << " 1  ErrorFrame\n";
             return true;
         }
         const std::string id = fmt::format("{:X}{}", frame.id, frame.extended ? "x" : "");
+        if (frame.fd) {
+            writeFd(moment, id, row);
+            return true;
+        }
         out_ << fmt::format("{} 1  {:<15} {}   {} {:d}", moment, id, row.sent ? "Tx" : "Rx",
                             frame.remote ? 'r' : 'd', frame.length);
         for (std::size_t i = 0; i < frame.length && !frame.remote; ++i)
@@ -105,6 +106,17 @@ public:
     }
 
 private:
+    /// Flags that are not known are 0; 3000: a CAN FD frame that switched its bit rate.
+    void writeFd(const std::string& moment, const std::string& id, const FrameRow& row)
+    {
+        unsigned code = 0;
+        while (bytesOfCode(code) < row.frame.length) ++code;
+        out_ << fmt::format("{} CANFD   1 {:<4} {:>8}  {:>32} 1 0 {:x} {:>2}", moment,
+                            row.sent ? "Tx" : "Rx", id, "", code, row.frame.length);
+        for (const std::uint8_t byte : bytesOf(row.frame)) out_ << fmt::format(" {:02X}", byte);
+        out_ << "        0    0     3000        0        0        0        0        0\n";
+    }
+
     /// The header tells whole seconds.  first: [ns] since 1970; a recording may begin before its time 0.
     void writeHeader(std::int64_t first)
     {
@@ -130,16 +142,15 @@ private:
 std::string hexBytes(const CanFrame& frame)
 {
     std::string text;
-    if (frame.remote) return text;
-    for (std::size_t i = 0; i < std::min<std::size_t>(frame.length, frame.data.size()); ++i)
-        text += fmt::format("{:02X}", frame.data.at(i));
+    for (const std::uint8_t byte : bytesOf(frame)) text += fmt::format("{:02X}", byte);
     return text;
 }
 
 class CsvExporter final : public Exporter {
 public:
-    CsvExporter(std::ostream& out, const SessionReader& session, ExportKind what)
-        : out_(out), session_(session), what_(what)
+    CsvExporter(std::ostream& out, const SessionReader& session, ExportKind what,
+                const PayloadSignals& payload)
+        : out_(out), session_(session), what_(what), payload_(payload)
     {
     }
 
@@ -159,6 +170,9 @@ public:
             for (const FrameLayout& layout : frameLayouts())
                 for (const SignalLayout& signal : layout.payload)
                     out_ << ',' << csvField(heading(layout, signal));
+            for (const PayloadSignals::Message& message : payload_.messages())
+                for (const DbcSignal& signal : message.described->message.payload)
+                    out_ << ',' << csvField(headingOf(message, signal));
             out_ << '\n';
             break;
         case ExportKind::Estimates:
@@ -182,6 +196,8 @@ public:
         } else if (const auto content = unpack(row.frame);
                    std::holds_alternative<Unpacked>(content)) {
             takeSignals(row.time, std::get<Unpacked>(content));
+        } else if (const auto message = payload_.find(row.frame)) {
+            takePayload(row, payload_.messages()[*message]);
         }
         return true;
     }
@@ -231,12 +247,23 @@ private:
                 out_ << ',';
                 if (&layout == &own) out_ << numberText(content.values.at(i));
             }
-        out_ << '\n';
+        out_ << std::string(payload_.signals(), ',') << '\n';
+    }
+
+    void takePayload(const FrameRow& row, const PayloadSignals::Message& message)
+    {
+        std::size_t own = 0;
+        for (const FrameLayout& layout : frameLayouts()) own += layout.payload.size();
+        const auto numbers = numbersOf(message.described->message, row.frame);
+        out_ << moment(row.time) << std::string(own + message.firstSignal, ',');
+        for (const std::string& number : numbers) out_ << ',' << number;
+        out_ << std::string(payload_.signals() - message.firstSignal - numbers.size(), ',') << '\n';
     }
 
     std::ostream& out_;
     const SessionReader& session_;
     ExportKind what_;
+    const PayloadSignals& payload_;
 };
 
 std::string jsonNumbers(std::span<const double> values)
@@ -274,8 +301,9 @@ constexpr const char* kEventSchema =
 
 class McapExporter final : public Exporter {
 public:
-    McapExporter(std::ostream& out, const SessionReader& session, std::optional<ExportKind> what)
-        : session_(session), what_(what), mcap_(out, session.start().program)
+    McapExporter(std::ostream& out, const SessionReader& session, std::optional<ExportKind> what,
+                 const PayloadSignals& payload)
+        : session_(session), what_(what), payload_(payload), mcap_(out, session.start().program)
     {
         if (const auto robot = robotModelFrom(session.path(), session.start().robot); robot)
             listener_ = std::make_unique<TelemetryListener>(*robot);
@@ -296,6 +324,10 @@ public:
         can_ = add(ExportKind::Frames, "/can", "terratact.CanFrame", kCanSchema);
         measurement_ =
             add(ExportKind::Signals, "/measurement", "terratact.Measurement", kMeasurementSchema);
+        if (measurement_ != 0)
+            for (const PayloadSignals::Message& message : payload_.messages())
+                channels_.push_back(mcap_.addChannel("/payload/" + message.name, message.name,
+                                                     jsonSchemaOf(message)));
         estimate_ = add(ExportKind::Estimates, "/estimate", "terratact.Estimate", kEstimateSchema);
         event_ = add(ExportKind::Events, "/event", "terratact.Event", kEventSchema);
         const SessionStart& start = session_.start();
@@ -308,7 +340,11 @@ public:
 
     bool take(const FrameRow& row) override
     {
+        const auto described = payload_.find(row.frame);
         if (can_ != 0) write(can_, row.time, frameJson(row));
+        if (described && !channels_.empty())
+            write(channels_[*described], row.time,
+                  jsonValuesOf(payload_.messages()[*described].described->message, row.frame));
         if (measurement_ == 0 || !listener_ || row.sent) return true;
         if (const auto measured = listener_->take(row.frame, secondsOf(row.time)))
             write(measurement_, row.time, measurementJson(*measured));
@@ -337,13 +373,12 @@ private:
         mcap_.write(channel, static_cast<std::uint64_t>(wallTimeOf(session_.start(), time)), json);
     }
 
-    static std::string frameJson(const FrameRow& row)
+    std::string frameJson(const FrameRow& row) const
     {
         const CanFrame& f = row.frame;
         std::string data;
-        for (std::size_t i = 0; !f.remote && i < std::min<std::size_t>(f.length, f.data.size());
-             ++i)
-            data += fmt::format("{}{}", i > 0 ? "," : "", f.data.at(i));
+        for (const std::uint8_t byte : bytesOf(f))
+            data += fmt::format("{}{}", data.empty() ? "" : ",", byte);
         std::string meaning;
         if (const auto content = unpack(f); std::holds_alternative<Unpacked>(content)) {
             const auto& sound = std::get<Unpacked>(content);
@@ -352,6 +387,10 @@ private:
                 meaning += fmt::format("{}{}:{}", i > 0 ? "," : "",
                                        jsonText(layout.payload[i].name), sound.values.at(i));
             meaning = fmt::format(R"(,"name":{},"signals":{{{}}})", jsonText(layout.name), meaning);
+        } else if (const auto described = payload_.find(f)) {
+            const auto& message = payload_.messages()[*described];
+            meaning = fmt::format(R"(,"name":{},"signals":{})", jsonText(message.name),
+                                  jsonValuesOf(message.described->message, f));
         }
         return fmt::format(
             R"({{"id":{},"extended":{},"remote":{},"error":{},"fd":{},"sent":{},"length":{},"data":[{}]{}}})",
@@ -393,6 +432,8 @@ private:
 
     const SessionReader& session_;
     std::optional<ExportKind> what_;
+    const PayloadSignals& payload_;
+    std::vector<std::uint16_t> channels_;  // of its messages
     McapWriter mcap_;
     std::unique_ptr<TelemetryListener> listener_;
     std::uint16_t can_ = 0, measurement_ = 0, estimate_ = 0, event_ = 0;
@@ -414,6 +455,21 @@ std::vector<Other> othersOf(const SessionReader& session, const ExportSelection&
     std::stable_sort(others.begin(), others.end(),
                      [](const Other& a, const Other& b) { return a.first < b.first; });
     return others;
+}
+
+/// Which messages of DBC files come.
+PayloadSignals payloadOf(SessionReader& session, const ExportSelection& selection)
+{
+    PayloadSignals payload(selection.book);
+    for (std::size_t i = 0; payload.hasBook() && i < session.batches().size(); ++i) {
+        const SessionBatch& batch = session.batches()[i];
+        if (secondsOf(batch.last) < selection.from || secondsOf(batch.first) > selection.to)
+            continue;
+        for (const FrameRow& row : session.frames(i))
+            if (selection.covers(row.time)) payload.note(row.frame);
+    }
+    payload.name();
+    return payload;
 }
 
 /// Empty: progress() ended it.
@@ -445,15 +501,17 @@ std::optional<ExportCounts> run(SessionReader& session, Exporter& exporter,
 }
 
 std::unique_ptr<Exporter> exporterFor(std::ostream& out, const SessionReader& session,
-                                      ExportFormat format, const ExportSelection& selection)
+                                      ExportFormat format, const ExportSelection& selection,
+                                      const PayloadSignals& payload)
 {
     switch (format) {
     case ExportFormat::Candump: return std::make_unique<CandumpExporter>(out, session.start());
     case ExportFormat::Asc: return std::make_unique<AscExporter>(out, session.start());
     case ExportFormat::Csv:
         return std::make_unique<CsvExporter>(out, session,
-                                             selection.what.value_or(ExportKind::Frames));
-    case ExportFormat::Mcap: return std::make_unique<McapExporter>(out, session, selection.what);
+                                             selection.what.value_or(ExportKind::Frames), payload);
+    case ExportFormat::Mcap:
+        return std::make_unique<McapExporter>(out, session, selection.what, payload);
     }
     return nullptr;
 }
@@ -496,8 +554,10 @@ Result<ExportCounts> writeExport(SessionReader& session, const std::string& path
     Result<NewFile> file = NewFile::begin(path);
     if (!file) return file.error();
     std::ofstream out(file->temporaryPath(), std::ios::binary);
-    const auto counts =
-        run(session, *exporterFor(out, session, format, selection), selection, progress);
+    const PayloadSignals payload = payloadOf(session, selection);
+    auto counts =
+        run(session, *exporterFor(out, session, format, selection, payload), selection, progress);
+    if (counts) counts->withoutColumns = payload.leftOut();
     if (!counts) return fileError(path, "not written: ended before it was whole");
     out.close();
     if (!out) return fileError(path, "cannot be written: is the disk full?");

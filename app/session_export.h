@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "app/dbc_book.h"
 #include "core/log/session_reader.h"
 #include "core/result.h"
 
@@ -22,7 +24,8 @@ std::optional<ExportFormat> exportFormatFromName(std::string_view text);
 /// By the file's ending: .log, .asc, .csv, .mcap.
 std::optional<ExportFormat> exportFormatOf(const std::string& path);
 
-/// Which rows.  Signals are the decoded values of sound frames (resources/dbc/terratact.dbc).
+/// Which rows.  Signals are the decoded values of sound frames (resources/dbc/terratact.dbc), and of those that a DBC
+/// file describes.
 enum class ExportKind : std::uint8_t { Frames, Signals, Estimates, Events };
 std::optional<ExportKind> exportKindFromName(std::string_view text);
 
@@ -31,13 +34,15 @@ struct ExportSelection {
         what{};  ///< empty: everything that the format has room for; CSV: frames
     double from = -std::numeric_limits<double>::infinity();  ///< [s] since the session's start
     double to = std::numeric_limits<double>::infinity();
+    std::shared_ptr<const DbcBook> book{};  ///< for frames that are not the protocol's; null: none
 
     bool covers(SessionTime time) const { return secondsOf(time) >= from && secondsOf(time) <= to; }
 };
 
 struct ExportCounts {
-    std::uint64_t frames = 0;   ///< written; rows of other kinds are not counted
-    std::uint64_t leftOut = 0;  ///< frames that the format cannot express
+    std::uint64_t frames = 0;        ///< written; rows of other kinds are not counted
+    std::uint64_t leftOut = 0;       ///< frames that the format cannot express
+    std::size_t withoutColumns = 0;  ///< messages of DBC files that found no room (PayloadSignals)
 };
 
 /// Writes under a temporary name, then renames.  Errors name a file; a selection that the format cannot hold.

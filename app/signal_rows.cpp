@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "app/can_words.h"
+#include "core/wire/dbc_text.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -30,7 +31,7 @@ QString contentOf(const CanFrame& frame, const std::vector<NamedValue>& values)
         parts << QStringLiteral("%1 %2 %3")
                      .arg(words::text(value.name),
                           isOurs ? words::sentence(value.value) : words::text(value.value),
-                          words::text(value.unit))
+                          words::text(shownDbcText(value.unit)))
                      .trimmed();
     return parts.join(QStringLiteral(", "));
 }
@@ -86,6 +87,14 @@ QString valueText(const DbcSignal& signal, const std::optional<double>& value)
     return wordOf(signal, *value) ? text : withMinus(text);
 }
 
+/// Of the newest value every digit is known.
+QString newestText(const DbcSignal& signal, const TappedSignal& tapped)
+{
+    if (!tapped.last) return words::kNothing;
+    const QString text = words::text(wordOrNumber(signal, tapped.bits));
+    return wordOfBits(signal, tapped.bits) ? text : withMinus(text);
+}
+
 /// Of a message that says how often it comes, an old value is none; of others it is the last word.
 SignalRow::Standing standingOf(const SignalTimes& times, const DbcMessage& message)
 {
@@ -100,11 +109,11 @@ SignalRow rowOf(const DbcMessage& message, const DbcSignal& layout, const Tapped
 {
     SignalRow row;
     row.name = words::text(layout.name);
-    row.unit = words::text(layout.unit);
+    row.unit = words::text(shownDbcText(layout.unit));
     row.rate = times.rate;
     row.age = times.age;
     row.standing = standingOf(times, message);
-    row.value = valueText(layout, signal.last);
+    row.value = newestText(layout, signal);
     if (layout.words.empty()) {
         row.least = valueText(layout, signal.least);
         row.most = valueText(layout, signal.most);

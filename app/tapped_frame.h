@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -37,9 +38,13 @@ struct TappedSignal {
     /// Every kBusTick; NaN: none was fresh.  Newest last, but a ring in the tap.
     std::array<float, kPoints> history{};
 
+    std::uint64_t bits = 0;  ///< `last` as it was sent, of a signal that a DBC file describes
+
+    /// What is not finite has neither least nor most.
     void take(double value)
     {
         last = value;
+        if (!std::isfinite(value)) return;
         least = std::min(least.value_or(value), value);
         most = std::max(most.value_or(value), value);
     }

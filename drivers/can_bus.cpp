@@ -30,8 +30,7 @@ void requireSendable(const CanFrame& frame)
 {
     if (frame.fd || frame.error)
         throw std::invalid_argument("CanBus: neither FD nor error frames are sent");
-    if (frame.length > frame.data.size())
-        throw std::invalid_argument("CanBus: more than eight bytes");
+    if (frame.length > kClassicBytes) throw std::invalid_argument("CanBus: more than eight bytes");
     if (frame.id > (frame.extended ? 0x1fffffffu : 0x7ffu))
         throw std::invalid_argument("CanBus: the identifier has too many bits");
 }

@@ -257,6 +257,7 @@ namespace {
     QT_TRANSLATE_NOOP("event", "merged"),
     QT_TRANSLATE_NOOP("event", "missing"),
     QT_TRANSLATE_NOOP("event", "log"),
+    QT_TRANSLATE_NOOP("event", "clock"),
     QT_TRANSLATE_NOOP("event", "operator"),
     // Alarms, by what they are about; "disarmed" is what arming comes to, too.
     QT_TRANSLATE_NOOP("event", "silence"),

@@ -64,12 +64,12 @@ CanFrame canFrameFrom(CheckedRow& row, std::int64_t& flags)
     frame.error = (flags & kErrorFlag) != 0;
     frame.fd = (flags & kFdFlag) != 0;
     frame.length = static_cast<std::uint8_t>(flags >> kLengthShift);
-    require(frame.fd || frame.length <= frame.data.size(), "a frame is too long");
+    require(frame.length <= (frame.fd ? kFdBytes : kClassicBytes), "a frame is too long");
     require(frame.extended || frame.error || frame.id <= 0x7FF, "an identifier is too large");
     const std::string data = row.blob();
-    const std::size_t expected =
-        frame.remote ? 0 : std::min<std::size_t>(frame.length, frame.data.size());
-    require(data.size() == expected, "a frame has the wrong length");
+    // Of a longer frame of CAN FD, sessions of before kept the first eight bytes.
+    frame.isCut = data.size() == kClassicBytes && frame.length > kClassicBytes;
+    require(data.size() == bytesOf(frame).size(), "a frame has the wrong length");
     std::copy(data.begin(), data.end(), reinterpret_cast<char*>(frame.data.data()));
     return frame;
 }

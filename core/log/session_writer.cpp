@@ -340,9 +340,8 @@ Status SessionWriter::add(const FrameRow& row)
 {
     return attempt(*impl_, [&] {
         impl_->start(row.time);
-        const std::size_t kept = std::min<std::size_t>(row.frame.length, row.frame.data.size());
-        const std::string_view data(reinterpret_cast<const char*>(row.frame.data.data()),
-                                    row.frame.remote ? 0 : kept);
+        const auto bytes = bytesOf(row.frame);
+        const std::string_view data(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         impl_->frameHash.add(
             impl_->frameTable.insert(impl_->batch.frameFirst + impl_->batch.frameCount, row.time, 0,
                                      std::int64_t{row.frame.id}, flagsOf(row), Blob{data}));

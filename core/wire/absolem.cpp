@@ -173,7 +173,7 @@ std::string describe(AbsolemVerdict verdict)
     case AbsolemVerdict::Used: return "used";
     case AbsolemVerdict::Passed: return "in order";
     case AbsolemVerdict::UnknownId: return "unknown identifier";
-    case AbsolemVerdict::NotClassicData: return "extended, remote, error or FD frame";
+    case AbsolemVerdict::NotClassicData: return "no standard data frame";
     case AbsolemVerdict::WrongLength: return "wrong length";
     case AbsolemVerdict::NotACommand: return "no command of two letters";
     case AbsolemVerdict::UnknownCommand: return "unknown command";

@@ -22,7 +22,7 @@ using Values = std::array<double, kMostSignals>;
 std::uint64_t wordOf(const CanFrame& frame)
 {
     std::uint64_t word = 0;
-    for (std::size_t i = frame.data.size(); i > 0; --i) word = (word << 8U) | frame.data[i - 1];
+    for (std::size_t i = kLength; i > 0; --i) word = (word << 8U) | frame.data[i - 1];
     return word;
 }
 
@@ -191,7 +191,7 @@ std::string describe(FrameFault fault)
 {
     switch (fault) {
     case FrameFault::UnknownId: return "unknown identifier";
-    case FrameFault::NotClassicData: return "extended, remote, error or FD frame";
+    case FrameFault::NotClassicData: return "no standard data frame";
     case FrameFault::WrongLength: return "not eight bytes";
     case FrameFault::WrongCrc: return "wrong checksum";
     case FrameFault::ReservedBits: return "a bit without meaning is set";
@@ -212,9 +212,9 @@ CanFrame pack(const Unpacked& content)
     for (std::size_t i = 0; i < layout.payload.size(); ++i)
         word |= bitsOf(content.values[i], layout.payload[i]);
     CanFrame frame{.id = layout.id, .length = kLength};
-    for (std::size_t i = 0; i < frame.data.size(); ++i)
+    for (std::size_t i = 0; i < kLength; ++i)
         frame.data[i] = static_cast<std::uint8_t>(word >> (8U * static_cast<unsigned>(i)));
-    protect(frame.data, content.counter, layout.dataId);
+    protect(std::span(frame.data).first(kLength), content.counter, layout.dataId);
     return frame;
 }
 
@@ -225,7 +225,7 @@ std::variant<Unpacked, FrameFault> unpack(const CanFrame& frame)
     if (!kind) return FrameFault::UnknownId;
     if (frame.length != kLength) return FrameFault::WrongLength;
     const FrameLayout& layout = layoutOf(*kind);
-    if (!isIntact(frame.data, layout.dataId)) return FrameFault::WrongCrc;
+    if (!isIntact(bytesOf(frame), layout.dataId)) return FrameFault::WrongCrc;
 
     Unpacked content{.kind = *kind, .counter = frame.data[2]};
     const std::uint64_t word = wordOf(frame);

@@ -56,7 +56,7 @@ CommandReceiver::Answer CommandReceiver::receive(const CanFrame& frame, double n
 CommandReceiver::Answer CommandReceiver::heartbeat(const CanFrame& frame, const Unpacked& content,
                                                    double now)
 {
-    switch (heartbeat_.receive(frame.data, now)) {
+    switch (heartbeat_.receive(bytesOf(frame), now)) {
     case FrameCheck::Ok:
     case FrameCheck::SomeLost:
         return {.verdict = CommandVerdict::Heartbeat, .token = tokenOf(content)};

@@ -10,43 +10,46 @@ namespace {
 
 constexpr int kWordBits = 64;
 
-/// The data of a frame in both orders: bit i of the file is bit i of `little`; in `big` the first byte is the
-/// highest.
-struct DataWords {
-    std::uint64_t little = 0, big = 0;
-    int bits = 0;  ///< that the frame has
-};
-
-DataWords dataOf(const CanFrame& frame)
+/// How many bits of data a frame has.
+int dataBits(const CanFrame& frame)
 {
-    DataWords data;
-    for (std::size_t i = 0; i < frame.data.size(); ++i) {
-        const auto shift = static_cast<unsigned>(8 * i);
-        data.little |= std::uint64_t{frame.data[i]} << shift;
-        data.big |= std::uint64_t{frame.data[i]} << (kWordBits - 8U - shift);
-    }
-    const bool isData = !frame.remote && !frame.error;
-    data.bits = isData ? 8 * std::min<int>(frame.length, static_cast<int>(frame.data.size())) : 0;
-    return data;
+    return frame.error ? 0 : 8 * static_cast<int>(bytesOf(frame).size());
 }
 
-/// Of a signal that the data has.
-std::uint64_t rawBits(const DbcSignal& signal, const DataWords& data)
+/// Of a signal that the frame has.  A little-endian one lies in the bytes from its first bit on, the lowest first; a
+/// big-endian one in those up to its end, the highest first: nine bytes at most.
+std::uint64_t rawBits(const DbcSignal& signal, const CanFrame& frame)
 {
-    const std::uint64_t word = signal.isBigEndian
-                                 ? data.big >> static_cast<unsigned>(kWordBits - signal.end())
-                                 : data.little >> static_cast<unsigned>(signal.start);
-    return word & (~std::uint64_t{0} >> static_cast<unsigned>(kWordBits - signal.length));
+    const int first = signal.end() - signal.length, last = signal.end() - 1;  // in its own order
+    std::uint64_t word = 0;
+    if (signal.isBigEndian) {
+        for (int bit = first; bit <= last;) {
+            const int count = std::min(8 - bit % 8, last - bit + 1);
+            const unsigned byte = frame.data[static_cast<std::size_t>(bit / 8)];
+            const unsigned part = byte >> static_cast<unsigned>(8 - bit % 8 - count);
+            word = word << static_cast<unsigned>(count)
+                 | (part & ((1U << static_cast<unsigned>(count)) - 1U));
+            bit += count;
+        }
+        return word;
+    }
+    for (int bit = first, got = 0; bit <= last;) {
+        const int count = std::min(8 - bit % 8, last - bit + 1);
+        const unsigned byte = frame.data[static_cast<std::size_t>(bit / 8)];
+        const unsigned part = byte >> static_cast<unsigned>(bit % 8);
+        word |= std::uint64_t{part & ((1U << static_cast<unsigned>(count)) - 1U)}
+             << static_cast<unsigned>(got);
+        bit += count;
+        got += count;
+    }
+    return word;
 }
 
 double numberOf(const DbcSignal& signal, std::uint64_t bits)
 {
     switch (signal.type) {
     case DbcSignal::Type::Unsigned: return static_cast<double>(bits);
-    case DbcSignal::Type::Signed: {
-        const auto unused = static_cast<unsigned>(kWordBits - signal.length);
-        return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
-    }
+    case DbcSignal::Type::Signed: return static_cast<double>(rawOf(signal, bits));
     case DbcSignal::Type::Float:
         return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
     case DbcSignal::Type::Double: return std::bit_cast<double>(bits);
@@ -54,21 +57,22 @@ double numberOf(const DbcSignal& signal, std::uint64_t bits)
     throw std::invalid_argument("DbcSignal: no such Type");
 }
 
-std::optional<double> physicalOf(const DbcSignal& signal, const DataWords& data)
+/// Whether the multiplexors above a signal select it.
+bool isSelected(const DbcMessage& message, const DbcSignal& signal, const CanFrame& frame)
 {
-    if (signal.end() > data.bits) return std::nullopt;
-    const double value = numberOf(signal, rawBits(signal, data)) * signal.scale + signal.offset;
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-bool isSelected(const DbcSignal& signal, const std::optional<std::uint64_t>& selected)
-{
-    if (signal.selectedBy.empty()) return true;
-    return selected
-        && std::any_of(signal.selectedBy.begin(), signal.selectedBy.end(),
-                       [&](const DbcSignal::Selection& range) {
-                           return range.first <= *selected && *selected <= range.last;
-                       });
+    const DbcSignal* below = &signal;
+    for (int depth = 0; !below->selectedBy.empty(); ++depth) {
+        if (!below->selector || depth > DbcSignal::kMostNesting) return false;
+        const DbcSignal& multiplexor = message.payload[*below->selector];
+        const std::optional<std::uint64_t> selected = bitsOf(multiplexor, frame);
+        const auto isIn = [&](const DbcSignal::Selection& range) {
+            return range.first <= *selected && *selected <= range.last;
+        };
+        if (!selected || std::none_of(below->selectedBy.begin(), below->selectedBy.end(), isIn))
+            return false;
+        below = &multiplexor;
+    }
+    return true;
 }
 
 }  // namespace
@@ -94,9 +98,46 @@ const DbcSignal& DbcMessage::signal(const std::string& signalName) const
     return *found;
 }
 
+std::uint32_t parameterGroupOf(std::uint32_t id)
+{
+    constexpr std::uint32_t kPages = 0x03FF'0000, kDestination = 0x0000'FF00, kBroadcast = 0xF0;
+    const bool isBroadcast = (id >> 16U & 0xFFU) >= kBroadcast;
+    return id & (isBroadcast ? kPages | kDestination : kPages);
+}
+
+std::int64_t rawOf(const DbcSignal& signal, std::uint64_t bits)
+{
+    if (signal.type != DbcSignal::Type::Signed) return static_cast<std::int64_t>(bits);
+    const auto unused = static_cast<unsigned>(kWordBits - signal.length);
+    return static_cast<std::int64_t>(bits << unused) >> unused;
+}
+
+std::optional<std::uint64_t> bitsOf(const DbcSignal& signal, const CanFrame& frame)
+{
+    if (signal.end() > dataBits(frame)) return std::nullopt;
+    return rawBits(signal, frame);
+}
+
+void decodeBits(const DbcMessage& message, const CanFrame& frame,
+                std::span<std::optional<std::uint64_t>> bits)
+{
+    if (bits.size() != message.payload.size())
+        throw std::invalid_argument("decode: a message needs one value for each of its signals");
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        const DbcSignal& signal = message.payload[i];
+        bits[i] = isSelected(message, signal, frame) ? bitsOf(signal, frame) : std::nullopt;
+    }
+}
+
+double physicalOf(const DbcSignal& signal, std::uint64_t bits)
+{
+    return numberOf(signal, bits) * signal.scale + signal.offset;
+}
+
 std::optional<double> valueOf(const DbcSignal& signal, const CanFrame& frame)
 {
-    return physicalOf(signal, dataOf(frame));
+    const std::optional<std::uint64_t> bits = bitsOf(signal, frame);
+    return bits ? std::optional(physicalOf(signal, *bits)) : std::nullopt;
 }
 
 void decode(const DbcMessage& message, const CanFrame& frame,
@@ -104,14 +145,20 @@ void decode(const DbcMessage& message, const CanFrame& frame,
 {
     if (values.size() != message.payload.size())
         throw std::invalid_argument("decode: a message needs one value for each of its signals");
-    const DataWords data = dataOf(frame);
-    std::optional<std::uint64_t> selected;
-    if (message.selector && message.payload[*message.selector].end() <= data.bits)
-        selected = rawBits(message.payload[*message.selector], data);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const DbcSignal& signal = message.payload[i];
-        values[i] = isSelected(signal, selected) ? physicalOf(signal, data) : std::nullopt;
+        values[i] = isSelected(message, signal, frame) ? valueOf(signal, frame) : std::nullopt;
     }
+}
+
+const std::string* wordOfBits(const DbcSignal& signal, std::uint64_t bits)
+{
+    using Type = DbcSignal::Type;
+    if (signal.type == Type::Float || signal.type == Type::Double)
+        return wordOf(signal, physicalOf(signal, bits));
+    const bool isBeyond = signal.type == Type::Unsigned && bits >> 63U != 0;
+    const auto found = isBeyond ? signal.words.end() : signal.words.find(rawOf(signal, bits));
+    return found == signal.words.end() ? nullptr : &found->second;
 }
 
 const std::string* wordOf(const DbcSignal& signal, double value)

@@ -18,12 +18,13 @@ struct DbcFile {
     std::vector<std::string> warnings;  ///< "FILE: line 12: …": of what was left out, the first few
 };
 
-/// Reads messages with signals of either byte order, IEEE floats, one multiplexor, units, words (VAL_), comments and
-/// numeric attributes of messages.  Other sections are passed over.  Text is UTF-8, or else taken as ISO 8859-1.
+/// Reads messages with signals of either byte order, IEEE floats, multiplexors also below others, units, words (VAL_),
+/// comments, long names (SystemSignalLongSymbol, SystemMessageLongSymbol), parameter groups of J1939 (VFrameFormat) and
+/// numeric attributes of messages.  Other sections and comments (//) are passed over.  Text is UTF-8, or else taken as
+/// Windows code page 1252.
 ///
-/// Left out with a warning: signals below nested multiplexors, messages no frame is long enough for, what is
-/// there twice.  The Error of a file that cannot be understood, or has a signal that does not fit its message,
-/// names file, line, what was expected and what to do.
+/// What cannot be understood, cannot be or is there twice is left out, a line or a signal at a time, with a warning
+/// that names its line.  The Error of a file that describes no message names what was found first.
 Result<DbcFile> readDbc(const std::string& path);
 
 /// The same from its content; path: for what is said of it.

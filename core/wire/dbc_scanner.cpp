@@ -14,9 +14,11 @@
 namespace terratact {
 namespace {
 
+constexpr char kEndOfDos = '\x1A';  // what DOS ended a text file with
+
 bool isBlank(char c)
 {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == kEndOfDos;
 }
 
 bool isNameCharacter(char c)
@@ -37,6 +39,23 @@ bool isDbcKeyword(std::string_view word)
         || (word.size() > 2 && word.back() == '_'
             && std::all_of(word.begin(), word.end(),
                            [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; }));
+}
+
+DbcScanner::Place DbcScanner::place()
+{
+    skipBlanks();
+    return {at_, line_};
+}
+
+void DbcScanner::recover(const Place& place)
+{
+    failure_.clear();
+    at_ = place.at;
+    line_ = place.line;
+    do {
+        (void)restOfLine();
+        skipBlanks();
+    } while (at_ < text_.size() && !isSectionNext());
 }
 
 int DbcScanner::line()
@@ -74,6 +93,22 @@ bool DbcScanner::isNameNext()
     skipBlanks();
     return at_ < text_.size() && isNameCharacter(text_[at_])
         && !(text_[at_] >= '0' && text_[at_] <= '9');
+}
+
+bool DbcScanner::isLineEndNext()
+{
+    std::size_t at = at_;
+    while (at < text_.size() && isBlank(text_[at]) && text_[at] != '\n') ++at;
+    return at == text_.size() || text_[at] == '\n';
+}
+
+std::string_view DbcScanner::upTo(char c)
+{
+    const std::size_t end = text_.find_first_of(std::string{c, '\n'}, at_);
+    if (end == std::string_view::npos || text_[end] != c) return {};
+    const std::string_view found = text_.substr(at_, end - at_);
+    at_ = end;
+    return found;
 }
 
 std::string_view DbcScanner::wordIfAny()
@@ -180,8 +215,8 @@ void DbcScanner::fail(std::string_view expected)
     // A word, or a semicolon alone.
     const std::size_t end = std::min(text_.find_first_of(" \t\r\n;", at_ + 1), text_.size());
     const std::string_view found = text_.substr(at_, end - at_);
-    failure_ = fmt::format("line {}: {}, found {}; mend the line, or have the file exported anew",
-                           line_, expected, found.empty() ? "the end of the file" : shown(found));
+    failure_ = fmt::format("line {}: {}, found {}", line_, expected,
+                           found.empty() ? "the end of the file" : shown(found));
     at_ = text_.size();
 }
 
@@ -199,7 +234,11 @@ void DbcScanner::advance()
 
 void DbcScanner::skipBlanks()
 {
-    while (at_ < text_.size() && isBlank(text_[at_])) advance();
+    for (;;) {
+        while (at_ < text_.size() && isBlank(text_[at_])) advance();
+        if (!text_.substr(at_).starts_with("//")) return;
+        (void)restOfLine();
+    }
 }
 
 bool DbcScanner::isSectionNext()

@@ -11,18 +11,34 @@ namespace terratact {
 bool isDbcKeyword(std::string_view word);
 
 /// Takes a DBC file apart into words, numbers and texts.  The first thing that is not as expected is kept as
-/// failure(), and nothing more is found from there on.  Blanks and line ends before what is looked for are passed over.
+/// failure(), and nothing more is found from there on until recover().  Blanks, line ends and comments (//) before what
+/// is looked for are passed over.
 class DbcScanner {
 public:
     /// text: in UTF-8; outlives the scanner.
     explicit DbcScanner(std::string_view text) : text_(text) {}
 
-    const std::string& failure() const { return failure_; }  ///< empty: none
-    int line();                                              ///< of what is next
+    const std::string& failure() const
+    {
+        return failure_;
+    }  ///< "line 3: expected …, found …"; empty: none
+
+    /// Where a section begins.
+    struct Place {
+        std::size_t at = 0;
+        int line = 1;
+    };
+    Place place();
+    /// Forgets the failure in the section that begins there, and goes on with the next line below its first that
+    /// begins as a section does.
+    void recover(const Place& place);
+
+    int line();  ///< of what is next
     bool atEnd();
     bool isNext(char c);
     bool isNameNext();
-    bool take(char c);  ///< false where another is next
+    bool isLineEndNext();  ///< nothing more stands in this line
+    bool take(char c);     ///< false where another is next
 
     // What has to be there; `what` and `place` tell the failure of it.
     void expect(char c, std::string_view place);
@@ -33,6 +49,8 @@ public:
 
     std::string_view wordIfAny();   ///< empty where there is none; nothing is wrong then
     std::string_view restOfLine();  ///< what is left of it
+    std::string_view
+    upTo(char c);         ///< what stands before it in this line; empty where it is not there
     void skipIndented();  ///< passes over this line and the indented or empty ones below it
     /// Passes over a section up to its semicolon; one without ends where a line begins with the next.
     void skipSection();

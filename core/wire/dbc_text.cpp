@@ -1,6 +1,8 @@
 #include "core/wire/dbc_text.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "core/text.h"
 
@@ -38,21 +40,33 @@ bool isUtf8(std::string_view text)
     return true;
 }
 
-std::string fromLatin1(std::string_view text)
+std::string fromWindows1252(std::string_view text)
 {
+    // 0x80 … 0x9F; the five that have no letter are control characters, which readable() drops.
+    constexpr std::array<std::uint16_t, 32> kUpper{
+        0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+        0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+        0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
     std::string utf8;
     utf8.reserve(text.size() + text.size() / 8);
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80) {
-            utf8 += c;
-        } else {
-            utf8 += static_cast<char>(0xC0U | (byte >> 6U));
-            utf8 += static_cast<char>(0x80U | (byte & 0x3FU));
+        const unsigned letter = byte >= 0x80 && byte < 0xA0 ? kUpper.at(byte - 0x80U) : byte;
+        if (letter < 0x80) {
+            utf8 += static_cast<char>(letter);
+            continue;
         }
+        if (letter < 0x800) {
+            utf8 += static_cast<char>(0xC0U | letter >> 6U);
+        } else {
+            utf8 += static_cast<char>(0xE0U | letter >> 12U);
+            utf8 += static_cast<char>(0x80U | (letter >> 6U & 0x3FU));
+        }
+        utf8 += static_cast<char>(0x80U | (letter & 0x3FU));
     }
     return utf8;
 }
+
 std::string readable(std::string_view utf8, std::size_t most, bool keepsLines)
 {
     std::string text;

@@ -64,7 +64,7 @@ void TelemetryListener::refuse(const CanFrame& frame, FrameFault fault, double n
 
 bool TelemetryListener::isInOrder(const CanFrame& frame, FrameKind kind, double now)
 {
-    const FrameCheck check = receivers_[indexOf(kind)].receive(frame.data, now);
+    const FrameCheck check = receivers_[indexOf(kind)].receive(bytesOf(frame), now);
     switch (check) {
     case FrameCheck::SomeLost: ++counters_.gaps; [[fallthrough]];
     case FrameCheck::Ok: ++counters_.used; return true;

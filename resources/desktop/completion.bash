@@ -55,7 +55,7 @@ _terratact_value() {
     console:--terrain | robot:--terrain) _terratact_files csv && _terratact_words varied ;;
     "model card:--terrain" | *:--trained) ;;
     *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
-    *:--replay) _terratact_files log ;;
+    *:--replay) _terratact_files log asc trc csv gz ;;
     *:--dbc) _terratact_files dbc ;;
     *:--screenshot) _terratact_files png ;;
     *:--sessions) _terratact_files ;;
@@ -108,7 +108,7 @@ _terratact_options() {
     "can decode") echo --interface --csv --summary --protocol --dbc ;;
     "can monitor") echo --seconds --bitrate --interface --speed --protocol --dbc ;;
     "session verify") echo --link ;;
-    "session export") echo --out --format --what --from --to ;;
+    "session export") echo --out --format --what --from --to --dbc ;;
     "session scenes") echo --out --measured ;;
     "session report") echo --scene --out ;;
     "session merge") echo --out ;;
@@ -128,13 +128,13 @@ _terratact_argument() {
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
     session) _terratact_words info verify recover export scenes report merge what-if import ;;
-    "session import") _terratact_files log ;;
+    "session import") _terratact_files log asc trc csv gz ;;
     "session "*) _terratact_files tts ;;
     "model "*) _terratact_files ttm ;;
     "panel check") _terratact_files toml ;;
-    "can check") _terratact_buses ;;
-    "can monitor") _terratact_files log && _terratact_buses ;;
-    "can decode" | console) _terratact_files log ;;
+    "can check") _terratact_files log asc trc csv gz && _terratact_buses ;;
+    "can monitor") _terratact_files log asc trc csv gz && _terratact_buses ;;
+    "can decode" | console) _terratact_files log asc trc csv gz ;;
     merge) _terratact_files ttp tte ;;
   esac
 }

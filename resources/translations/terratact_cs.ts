@@ -370,12 +370,12 @@
         <translation>Otevřít</translation>
     </message>
     <message>
-        <source>Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)</source>
-        <translation>Relace, záznamy a scény (*.tts *.log *.csv);;Všechny soubory (*)</translation>
-    </message>
-    <message>
         <source>%1 could not be opened: this program could not be started again</source>
         <translation>%1 nelze otevřít: program se nepodařilo znovu spustit</translation>
+    </message>
+    <message>
+        <source>Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)</source>
+        <translation>Relace, záznamy a scény (*.tts *.log *.asc *.trc *.csv *.gz);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>
@@ -2383,14 +2383,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>posun signálu</translation>
     </message>
     <message>
-        <source>the least of the range</source>
-        <translation>nejmenší hodnota rozsahu</translation>
-    </message>
-    <message>
-        <source>the most of the range</source>
-        <translation>největší hodnota rozsahu</translation>
-    </message>
-    <message>
         <source>the signal&apos;s unit</source>
         <translation>jednotka signálu</translation>
     </message>
@@ -2413,10 +2405,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>%1 frames and %2 other rows are not here: there was no room while the disk was slow or full, or they could not be written</source>
         <translation>chybí %1 rámců a %2 jiných řádků: nebylo pro ně místo, dokud byl disk pomalý nebo plný, nebo je nešlo zapsat</translation>
-    </message>
-    <message>
-        <source>is no text in UTF-8 or ISO 8859-1: expected a DBC file; save it anew as such</source>
-        <translation>není text v UTF-8 nebo ISO 8859-1: očekává se soubor DBC; uložte jej tak znovu</translation>
     </message>
     <message>
         <source>no scene has a known height (columns h_-0.3_m … h_+0.7_m)</source>
@@ -2635,30 +2623,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>sada příznaků %1</translation>
     </message>
     <message>
-        <source>expected &apos;:&apos; behind the signal&apos;s name, or M or a multiplexor&apos;s value such as m1, found %1; mend the line</source>
-        <translation>očekává se &apos;:&apos; za jménem signálu, M nebo hodnota multiplexoru jako m1, nalezeno %1; opravte řádek</translation>
-    </message>
-    <message>
-        <source>expected %1, found %2; mend the line, or have the file exported anew</source>
-        <translation>očekává se %1, nalezeno %2; opravte řádek, nebo nechte soubor exportovat znovu</translation>
-    </message>
-    <message>
-        <source>the identifier %1 of %2 is none of CAN: expected at most 2047, or 2147483648 and 29 bits; correct it</source>
-        <translation>identifikátor %1 zprávy %2 není z CAN: očekává se nejvýše 2047, nebo 2147483648 a 29 bitů; opravte jej</translation>
-    </message>
-    <message>
-        <source>the signal %1 has %2 bits: expected 1 to 64; correct its length</source>
-        <translation>signál %1 má %2 bitů: očekává se 1 až 64; opravte jeho délku</translation>
-    </message>
-    <message>
-        <source>the signal %1 does not fit its message %2: it ends with bit %3 of %4; correct its first bit, its length or its byte order, or the message&apos;s length</source>
-        <translation>signál %1 se nevejde do své zprávy %2: končí bitem %3 z %4; opravte jeho první bit, délku nebo pořadí bajtů, nebo délku zprávy</translation>
-    </message>
-    <message>
-        <source>the signal %1 is no %2 of IEEE 754: it has %3 bits, expected %4; correct its length, or take the line out</source>
-        <translation>signál %1 není %2 podle IEEE 754: má %3 bitů, očekává se %4; opravte jeho délku, nebo řádek odstraňte</translation>
-    </message>
-    <message>
         <source>the message %1 is left out: it has %2 bytes, no frame more than %3</source>
         <translation>zpráva %1 je vynechána: má %2 bajtů, žádný rámec nemá více než %3</translation>
     </message>
@@ -2673,14 +2637,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the signal %1 is left out: %2 has another of that name</source>
         <translation>signál %1 je vynechán: %2 má jiný téhož jména</translation>
-    </message>
-    <message>
-        <source>%1 multiplexed signals of %2 are left out: it has one multiplexor below another</source>
-        <translation>multiplexované signály zprávy %2 jsou vynechány (%1): má jeden multiplexor pod druhým</translation>
-    </message>
-    <message>
-        <source>%1 multiplexed signals of %2 are left out: expected one signal marked M</source>
-        <translation>multiplexované signály zprávy %2 jsou vynechány (%1): očekává se jeden signál označený M</translation>
     </message>
     <message>
         <source>%1 describes that already and is what counts</source>
@@ -2759,10 +2715,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>%1 před rozsahem signálu</translation>
     </message>
     <message>
-        <source>%1 within the signal&apos;s range</source>
-        <translation>%1 v rozsahu signálu</translation>
-    </message>
-    <message>
         <source>%1 behind the signal&apos;s range</source>
         <translation>%1 za rozsahem signálu</translation>
     </message>
@@ -2781,10 +2733,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>is longer than %1 bytes</source>
         <translation>je delší než %1 bajtů</translation>
-    </message>
-    <message>
-        <source>the log does not end with a line end</source>
-        <translation>záznam nekončí koncem řádku</translation>
     </message>
     <message>
         <source>has no time; record with candump -L</source>
@@ -2871,20 +2819,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>slovo ERRORFRAME</translation>
     </message>
     <message>
-        <source>%1 (a replay needs a log of candump -L)</source>
-        <translation>%1 (k přehrání je třeba záznam candump -L)</translation>
-    </message>
-    <message>
         <source>expected %1, found %2</source>
         <translation>očekáváno: %1, nalezeno: %2</translation>
     </message>
     <message>
         <source>holds no frame</source>
         <translation>neobsahuje žádný rámec</translation>
-    </message>
-    <message>
-        <source>is no file; a replay reads its log twice</source>
-        <translation>není soubor; přehrání čte záznam dvakrát</translation>
     </message>
     <message>
         <source>has no scenes</source>
@@ -2897,6 +2837,242 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>holds frames of %1: name the one to replay with --interface</source>
         <translation>obsahuje rámce z %1: uveďte pomocí --interface, které se má přehrát</translation>
+    </message>
+    <message>
+        <source>a long name</source>
+        <translation>dlouhý název</translation>
+    </message>
+    <message>
+        <source>the protocol</source>
+        <translation>protokol</translation>
+    </message>
+    <message>
+        <source>a frame format</source>
+        <translation>formát rámce</translation>
+    </message>
+    <message>
+        <source>the number of a frame format</source>
+        <translation>číslo formátu rámce</translation>
+    </message>
+    <message>
+        <source>is a folder, no log of CAN traffic</source>
+        <translation>je složka, ne záznam provozu na CAN</translation>
+    </message>
+    <message>
+        <source>is no file, and too long to be kept</source>
+        <translation>není soubor a je příliš dlouhý na to, aby se uchoval</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked from here on: its packed bytes are damaged</source>
+        <translation>odsud dál nejde rozbalit: zabalené bajty jsou poškozené</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: there is no memory</source>
+        <translation>nejde rozbalit: není dost paměti</translation>
+    </message>
+    <message>
+        <source>a time, a number that is not negative</source>
+        <translation>čas, číslo, které není záporné</translation>
+    </message>
+    <message>
+        <source>a time like (%1-%2-%3 %4:%5:%6)</source>
+        <translation>čas jako (%1-%2-%3 %4:%5:%6)</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>čas</translation>
+    </message>
+    <message>
+        <source>a byte from %1 to %2</source>
+        <translation>bajt od %1 do %2</translation>
+    </message>
+    <message>
+        <source>the number of a channel</source>
+        <translation>číslo kanálu</translation>
+    </message>
+    <message>
+        <source>the number of a bus</source>
+        <translation>číslo sběrnice</translation>
+    </message>
+    <message>
+        <source>the number of a frame, such as %1)</source>
+        <translation>číslo rámce, například %1)</translation>
+    </message>
+    <message>
+        <source>a length from %1 to %2</source>
+        <translation>délka od %1 do %2</translation>
+    </message>
+    <message>
+        <source>a length code</source>
+        <translation>kód délky</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>délka</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>číslo</translation>
+    </message>
+    <message>
+        <source>%1 or %2 for the flags BRS and ESI</source>
+        <translation>%1 nebo %2 pro příznaky BRS a ESI</translation>
+    </message>
+    <message>
+        <source>a line with the columns of the heading</source>
+        <translation>řádek se sloupci ze záhlaví</translation>
+    </message>
+    <message>
+        <source>Rx or Tx</source>
+        <translation>Rx nebo Tx</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true nebo false</translation>
+    </message>
+    <message>
+        <source>as many bytes in base %1 as dlc says</source>
+        <translation>tolik bajtů v base %1, kolik říká dlc</translation>
+    </message>
+    <message>
+        <source>as many bytes as the length says</source>
+        <translation>tolik bajtů, kolik říká délka</translation>
+    </message>
+    <message>
+        <source>version %1 to %2 of the format</source>
+        <translation>verze formátu %1 až %2</translation>
+    </message>
+    <message>
+        <source>an error frame cannot be of another kind, too</source>
+        <translation>chybový rámec nemůže být zároveň jiného druhu</translation>
+    </message>
+    <message>
+        <source>a CAN FD frame cannot be a remote frame</source>
+        <translation>rámec CAN FD nemůže být žádostí o data</translation>
+    </message>
+    <message>
+        <source>a binary log of Vector (.blf)</source>
+        <translation>binární záznam Vector (.blf)</translation>
+    </message>
+    <message>
+        <source>a measurement file (.mf4, .mdf)</source>
+        <translation>soubor měření (.mf4, .mdf)</translation>
+    </message>
+    <message>
+        <source>an MCAP file</source>
+        <translation>soubor MCAP</translation>
+    </message>
+    <message>
+        <source>a capture of Wireshark (.pcapng)</source>
+        <translation>záchyt programu Wireshark (.pcapng)</translation>
+    </message>
+    <message>
+        <source>a capture of tcpdump (.pcap)</source>
+        <translation>záchyt programu tcpdump (.pcap)</translation>
+    </message>
+    <message>
+        <source>a log of BusMaster</source>
+        <translation>záznam BusMaster</translation>
+    </message>
+    <message>
+        <source>a log of CRTD</source>
+        <translation>záznam CRTD</translation>
+    </message>
+    <message>
+        <source>a log of NMEA %1 of canboat</source>
+        <translation>záznam NMEA %1 programu canboat</translation>
+    </message>
+    <message>
+        <source>a table, no known log</source>
+        <translation>tabulka, ne známý záznam</translation>
+    </message>
+    <message>
+        <source>JSON or XML, no known log</source>
+        <translation>JSON nebo XML, ne známý záznam</translation>
+    </message>
+    <message>
+        <source>is a session or another SQLite file; expected a log of CAN frames: session export makes one of a session</source>
+        <translation>je relace nebo jiný soubor SQLite; očekává se záznam rámců CAN: session export jej z relace vytvoří</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive: unpack it</source>
+        <translation>je archiv ZIP: rozbalte jej</translation>
+    </message>
+    <message>
+        <source>is packed by xz: unpack it (xz -d)</source>
+        <translation>je zabalený programem xz: rozbalte jej (xz -d)</translation>
+    </message>
+    <message>
+        <source>is packed by zstd: unpack it (zstd -d)</source>
+        <translation>je zabalený programem zstd: rozbalte jej (zstd -d)</translation>
+    </message>
+    <message>
+        <source>is packed by bzip2: unpack it (bzip2 -d)</source>
+        <translation>je zabalený programem bzip2: rozbalte jej (bzip2 -d)</translation>
+    </message>
+    <message>
+        <source>is a DBC file, which --dbc reads; expected a log of CAN traffic</source>
+        <translation>je soubor DBC, který čte --dbc; očekává se záznam provozu na CAN</translation>
+    </message>
+    <message>
+        <source>at line %1 the log&apos;s clock was set back by %2 s; the session goes on evenly</source>
+        <translation>na řádku %1 byly hodiny záznamu vráceny o %2 s; relace pokračuje rovnoměrně</translation>
+    </message>
+    <message>
+        <source>the log&apos;s clock was set back %1 more times</source>
+        <translation>hodiny záznamu byly vráceny ještě %1krát</translation>
+    </message>
+    <message>
+        <source>the end of the log is torn</source>
+        <translation>konec záznamu je utržený</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8 or Windows code page 1252: expected a DBC file; save it anew as such</source>
+        <translation>není text v UTF-8 ani v kódové stránce Windows 1252: očekává se soubor DBC; uložte jej tak znovu</translation>
+    </message>
+    <message>
+        <source>describes no message: expected lines that begin with BO_; is it a DBC file? First fault: %1</source>
+        <translation>nepopisuje žádnou zprávu: očekávají se řádky začínající na BO_; je to soubor DBC? První chyba: %1</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: expected &apos;:&apos; behind its name, or M or a multiplexor&apos;s value such as m1, found %2</source>
+        <translation>signál %1 je vynechán: za jeho názvem se očekává &apos;:&apos;, nebo M či hodnota multiplexoru jako m1, nalezeno %2</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2; what it says is left out</source>
+        <translation>očekává se %1, nalezeno %2; co tam stojí, je vynecháno</translation>
+    </message>
+    <message>
+        <source>the message %1 is left out: its identifier %2 is none of CAN; expected at most 2047, or 2147483648 and 29 bits</source>
+        <translation>zpráva %1 je vynechána: její identifikátor %2 není z CAN; očekává se nejvýše 2047, nebo 2147483648 a 29 bitů</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: it has %2 bits, expected 1 to 64</source>
+        <translation>signál %1 je vynechán: má %2 bitů, očekává se 1 až 64</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: it does not fit its message %2, it ends with bit %3 of %4</source>
+        <translation>signál %1 je vynechán: nevejde se do své zprávy %2, končí bitem %3 z %4</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: it is no %2 of IEEE 754, it has %3 bits, expected %4</source>
+        <translation>signál %1 je vynechán: není %2 podle IEEE 754, má %3 bitů, očekává se %4</translation>
+    </message>
+    <message>
+        <source>%1 multiplexed signals of %2 are left out: expected one signal marked M, or what selects them (SG_MUL_VAL_), at most %3 below each other</source>
+        <translation>%1 multiplexovaných signálů zprávy %2 je vynecháno: očekává se jeden signál označený M, nebo co je vybírá (SG_MUL_VAL_), nejvýše %3 pod sebou</translation>
+    </message>
+    <message>
+        <source>what selects %1 is passed over: its message has no signal %2</source>
+        <translation>co vybírá %1, se přechází: jeho zpráva nemá signál %2</translation>
+    </message>
+    <message>
+        <source>is %1; expected a log of candump, .asc, .trc, or CSV of GVRET or python-can: export it as one of them</source>
+        <translation>je %1; očekává se záznam candump, .asc, .trc, nebo CSV z GVRET či python-can: exportujte jej jako jeden z nich</translation>
+    </message>
+    <message>
+        <source>is %1; expected a log as text: can_logconvert of python-can makes one</source>
+        <translation>je %1; očekává se záznam jako text: can_logconvert z python-can jej vytvoří</translation>
     </message>
 </context>
 <context>
@@ -3068,6 +3244,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>armed</source>
         <translation>aktivní</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>hodiny</translation>
     </message>
 </context>
 <context>

@@ -370,12 +370,12 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Sessions, logs and scenes (*.tts *.log *.csv);;All files (*)</source>
-        <translation>Sitzungen, Logs und Szenen (*.tts *.log *.csv);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>%1 could not be opened: this program could not be started again</source>
         <translation>%1 ließ sich nicht öffnen: das Programm ließ sich nicht noch einmal starten</translation>
+    </message>
+    <message>
+        <source>Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)</source>
+        <translation>Sitzungen, Logs und Szenen (*.tts *.log *.asc *.trc *.csv *.gz);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -2383,14 +2383,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Offset des Signals</translation>
     </message>
     <message>
-        <source>the least of the range</source>
-        <translation>der kleinste Wert des Bereichs</translation>
-    </message>
-    <message>
-        <source>the most of the range</source>
-        <translation>der größte Wert des Bereichs</translation>
-    </message>
-    <message>
         <source>the signal&apos;s unit</source>
         <translation>die Einheit des Signals</translation>
     </message>
@@ -2413,10 +2405,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>%1 frames and %2 other rows are not here: there was no room while the disk was slow or full, or they could not be written</source>
         <translation>%1 Rahmen und %2 andere Zeilen fehlen: es war kein Platz, solange der Datenträger langsam oder voll war, oder sie ließen sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>is no text in UTF-8 or ISO 8859-1: expected a DBC file; save it anew as such</source>
-        <translation>ist kein Text in UTF-8 oder ISO 8859-1: erwartet wird eine DBC-Datei; neu als solche speichern</translation>
     </message>
     <message>
         <source>no scene has a known height (columns h_-0.3_m … h_+0.7_m)</source>
@@ -2635,30 +2623,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Merkmalssatz %1</translation>
     </message>
     <message>
-        <source>expected &apos;:&apos; behind the signal&apos;s name, or M or a multiplexor&apos;s value such as m1, found %1; mend the line</source>
-        <translation>erwartet wird &apos;:&apos; hinter dem Namen des Signals, M oder ein Wert des Multiplexors wie m1, gefunden %1; die Zeile berichtigen</translation>
-    </message>
-    <message>
-        <source>expected %1, found %2; mend the line, or have the file exported anew</source>
-        <translation>erwartet wird %1, gefunden %2; die Zeile berichtigen oder die Datei neu exportieren lassen</translation>
-    </message>
-    <message>
-        <source>the identifier %1 of %2 is none of CAN: expected at most 2047, or 2147483648 and 29 bits; correct it</source>
-        <translation>die Kennung %1 von %2 gibt es auf CAN nicht: erwartet wird höchstens 2047, oder 2147483648 und 29 Bits; sie berichtigen</translation>
-    </message>
-    <message>
-        <source>the signal %1 has %2 bits: expected 1 to 64; correct its length</source>
-        <translation>das Signal %1 hat %2 Bits: erwartet werden 1 bis 64; seine Länge berichtigen</translation>
-    </message>
-    <message>
-        <source>the signal %1 does not fit its message %2: it ends with bit %3 of %4; correct its first bit, its length or its byte order, or the message&apos;s length</source>
-        <translation>das Signal %1 passt nicht in seine Nachricht %2: es endet mit Bit %3 von %4; sein erstes Bit, seine Länge oder Bytereihenfolge oder die Länge der Nachricht berichtigen</translation>
-    </message>
-    <message>
-        <source>the signal %1 is no %2 of IEEE 754: it has %3 bits, expected %4; correct its length, or take the line out</source>
-        <translation>das Signal %1 ist kein %2 nach IEEE 754: es hat %3 Bits, erwartet werden %4; seine Länge berichtigen oder die Zeile entfernen</translation>
-    </message>
-    <message>
         <source>the message %1 is left out: it has %2 bytes, no frame more than %3</source>
         <translation>die Nachricht %1 ist ausgelassen: sie hat %2 Bytes, kein Rahmen mehr als %3</translation>
     </message>
@@ -2673,14 +2637,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the signal %1 is left out: %2 has another of that name</source>
         <translation>das Signal %1 ist ausgelassen: %2 hat ein anderes dieses Namens</translation>
-    </message>
-    <message>
-        <source>%1 multiplexed signals of %2 are left out: it has one multiplexor below another</source>
-        <translation>gemultiplexte Signale von %2 sind ausgelassen (%1): sie hat einen Multiplexor unter einem anderen</translation>
-    </message>
-    <message>
-        <source>%1 multiplexed signals of %2 are left out: expected one signal marked M</source>
-        <translation>gemultiplexte Signale von %2 sind ausgelassen (%1): erwartet wird ein mit M bezeichnetes Signal</translation>
     </message>
     <message>
         <source>%1 describes that already and is what counts</source>
@@ -2759,10 +2715,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 vor dem Bereich des Signals</translation>
     </message>
     <message>
-        <source>%1 within the signal&apos;s range</source>
-        <translation>%1 im Bereich des Signals</translation>
-    </message>
-    <message>
         <source>%1 behind the signal&apos;s range</source>
         <translation>%1 hinter dem Bereich des Signals</translation>
     </message>
@@ -2781,10 +2733,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>is longer than %1 bytes</source>
         <translation>ist länger als %1 Bytes</translation>
-    </message>
-    <message>
-        <source>the log does not end with a line end</source>
-        <translation>das Log endet nicht mit einem Zeilenende</translation>
     </message>
     <message>
         <source>has no time; record with candump -L</source>
@@ -2871,20 +2819,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>das Wort ERRORFRAME</translation>
     </message>
     <message>
-        <source>%1 (a replay needs a log of candump -L)</source>
-        <translation>%1 (eine Wiedergabe braucht ein Log von candump -L)</translation>
-    </message>
-    <message>
         <source>expected %1, found %2</source>
         <translation>erwartet: %1, gefunden: %2</translation>
     </message>
     <message>
         <source>holds no frame</source>
         <translation>enthält keinen Rahmen</translation>
-    </message>
-    <message>
-        <source>is no file; a replay reads its log twice</source>
-        <translation>ist keine Datei; eine Wiedergabe liest ihr Log zweimal</translation>
     </message>
     <message>
         <source>has no scenes</source>
@@ -2897,6 +2837,242 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>holds frames of %1: name the one to replay with --interface</source>
         <translation>enthält Rahmen von %1: mit --interface nennen, welche wiedergegeben werden soll</translation>
+    </message>
+    <message>
+        <source>a long name</source>
+        <translation>ein langer Name</translation>
+    </message>
+    <message>
+        <source>the protocol</source>
+        <translation>das Protokoll</translation>
+    </message>
+    <message>
+        <source>a frame format</source>
+        <translation>ein Rahmenformat</translation>
+    </message>
+    <message>
+        <source>the number of a frame format</source>
+        <translation>die Nummer eines Rahmenformats</translation>
+    </message>
+    <message>
+        <source>is a folder, no log of CAN traffic</source>
+        <translation>ist ein Ordner, kein Log von CAN-Verkehr</translation>
+    </message>
+    <message>
+        <source>is no file, and too long to be kept</source>
+        <translation>ist keine Datei, und zu lang, um behalten zu werden</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked from here on: its packed bytes are damaged</source>
+        <translation>lässt sich von hier an nicht entpacken: die gepackten Bytes sind beschädigt</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: there is no memory</source>
+        <translation>lässt sich nicht entpacken: der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>a time, a number that is not negative</source>
+        <translation>eine Zeit, eine Zahl, die nicht negativ ist</translation>
+    </message>
+    <message>
+        <source>a time like (%1-%2-%3 %4:%5:%6)</source>
+        <translation>eine Zeit wie (%1-%2-%3 %4:%5:%6)</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a byte from %1 to %2</source>
+        <translation>ein Byte von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the number of a channel</source>
+        <translation>die Nummer eines Kanals</translation>
+    </message>
+    <message>
+        <source>the number of a bus</source>
+        <translation>die Nummer eines Busses</translation>
+    </message>
+    <message>
+        <source>the number of a frame, such as %1)</source>
+        <translation>die Nummer eines Rahmens, etwa %1)</translation>
+    </message>
+    <message>
+        <source>a length from %1 to %2</source>
+        <translation>eine Länge von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a length code</source>
+        <translation>ein Längencode</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 or %2 for the flags BRS and ESI</source>
+        <translation>%1 oder %2 für die Bits BRS und ESI</translation>
+    </message>
+    <message>
+        <source>a line with the columns of the heading</source>
+        <translation>eine Zeile mit den Spalten der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>Rx or Tx</source>
+        <translation>Rx oder Tx</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>as many bytes in base %1 as dlc says</source>
+        <translation>so viele Bytes in Base %1, wie dlc sagt</translation>
+    </message>
+    <message>
+        <source>as many bytes as the length says</source>
+        <translation>so viele Bytes, wie die Länge sagt</translation>
+    </message>
+    <message>
+        <source>version %1 to %2 of the format</source>
+        <translation>Version %1 bis %2 des Formats</translation>
+    </message>
+    <message>
+        <source>an error frame cannot be of another kind, too</source>
+        <translation>ein Fehlerrahmen kann nicht zugleich von anderer Art sein</translation>
+    </message>
+    <message>
+        <source>a CAN FD frame cannot be a remote frame</source>
+        <translation>ein Rahmen von CAN FD kann keine Anforderung sein</translation>
+    </message>
+    <message>
+        <source>a binary log of Vector (.blf)</source>
+        <translation>ein binäres Log von Vector (.blf)</translation>
+    </message>
+    <message>
+        <source>a measurement file (.mf4, .mdf)</source>
+        <translation>eine Messdatei (.mf4, .mdf)</translation>
+    </message>
+    <message>
+        <source>an MCAP file</source>
+        <translation>eine MCAP-Datei</translation>
+    </message>
+    <message>
+        <source>a capture of Wireshark (.pcapng)</source>
+        <translation>ein Mitschnitt von Wireshark (.pcapng)</translation>
+    </message>
+    <message>
+        <source>a capture of tcpdump (.pcap)</source>
+        <translation>ein Mitschnitt von tcpdump (.pcap)</translation>
+    </message>
+    <message>
+        <source>a log of BusMaster</source>
+        <translation>ein Log von BusMaster</translation>
+    </message>
+    <message>
+        <source>a log of CRTD</source>
+        <translation>ein Log von CRTD</translation>
+    </message>
+    <message>
+        <source>a log of NMEA %1 of canboat</source>
+        <translation>ein Log von NMEA %1 von canboat</translation>
+    </message>
+    <message>
+        <source>a table, no known log</source>
+        <translation>eine Tabelle, kein bekanntes Log</translation>
+    </message>
+    <message>
+        <source>JSON or XML, no known log</source>
+        <translation>JSON oder XML, kein bekanntes Log</translation>
+    </message>
+    <message>
+        <source>is a session or another SQLite file; expected a log of CAN frames: session export makes one of a session</source>
+        <translation>ist eine Sitzung oder eine andere SQLite-Datei; erwartet wird ein Log von CAN-Rahmen: session export macht eines aus einer Sitzung</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive: unpack it</source>
+        <translation>ist ein ZIP-Archiv: es entpacken</translation>
+    </message>
+    <message>
+        <source>is packed by xz: unpack it (xz -d)</source>
+        <translation>ist mit xz gepackt: es entpacken (xz -d)</translation>
+    </message>
+    <message>
+        <source>is packed by zstd: unpack it (zstd -d)</source>
+        <translation>ist mit zstd gepackt: es entpacken (zstd -d)</translation>
+    </message>
+    <message>
+        <source>is packed by bzip2: unpack it (bzip2 -d)</source>
+        <translation>ist mit bzip2 gepackt: es entpacken (bzip2 -d)</translation>
+    </message>
+    <message>
+        <source>is a DBC file, which --dbc reads; expected a log of CAN traffic</source>
+        <translation>ist eine DBC-Datei, die --dbc liest; erwartet wird ein Log von CAN-Verkehr</translation>
+    </message>
+    <message>
+        <source>at line %1 the log&apos;s clock was set back by %2 s; the session goes on evenly</source>
+        <translation>in Zeile %1 wurde die Uhr des Logs um %2 s zurückgestellt; die Sitzung geht gleichmäßig weiter</translation>
+    </message>
+    <message>
+        <source>the log&apos;s clock was set back %1 more times</source>
+        <translation>die Uhr des Logs wurde noch %1 Mal zurückgestellt</translation>
+    </message>
+    <message>
+        <source>the end of the log is torn</source>
+        <translation>das Ende des Logs ist abgerissen</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8 or Windows code page 1252: expected a DBC file; save it anew as such</source>
+        <translation>ist kein Text in UTF-8 oder der Windows-Codepage 1252: erwartet wird eine DBC-Datei; neu als solche speichern</translation>
+    </message>
+    <message>
+        <source>describes no message: expected lines that begin with BO_; is it a DBC file? First fault: %1</source>
+        <translation>beschreibt keine Botschaft: erwartet werden Zeilen, die mit BO_ beginnen; ist es eine DBC-Datei? Erster Fehler: %1</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: expected &apos;:&apos; behind its name, or M or a multiplexor&apos;s value such as m1, found %2</source>
+        <translation>das Signal %1 entfällt: erwartet wird &apos;:&apos; hinter seinem Namen, oder M oder der Wert eines Multiplexors wie m1, gefunden %2</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2; what it says is left out</source>
+        <translation>erwartet wird %1, gefunden %2; was dort steht, entfällt</translation>
+    </message>
+    <message>
+        <source>the message %1 is left out: its identifier %2 is none of CAN; expected at most 2047, or 2147483648 and 29 bits</source>
+        <translation>die Botschaft %1 entfällt: ihre Kennung %2 gibt es auf CAN nicht; erwartet wird höchstens 2047, oder 2147483648 und 29 Bits</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: it has %2 bits, expected 1 to 64</source>
+        <translation>das Signal %1 entfällt: es hat %2 Bits, erwartet werden 1 bis 64</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: it does not fit its message %2, it ends with bit %3 of %4</source>
+        <translation>das Signal %1 entfällt: es passt nicht in seine Botschaft %2, es endet mit Bit %3 von %4</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: it is no %2 of IEEE 754, it has %3 bits, expected %4</source>
+        <translation>das Signal %1 entfällt: es ist kein %2 nach IEEE 754, es hat %3 Bits, erwartet werden %4</translation>
+    </message>
+    <message>
+        <source>%1 multiplexed signals of %2 are left out: expected one signal marked M, or what selects them (SG_MUL_VAL_), at most %3 below each other</source>
+        <translation>%1 gemultiplexte Signale von %2 entfallen: erwartet wird ein mit M bezeichnetes Signal, oder was sie auswählt (SG_MUL_VAL_), höchstens %3 untereinander</translation>
+    </message>
+    <message>
+        <source>what selects %1 is passed over: its message has no signal %2</source>
+        <translation>was %1 auswählt, wird übergangen: seine Botschaft hat kein Signal %2</translation>
+    </message>
+    <message>
+        <source>is %1; expected a log of candump, .asc, .trc, or CSV of GVRET or python-can: export it as one of them</source>
+        <translation>ist %1; erwartet wird ein Log von candump, .asc, .trc, oder CSV von GVRET oder python-can: als eines davon exportieren</translation>
+    </message>
+    <message>
+        <source>is %1; expected a log as text: can_logconvert of python-can makes one</source>
+        <translation>ist %1; erwartet wird ein Log als Text: can_logconvert von python-can macht eines daraus</translation>
     </message>
 </context>
 <context>
@@ -3068,6 +3244,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>armed</source>
         <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>Uhr</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,7 @@
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/frame_layout.h"
-#include "drivers/candump_replay.h"
+#include "drivers/log_replay.h"
 #include "tests/support/bus_console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/sessions.h"
@@ -390,7 +390,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
     const std::string log = directory.write("atem.log", candumpOf(*recorder));
     window.reset();
 
-    auto replay = CandumpReplay::open(log, {.speed = 2.0});
+    auto replay = LogReplay::open(log, {.speed = 2.0});
     ASSERT_TRUE(replay) << replay.error().text;
     window = console(std::move(*replay), CanSource::Mode::Replay, shipped());
     const Estimates replayed(window->exploration());
@@ -418,7 +418,7 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
 
 TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
 {
-    auto replay = CandumpReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
+    auto replay = LogReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
     ASSERT_TRUE(replay) << replay.error().text;
     std::promise<void> loaded;
     window = console(std::move(*replay), CanSource::Mode::Replay,

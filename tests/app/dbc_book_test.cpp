@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cmath>
+
 #include "app/protocol_dbc.h"
 #include "app/resources.h"
 #include "core/wire/frame_layout.h"
@@ -92,9 +94,8 @@ TEST_F(Books, letTheFirstOfTwoFilesCount)
 TEST_F(Books, stayAsTheyWereWhenAFileCannotBeUsed)
 {
     ASSERT_TRUE(book.add(write("gas.dbc", kGas)));
-    const std::string bad =
-        write("bad.dbc", "BO_ 292 M: 1 X\n SG_ S : 4|8@1+ (1,0) [0|0] \"\" C\n");
-    EXPECT_TRUE(refused(book.add(bad), bad, {"line 2", "does not fit"}));
+    const std::string bad = write("bad.dbc", "VERSION \"\"\n SG_ S : 4|8@1+ (1,0) [0|0] \"\" C\n");
+    EXPECT_TRUE(refused(book.add(bad), bad, {"line 2", "expected a message"}));
     const std::string pipe = directory.file("pipe.dbc");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_TRUE(refused(book.add(pipe), pipe, {"no regular file"})) << "nobody waits for a pipe";
@@ -103,6 +104,44 @@ TEST_F(Books, stayAsTheyWereWhenAFileCannotBeUsed)
     EXPECT_EQ(book.files().size(), 1U);
     EXPECT_FALSE(readDbcBook(CanProtocol::Terratact, {bad}));
     EXPECT_FALSE(*readDbcBook(CanProtocol::Terratact, {})) << "none";
+}
+
+TEST_F(Books, findParameterGroupsFromAnySource)
+{
+    ASSERT_TRUE(book.add(write("j.dbc", "BO_ 2364540158 EEC1: 8 X\n"
+                                        " SG_ Speed : 24|16@1+ (0.125,0) [0|0] \"rpm\" X\n"
+                                        "BO_ 2364540159 Own: 8 X\n"
+                                        "BA_ \"VFrameFormat\" BO_ 2364540158 3;\n")));
+    const auto reader = frameReader(CanProtocol::Terratact, std::make_shared<const DbcBook>(book));
+    CanFrame frame{.id = 0x18F00403, .extended = true, .length = 8, .data = {0, 0, 0, 0x68, 0x13}};
+    FrameWords words = reader->read(frame, 0.0);
+    EXPECT_EQ(words.name, "EEC1");
+    EXPECT_EQ(words.verdict, "by j.dbc, source address 0x03");
+    EXPECT_EQ(wordsOf(words.values), "Speed 621.000 rpm");
+    frame.id = 0x0CF004FF;
+    EXPECT_EQ(reader->read(frame, 0.0).name, "Own") << "the very identifier comes first";
+    frame.id = 0x0CF00500;
+    EXPECT_EQ(reader->read(frame, 0.0).verdict, "extended frame");
+    frame.remote = true;
+    EXPECT_EQ(reader->read(frame, 0.0).verdict, "extended remote frame");
+    frame = {.id = 0x700, .fd = true, .length = 12};
+    EXPECT_EQ(reader->read(frame, 0.0).verdict, "CAN FD frame");
+}
+
+TEST_F(Books, sayWhatAFrameIsTooShortFor)
+{
+    ASSERT_TRUE(book.add(write("fd.dbc", "BO_ 1291 Fd: 64 X\n"
+                                         " SG_ First : 0|16@1+ (1,0) [0|0] \"\" X\n"
+                                         " SG_ Last : 496|16@1+ (1,0) [0|0] \"\" X\n")));
+    const auto reader = frameReader(CanProtocol::Terratact, std::make_shared<const DbcBook>(book));
+    CanFrame frame{.id = 1291, .fd = true, .length = 64, .data = {1, 1}};
+    EXPECT_EQ(wordsOf(reader->read(frame, 0.0).values), "First 257, Last 0");
+    frame.isCut = true;
+    EXPECT_EQ(reader->read(frame, 0.0).verdict,
+              "by fd.dbc, cut before it was stored, too short for Last");
+    frame.isCut = false;
+    frame.length = 8;
+    EXPECT_EQ(reader->read(frame, 0.0).verdict, "by fd.dbc, too short for Last");
 }
 
 TEST(DbcNumbers, haveTheDigitsOfTheirScale)
@@ -122,7 +161,9 @@ TEST(DbcNumbers, haveTheDigitsOfTheirScale)
     EXPECT_EQ(text(1.0, -273.15, 20.0 - 273.15), "-253.15");
     EXPECT_EQ(text(1.0 / 256.0, 0.0, 3.0 / 256.0), "0.0117");
     EXPECT_EQ(text(1e-12, 0.0, 3e-12), "3e-12");
-    EXPECT_EQ(text(1e9, 0.0, 1.8446744073709552e19), "1.844674e+19");
+    EXPECT_EQ(text(1.0, 0.0, 1.8446744073709552e19), "18446744073709551616");
+    EXPECT_EQ(text(1e9, 0.0, 1.8446744073709552e28), "1.844674e+28");
+    EXPECT_EQ(text(1.0, 0.0, std::nan(""), DbcSignal::Type::Double), "nan");
     EXPECT_EQ(text(1.0, 0.0, 1.5, DbcSignal::Type::Float), "1.5");
     EXPECT_EQ(text(1.0, 0.0, 1.0 / 3.0, DbcSignal::Type::Double), "0.3333333");
 }

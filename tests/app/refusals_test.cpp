@@ -21,9 +21,9 @@
 #include "core/learn/scene_file.h"
 #include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
-#include "core/wire/candump_log.h"
 #include "core/wire/dbc_file.h"
-#include "drivers/candump_replay.h"
+#include "core/wire/log_reader.h"
+#include "drivers/log_replay.h"
 #include "tests/support/random_model.h"
 #include "tests/support/sessions.h"
 #include "tests/support/temporary_directory.h"
@@ -395,7 +395,7 @@ TEST(Refusals, ofDbcFiles)
                              "SIG_VALTYPE_ 256 Torque_1 : 1;\n"
                              "SG_MUL_VAL_ 256 Speed_1 Mode_1 1-1, 4-7;\n";
     ASSERT_TRUE(dbcFrom("good.dbc", text)) << dbcFrom("good.dbc", text).error().text;
-    Refusals refusals({});
+    Refusals refusals({"Windows"});
     const auto read = [&](const std::string& content) {
         const auto file = dbcFrom("my.dbc", content);
         refusals.take(file);
@@ -411,8 +411,11 @@ TEST(Refusals, ofDbcFiles)
     for (const char* const broken :
          {" SG_ A_1 M : 0|8@1+ (1,0) [0|0] \"\" D1\n SG_ B_1 M : 8|8@1+ (1,0) [0|0] \"\" D1\n SG_ "
           "C_1 m1 : 16|8@1+ (1,0) [0|0] \"\" D1\n",
-          " SG_ A_1 m1M : 0|8@1+ (1,0) [0|0] \"\" D1\n", " SG_ A_1 : 0|8@1+ (0,0) [0|0] \"\" D1\n",
-          " SG_ A_1 : 0|0@1+ (1,0) [0|0] \"\" D1\n",
+          " SG_ A_1 m1M : 0|8@1+ (1,0) [0|0] \"\" D1\n",
+          "BA_ \"SystemSignalLongSymbol\" SG_ 256 A_1 9;\n", "BA_ \"VFrameFormat\" BO_ 256 x;\n",
+          "BA_ \"ProtocolType\" 9;\n", "BA_DEF_ BO_ \"VFrameFormat\" ENUM x;\n",
+          " SG_ A_1 m1 : 0|8@1+ (1,0) [0|0] \"\" D1\nSG_MUL_VAL_ 256 A_1 None 1-1;\n",
+          " SG_ A_1 : 0|8@1+ (0,0) [0|0] \"\" D1\n", " SG_ A_1 : 0|0@1+ (1,0) [0|0] \"\" D1\n",
           " SG_ A_1 : 0|8@1+ (1,0) [0|0] \"\" D1\n SG_ A_1 : 0|8@1+ (1,0) [0|0] \"\" D1\n",
           " SG_ A_1 : 0|8@1+ (1,0) [0|0] \"\" D1\nSIG_VALTYPE_ 256 A_1 : 2;\n"})
         read(message + broken);
@@ -438,12 +441,20 @@ TEST(Refusals, ofDbcFiles)
 
 TEST(Refusals, ofLogs)
 {
-    Refusals refusals({"remote", "request", "candump", "-L", "--interface"});
+    Refusals refusals({"remote",      "request", "candump",   "-L",
+                       "--interface", "CSV",     "GVRET",     "python-can",
+                       "MCAP",        "Vector",  "BusMaster", "CRTD",
+                       "canboat",     "NMEA",    "JSON",      "XML",
+                       "Wireshark",   "tcpdump", "ZIP",       "session",
+                       "export",      "BRS",     "ESI",       "true",
+                       "false",       "xz",      "zstd",      "Rx",
+                       "Tx",          "dlc",     "base",      "can_logconvert",
+                       "--dbc",       "-d"});
     const auto read = [&](const std::string& log) {
-        CandumpReader reader("broken.log", std::make_unique<std::istringstream>(log));
+        LogReader reader("broken.log", std::make_unique<std::istringstream>(log));
         for (;;) {
             const auto frame = reader.next();
-            if (!frame) refusals.add(frame.error().text + " (a replay needs a log of candump -L)");
+            if (!frame) refusals.add(frame.error().text);
             if (!frame || !*frame) return;
         }
     };
@@ -451,7 +462,11 @@ TEST(Refusals, ofLogs)
          {"(1436509052.249713) vcan0 044#2A366C2BBA R", "(1436509052.249713) vcan0 044#R3",
           "(1436509052.249713) vcan0 12345678##1112233", "(1.5) vcan0 20000004#0000000000000000",
           "  vcan0  RX - -  044   [5]  2A 36 6C 2B BA", "  vcan0  044   [0]  remote request",
-          "  vcan0  20000004   [8]  00 00 00 00 00 00 00 00   ERRORFRAME"}) {
+          "  vcan0  20000004   [8]  00 00 00 00 00 00 00 00   ERRORFRAME",
+          " (2025-01-10 12:34:56.249713)  vcan0  044   [1]  2A", "0.1 1 500x Rx d 3 DD FF 01",
+          "0.1 1 500 Rx r 4",
+          "0.1 CANFD 1 Rx 500 1 0 9 12 00 01 02 03 04 05 06 07 08 09 0A 0B 0 0 3000",
+          ";$FILEVERSION=1.1", "     1)     100.0 1 Rx     0500  3  DD FF 01"}) {
         read(line);
         read(line + "\n" + std::string(9'000, 'x') + "\n");
         for (std::size_t at = 0; at < line.size(); ++at) {
@@ -460,12 +475,33 @@ TEST(Refusals, ofLogs)
                 read(line.substr(0, at) + instead + line.substr(at + 1) + "\n");
         }
     }
+    const std::vector<std::pair<std::string, std::string>> tables{
+        {";$COLUMNS=N,O,T,B,I,d,R,L,D\n", "1 100.000 DT 1 0500 Rx - 3 DD FF 01"},
+        {"Time Stamp,ID,Extended,Dir,Bus,LEN,D1\n", "1000000,00000500,false,Rx,0,3,DD,FF,01,"},
+        {"timestamp,arbitration_id,extended,remote,error,dlc,data\n", "1.0,0x500,0,1,1,3,3f8B"},
+        {"__time,id,extended,remote,error,fd,sent,local,length,data\n",
+         "1.0,1280,0,1,0,1,0,0,3,DDFF01"},
+        {"base dec\n", "0.1 1 500x Rx d 3 221 255 1"}};
+    for (const auto& [heading, row] : tables)
+        for (std::size_t at = 0; at < row.size(); ++at)
+            for (const char* const instead : {"", "!", "9", "0", "x", ",", " ", "300"})
+                read(heading + row.substr(0, at) + instead + row.substr(at + 1) + "\n");
+    using namespace std::string_literals;
+    for (const std::string& kind :
+         {"LOGG"s, "MDF     "s, "\x89MCAP0"s, "SQLite format 3\0"s, "\x0A\x0D\x0D\x0A"s,
+          "\xD4\xC3\xB2\xA1"s, "PK\x03\x04"s,
+          "\xFD"
+          "7zXZ"s,
+          "\x28\xB5\x2F\xFD"s, "BZh"s, "***BUSMASTER"s, "1.5 1R11 213 01"s, "VERSION \"\""s,
+          "2016-04-09T16:41:09.078Z,3,127257,17,255,8,00"s, "{}"s, "Time,a"s,
+          "\x1F\x8B\x08\x08 and nothing that is packed"s})
+        read(kind + "\n");
     const TemporaryDirectory dir;
     for (const auto& path : {dir.write("empty.log", ""), dir.file("."), dir.file("none.log"),
                              dir.write("two.log", "(1.5) can0 044#2A\n(1.6) can1 044#2A\n"),
                              dir.write("untimed.log", "  vcan0  044   [1]  2A\n")})
-        refusals.take(CandumpReplay::open(path, {}));
-    refusals.take(CandumpReplay::open(dir.file("two.log"), {.interface = "can7"}));
+        refusals.take(LogReplay::open(path, {}));
+    refusals.take(LogReplay::open(dir.file("two.log"), {.interface = "can7"}));
     refusals.add("my.csv: has no scenes");
     EXPECT_GE(refusals.size(), 24U);
     refusals.expectTranslated();

@@ -1,6 +1,7 @@
 """terratact can, without any CAN: logs whose frames are made from the DBC by other code, and what a monitor and a
 check say here."""
 
+import gzip
 import pathlib
 import re
 import struct
@@ -111,7 +112,7 @@ class Decode(Logs):
         for words in ("Attitude                   -     wrong checksum; [8]", "not eight bytes; [7]",
                       "#039  repeated; Pitch", "#020  out of sequence; Pitch",
                       "Drive                      -     a value is beyond its range", "unknown identifier; [2] 01 02",
-                      "00000022  unknown                    -     extended, remote", "022 remote unknown",
+                      "00000022  unknown                    -     extended frame", "     remote frame", "022 remote unknown",
                       "error frame                -     controller: ", "wrong checksum; a robot stops all the same"):
             self.assertIn(words, out)
         self.assertEqual(self.totals(out), (2, 2, 0, 3, 3, 3))
@@ -152,6 +153,39 @@ class Decode(Logs):
     def test_a_pipe_is_read_as_it_comes(self):
         done = subprocess.run([CLI, "can", "decode", "/dev/stdin"], input=session(3), capture_output=True, text=True)
         self.assertEqual(self.totals(done.stdout), (0,) * 6, done.stderr)
+
+    def test_a_torn_end_is_told_and_the_rest_is_read(self):
+        self.log.write_text(session(2) + "(1436509053.0) can0 22")
+        done = subprocess.run([CLI, "can", "decode", self.log, "--csv", self.csv, "--summary"], capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"{self.log}: line 23: is torn", done.stderr)
+        self.assertIn("22 frames in", done.stdout)
+        self.assertTrue(self.csv.exists())
+
+    def test_a_clock_that_goes_back_is_told_and_lengths_stay_positive(self):
+        text = session(4) + session(4).replace("(1436509052", "(1436505452")
+        self.log.write_text(text)
+        done = subprocess.run([CLI, "can", "decode", self.log], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.count("line 45: 3600.15 s earlier than the line before"), 1, done.stderr)
+        self.assertIn("the log's clock goes back 1 times", done.stdout)
+        self.assertIn("88 frames in 0.306 s", done.stdout)
+        self.assertNotIn(" -3600", done.stdout)
+
+    def test_packed_logs_and_standard_input_are_read(self):
+        for given in (session(3).encode(), gzip.compress(session(3).encode())):
+            for name in ("-", "/dev/stdin"):
+                for command in (("decode", name, "--summary"), ("monitor", name), ("check", name)):
+                    if command == ("check", "/dev/stdin"):
+                        continue
+                    done = subprocess.run([CLI, "can", *command], input=given, capture_output=True, timeout=60)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertIn(b"33 frames", done.stdout)
+
+    def test_what_a_log_is_told_of_other_kinds(self):
+        self.log.write_bytes(b"LOGG" + bytes(200))
+        self.assertIn("is a binary log of Vector (.blf); expected", complaint("can", "decode", self.log))
 
     def test_lost_frames_of_the_recording_are_told(self):
         out = self.decode(session(2) + "DROPCOUNT: dropped 5 CAN frames on 'can0' socket (total drops 5)\n")
@@ -249,12 +283,39 @@ VAL_ 291 State 1 "ready" ;
         for files, name in (((self.dbc, other), "Payload"), ((other, self.dbc), "Other")):
             self.assertIn(f"123       {name} ", self.decode(self.frames(), "--dbc", files[0], "--dbc", files[1]))
 
+    def test_of_a_signal_that_cannot_be_the_line_is_named_and_the_rest_kept(self):
+        self.log.write_text(self.frames())
+        self.dbc.write_text("// by hand\n" + self.DBC.replace("7|16@0", "60|16@0"))
+        for command in ("decode", "monitor"):
+            done = subprocess.run([CLI, "can", command, self.log, "--dbc", self.dbc], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, r"gas.dbc: line 3: the signal Oxygen is left out: it does not fit")
+            self.assertIn("State ready", done.stdout)
+
+    def test_values_have_all_their_digits_in_the_table(self):
+        self.dbc.write_text("BO_ 1281 Serial: 8 D\n SG_ Number : 0|64@1+ (1,0) [0|0] \"\" C\n"
+                            "BO_ 1282 Altitude: 8 D\n SG_ Metres : 0|64@1- (1,0) [0|0] \"m\" C\n"
+                            "BO_ 1283 Status: 8 D\n SG_ State : 0|8@1+ (1,0) [0|0] \"\" C\n"
+                            f"VAL_ 1283 State 1 \"{'long ' * 40}END\" ;\nSIG_VALTYPE_ 1282 Metres : 2;\n")
+        number = struct.pack("<Q", 9223372036854788153)
+        text = line(BEGIN, (1281, number)) + line(BEGIN, (1283, b"\x01"))
+        text += "".join(line(BEGIN, (1282, struct.pack("<d", value)))
+                        for value in (1234.56789012345, float("nan"), float("-inf")))
+        got = {(row["signal"], row["value"]) for row in self.values(text, "--dbc", self.dbc)}
+        self.assertEqual(got, {("Number", "9223372036854788153"), ("State", "long " * 40 + "END"),
+                               ("Metres", "1234.56789012345"), ("Metres", "nan"), ("Metres", "-inf")})
+        shown = self.decode(text, "--dbc", self.dbc)
+        self.assertIn("Number 9223372036854788153", shown)
+        self.assertIn("Metres nan m", shown)
+        self.assertIn("long …", shown)
+
     def test_of_a_file_that_cannot_be_used_the_line_is_named(self):
         self.log.write_text(self.frames())
-        self.dbc.write_text(self.DBC.replace("7|16@0", "60|16@0"))
+        self.dbc.write_text("nothing\n")
         for command in ("decode", "monitor"):
             said = complaint("can", command, self.log, "--dbc", self.dbc)
-            self.assertRegex(said, r"gas.dbc: line 2: the signal Oxygen does not fit .* correct")
+            self.assertIn("gas.dbc: describes no message", said)
+            self.assertIn("line 1: expected the keyword", said)
             self.assertIn("nowhere.dbc: cannot be opened", complaint("can", command, self.log, "--dbc", "nowhere.dbc"))
         self.assertIn("no regular file", complaint("can", "decode", self.log, "--dbc", "/dev/zero"))
 
@@ -269,10 +330,22 @@ class Monitor(Logs):
         self.assertRegex(last, r"load \d+\.\d to \d+\.\d % of 500 kbit/s, 330 frames, 0 dropped, 0 error frames")
 
     def test_it_ends_after_the_seconds(self):
-        self.log.write_text(line(BEGIN, telemetry(1)[1]) + line(BEGIN + 3600, telemetry(2)[1]))
+        self.log.write_text(line(BEGIN, telemetry(1)[1]) + line(BEGIN + 30, telemetry(2)[1]))
         out = run("can", "monitor", self.log, "--seconds", 0.3, "--bitrate", 125000)
-        self.assertEqual(out.count("REPLAY demo.log; load"), 1)
+        self.assertEqual(out.count("REPLAY demo.log, whose"), 1)
         self.assertIn("of 125 kbit/s", out)
+
+    def test_a_silence_of_years_is_shortened_and_told(self):
+        self.log.write_text(line(BEGIN, telemetry(1)[1]) + line(BEGIN + 1e8, telemetry(2)[1]))
+        done = subprocess.run([CLI, "can", "monitor", self.log], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("line 2: follows 100000000 s of silence, which the replay shortens", done.stderr)
+        self.assertIn("REPLAY demo.log has ended", done.stdout)
+
+    def test_a_wait_for_the_next_frame_is_told(self):
+        self.log.write_text(line(BEGIN, telemetry(1)[1]) + line(BEGIN + 50, telemetry(2)[1]))
+        out = run("can", "monitor", self.log, "--seconds", 0.3)
+        self.assertRegex(out, r"REPLAY demo.log, whose next frame comes in (49|50) s; load")
 
     def test_a_terminal_gets_a_table_that_stays_in_place(self):
         self.log.write_text(session(10))
@@ -297,6 +370,15 @@ class Check(unittest.TestCase):
         self.assertRegex(done.stdout, r"problem +there is no interface terratact-none")
         self.assertIn("→", done.stdout)
         self.assertIn("terratact-none cannot be used", done.stderr)
+
+    def test_of_a_log_says_what_it_holds(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = pathlib.Path(folder, "torn.log")
+            log.write_text(session(2) + "(143")
+            out = run("can", "check", log)
+            self.assertRegex(out, r"warning +.*line 23: is torn")
+            self.assertRegex(out, r"fine +it is a log of the format candump\n")
+            self.assertRegex(out, r"fine +22 frames of can0\n")
 
     def test_an_interface_of_another_kind(self):
         done = subprocess.run([CLI, "can", "check", "lo"], capture_output=True, text=True)

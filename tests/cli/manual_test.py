@@ -205,7 +205,7 @@ class Completion(unittest.TestCase):
                 for words in cases:
                     self.assertEqual(completed("terratact", *words, start), [f"{start}{name}", f"{start}below"])
             logs = completed("terratact", "can", "decode", f"{start}a")
-            self.assertEqual(logs, sorted(f"{start}a b.log".split() + [f"{start}a.log"]))
+            self.assertEqual(logs, sorted(f"{start}a b.log".split() + [f"{start}a.csv", f"{start}a.log"]))
             if "terratact-console" in PROGRAMS:
                 self.assertIn(f"{start}a.log", completed("terratact-console", start))
 

@@ -2,6 +2,7 @@
 Argument: the program make_session, which records a simulated drive."""
 
 import collections
+import gzip
 import json
 import pathlib
 import re
@@ -134,11 +135,74 @@ class OtherPrograms(Session):
         self.assertEqual(again.read_text(), self.export("drive.log").read_text())
         self.assertIn("is there already", complaint("session", "import", again, "--out", out))
 
-    def test_a_torn_log_makes_no_session(self):
+    def test_of_a_torn_log_the_whole_lines_are_taken(self):
         log = self.export("drive.log")
-        log.write_text(log.read_text()[:-5])
-        self.assertIn("torn", complaint("session", "import", log, "--out", self.path / "torn.tts"))
-        self.assertEqual([p.name for p in self.path.iterdir()], ["drive.log"])
+        log.write_text(log.read_text()[:-6])
+        out = self.path / "torn.tts"
+        done = subprocess.run([CLI, "session", "import", log, "--out", out], capture_output=True, text=True, check=True)
+        self.assertIn("is torn: the log ends within it", done.stderr)
+        self.assertEqual([frame[1:] for frame in frames_of(out)], [frame[1:] for frame in frames_of(self.drive)[:-1]])
+        file = sqlite3.connect(out)
+        told = file.execute("SELECT subject, text FROM event WHERE kind = 'gap'").fetchall()
+        file.close()
+        self.assertEqual(told, [("log", "the end of the log is torn")])
+
+    def test_a_log_whose_clock_was_set_makes_an_even_session(self):
+        log, out = self.path / "back.log", self.path / "back.tts"
+        times = [100000.0 + 0.05 * i - (3600.0 if i >= 4 else 0.0) for i in range(8)]
+        log.write_text("".join(f"({time:.6f}) can0 500#{i:02X}FF01\n" for i, time in enumerate(times)))
+        done = subprocess.run([CLI, "session", "import", log, "--out", out], capture_output=True, text=True, check=True)
+        self.assertIn(f"{log}: line 5: 3599.95 s earlier than the line before", done.stderr)
+        file = sqlite3.connect(out)
+        ticks = [t for t, in file.execute("SELECT t FROM can_frame ORDER BY seq")]
+        told = file.execute("SELECT t, text FROM event WHERE kind = 'gap'").fetchall()
+        file.close()
+        for got, expected in zip(ticks, (0, 50, 100, 150, 150, 200, 250, 300)):
+            self.assertAlmostEqual(got * 1e-6, expected, delta=1e-3)
+        self.assertEqual(len(told), 1)
+        self.assertEqual(told[0], (ticks[4], "at line 5 the log's clock was set back by 3599.950000 s; "
+                                             "the session goes on evenly"))
+        self.assertRegex(run("session", "info", out), r"lasts +0.300 s[^$]*gaps +1,")
+
+    def test_frames_of_can_fd_keep_all_their_bytes(self):
+        log, out = self.path / "fd.log", self.path / "fd.tts"
+        data = bytes(range(64)).hex().upper()
+        log.write_text(f"(1000.000000) can0 50B##1{data}\n")
+        run("session", "import", log, "--out", out)
+        for name in ("again.log", "again.asc", "again.csv"):
+            run("session", "export", out, "--out", self.path / name)
+            run("session", "import", self.path / name, "--out", self.path / (name + ".tts"))
+            file = sqlite3.connect(self.path / (name + ".tts"))
+            self.assertEqual(file.execute("SELECT hex(data), flags FROM can_frame").fetchall(), [(data, 64 << 8 | 8)])
+            file.close()
+
+    def test_the_own_asc_makes_the_same_session(self):
+        out = self.path / "asc.tts"
+        run("session", "import", self.export("drive.asc"), "--out", out)
+        self.assertEqual([frame[1:] for frame in frames_of(out)], [frame[1:] for frame in frames_of(self.drive)])
+
+    @unittest.skipUnless(can, "python-can is not installed")
+    def test_what_python_can_writes_is_read(self):
+        messages = [can.Message(timestamp=1e9 + 0.25 * i, arbitration_id=i, is_extended_id=i > 2, is_rx=True,
+                                data=bytes(range(i)), channel=0) for i in range(1, 9)]
+        for writer, name in ((can.ASCWriter, "p.asc"), (can.TRCWriter, "p.trc"), (can.CSVWriter, "p.csv"),
+                             (can.CanutilsLogWriter, "p.log")):
+            with writer(str(self.path / name)) as log:
+                for message in messages:
+                    log.on_message_received(message)
+            out = self.path / (name + ".tts")
+            run("session", "import", self.path / name, "--out", out)
+            with self.subTest(name):
+                self.assertEqual([frame[1:] for frame in frames_of(out)],
+                                 [(m.arbitration_id, bytes(m.data)) for m in messages])
+
+    def test_a_packed_log_and_a_pipe_are_read(self):
+        log = self.export("drive.log").read_bytes()
+        (self.path / "drive.log.gz").write_bytes(gzip.compress(log))
+        for name, given in ((self.path / "drive.log.gz", b""), ("-", log), ("/dev/stdin", gzip.compress(log))):
+            out = self.path / f"{len(given)}.tts"
+            subprocess.run([CLI, "session", "import", name, "--out", out], input=given, check=True, capture_output=True)
+            self.assertEqual(len(frames_of(out)), len(frames_of(self.drive)))
 
 
 class Tables(Session):
@@ -162,6 +226,23 @@ class Tables(Session):
         self.assertEqual(len(found), len(expected))
         for a, b in zip(found, expected):
             self.assertAlmostEqual(a, b, delta=1e-4)
+
+    def test_payload_signals_have_their_columns(self):
+        docs, out = pathlib.Path(SOURCE) / "docs", self.path / "payload.tts"
+        run("session", "import", docs / "can_payload.log", "--out", out)
+        table, dbc = self.path / "payload.csv", docs / "can_payload.dbc"
+        run("session", "export", out, "--out", table, "--what", "signals", "--dbc", dbc, "--dbc", dbc)
+        found = rows(table)
+        self.assertEqual([r["GasSensor.CarbonMonoxide [ppm]"] for r in found if r["GasSensor.Oxygen [%]"]],
+                         ["23.5", "24.3"])
+        self.assertEqual([(r["Battery.Group"], r["Battery.Voltage [V]"], r["Battery.Power [W]"]) for r in found
+                          if r["Battery.Group"]], [("0", "25.187", ""), ("1", "", "187.5")] * 2)
+        self.assertEqual(len([r for r in found if r["Attitude.Pitch [rad]"]]), 2)
+        bag = self.path / "payload.mcap"
+        run("session", "export", out, "--out", bag, "--dbc", dbc)
+        self.assertIn(b'{"CarbonMonoxide":23.5,"Oxygen":20.7,"Temperature":-3.5,"State":1}', bag.read_bytes())
+        self.assertIn(b"/payload/GasSensor", bag.read_bytes())
+        self.assertIn("holds no signals", complaint("session", "export", out, "--out", self.path / "p.log", "--dbc", dbc))
 
     def test_estimates_and_events_are_those_of_the_file(self):
         file = sqlite3.connect(self.drive)

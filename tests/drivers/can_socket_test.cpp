@@ -76,8 +76,9 @@ TEST_F(SocketPair, aFrameOfEachKindArrivesAsWhatItIs)
     EXPECT_EQ(frames[1].frame, (CanFrame{.id = 0x123, .extended = true}));
     EXPECT_EQ(frames[2].frame, (CanFrame{.id = 0x7ff, .remote = true, .length = 4}));
     EXPECT_EQ(frames[3].frame, (CanFrame{.id = 0x40, .error = true, .length = 8}));
-    EXPECT_EQ(frames[4].frame,
-              (CanFrame{.id = 0x321, .fd = true, .length = 64, .data = {1, 2, 3, 4, 5, 6, 7, 8}}));
+    EXPECT_EQ(
+        frames[4].frame,
+        (CanFrame{.id = 0x321, .fd = true, .length = 64, .data = {1, 2, 3, 4, 5, 6, 7, 8, 9}}));
 }
 
 TEST_F(SocketPair, whatIsNoFrameIsCountedAndSkipped)

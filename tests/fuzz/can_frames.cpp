@@ -46,7 +46,8 @@ Heard heardIn(const std::uint8_t* record)
     if (flag(5)) frame.id = 0x180U + 0x80U * (number % 4U) + record[2] % 8U;
     if (flag(4)) frame.id = frameLayouts()[number % kFrameKinds].id;
     const std::optional<FrameKind> ours = kindOfId(frame.id);
-    if (flag(6) && ours) protect(frame.data, frame.data[2], layoutOf(*ours).dataId);
+    if (flag(6) && ours)
+        protect(std::span(frame.data).first(8), frame.data[2], layoutOf(*ours).dataId);
     return heard;
 }
 

@@ -1,10 +1,12 @@
-// Logs of CAN traffic: what is accepted has a finite time and a possible frame, and its line means the same frame.
+// Logs of CAN traffic of every format: what is accepted has a finite time and a possible frame, whose line of candump
+// means the same frame; the even clock never goes back; what is said of a log is told in one line.
 #include "core/wire/candump_log.h"
 
 #include <cmath>
 #include <cstdint>
 #include <sstream>
 
+#include "core/wire/log_reader.h"
 #include "tests/fuzz/promise.h"
 
 using namespace terratact;
@@ -23,7 +25,7 @@ void promiseFrame(const LoggedFrame& logged)
     promise(!logged.interface.empty() && logged.interface.size() <= 15, "an interface has a name");
     for (std::size_t i = frame.length; i < frame.data.size(); ++i)
         promise(frame.data[i] == 0, "bytes beyond the length are 0");
-    if (frame.length > 8) return;
+    if (frame.isCut) return;
 
     const std::string line = candumpLine(logged.time.value_or(0.0), logged.interface, frame);
     const Result<LoggedFrame> again = frameFromCandump(line);
@@ -37,11 +39,16 @@ void promiseFrame(const LoggedFrame& logged)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    CandumpReader log("f", std::make_unique<std::istringstream>(textOf(data, size)));
+    LogReader log("f", std::make_unique<std::istringstream>(textOf(data, size)));
+    double elapsed = 0.0;
     for (;;) {
         const Result<std::optional<LoggedFrame>> next = log.next();
+        for (const std::string& remark : log.takeRemarks()) promiseRefusal({remark}, "f");
         if (!next) return promiseRefusal(next.error(), "f"), 0;
         if (!*next) return 0;
         promiseFrame(**next);
+        promise(log.elapsed() >= elapsed, "the even clock does not go back");
+        promise(!log.stepBack() || *log.stepBack() > 0.0, "a step back has a length");
+        elapsed = log.elapsed();
     }
 }

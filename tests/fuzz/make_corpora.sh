@@ -37,6 +37,32 @@ DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 5)
 (1436509052.249713) can0 044#R4 T
 LOG
 
+printf 'date Thu Jan 01 00:16:40 1970\nbase hex  timestamps absolute\n   0.1 1  500x Rx   d 3 DD FF 01\n   0.2 2  123  Tx   r 4\n   0.3 1  ErrorFrame\n   0.4 CANFD   1 Rx  50B  1 0 9 12 00 01 02 03 04 05 06 07 08 09 0A 0B 0 0 3000\n' \
+  >"$corpora/candump_log/vector.asc"
+printf ';$FILEVERSION=2.1\n;$STARTTIME=44548.6028595139\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n 1 100.000 DT 1 0500 Rx - 3 DD FF 01\n 2 200.0 FD 2 18FEF1FE Tx - 9 00 01 02 03 04 05 06 07 08 09 0A 0B\n 3 300.0 RR 1 0123 Rx - 4\n' \
+  >"$corpora/candump_log/peak2.trc"
+printf ';$FILEVERSION=1.1\n     1)     100.0  Rx     0500  3  DD FF 01\n     2)     200.0  Tx     18FEF1FE  4  RTR\n' \
+  >"$corpora/candump_log/peak1.trc"
+printf 'Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3\n1000000,00000500,false,Rx,0,3,DD,FF,01,\n' >"$corpora/candump_log/gvret.csv"
+printf 'timestamp,arbitration_id,extended,remote,error,dlc,data\n1.0,0x500,0,0,0,3,3f8B\n' >"$corpora/candump_log/python.csv"
+printf '__time,id,extended,remote,error,fd,sent,local,length,data\n1.0,1280,0,0,0,0,0,0,3,DDFF01\n' >"$corpora/candump_log/own.csv"
+head -n 3 docs/can_demo.log | gzip -n9 >"$corpora/candump_log/packed.log.gz"
+cat >"$corpora/dbc_file/nested.dbc" <<'DBC'
+BO_ 1290 Nested: 64 DEVICE
+ SG_ Page M : 0|4@1+ (1,0) [0|15] "" CONSOLE
+ SG_ Sub m2M : 4|4@1+ (1,0) [0|15] "" CONSOLE
+ SG_ Flat m1 : 8|16@1+ (0.1,0) [0|0] "V" CONSOLE
+ SG_ Deep m0 : 496|16@1- (1,0) [0|0] "A" CONSOLE
+BO_ 2364540158 EEC1: 8 DEVICE
+ SG_ Real : 7|64@0- (1,0) [0|0] "" CONSOLE // a comment
+SG_MUL_VAL_ 1290 Deep Sub 0-0;
+SG_MUL_VAL_ 1290 Sub Page 2-2;
+SIG_VALTYPE_ 2364540158 Real : 2;
+BA_DEF_ BO_ "VFrameFormat" ENUM "StandardCAN","J1939PG";
+BA_ "VFrameFormat" BO_ 2364540158 1;
+BA_ "SystemSignalLongSymbol" SG_ 1290 Flat "FlatAndMuchLonger";
+DBC
+
 # can_frames.cpp says what the twelve bytes of a record are; checksums are made right (0x40).
 for log in demo absolem; do
   sed -E 's/.* ([0-9A-F])([0-9A-F]{2})#([0-9A-F]*)$/\2 \1 \3/' "docs/can_$log.log" |

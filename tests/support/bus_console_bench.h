@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/wire/candump_log.h"
-#include "drivers/candump_replay.h"
+#include "drivers/log_replay.h"
 #include "tests/support/arming.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"

@@ -61,7 +61,8 @@ double physical(const CanFrame& frame, const DbcSignal& s)
 
 void seal(CanFrame& frame, const DbcMessage& m, std::uint8_t counter)
 {
-    protect(frame.data, counter, static_cast<std::uint16_t>(m.attributes.at("E2eDataId")));
+    protect(std::span(frame.data).first(8), counter,
+            static_cast<std::uint16_t>(m.attributes.at("E2eDataId")));
 }
 
 CanFrame blank(const DbcMessage& m, std::uint8_t counter)

@@ -308,7 +308,7 @@ TEST(Gate, isOpenOverTheWholeDbcByDefaultAndNeverBeyond)
     CanFrame frame = frameOf(AdvanceCommand{0.1}, kEpoch, 1);
     frame.data[4] = 1001 & 0xFF;
     frame.data[5] = 1001 >> 8;
-    protect(frame.data, 1, layoutOf(FrameKind::Advance).dataId);
+    protect(std::span(frame.data).first(8), 1, layoutOf(FrameKind::Advance).dataId);
     GateLimits wide;
     wide.advance = 100.0;
     EXPECT_EQ(judge(frame, ready(), wide), Malformed);
@@ -323,7 +323,7 @@ TEST(Gate, sweepsEveryRawSpeed)
         CanFrame frame = frameOf(DriveCommand{0.0}, kEpoch, 1);
         frame.data[4] = static_cast<std::uint8_t>(raw & 0xFF);
         frame.data[5] = static_cast<std::uint8_t>((raw >> 8) & 0xFF);
-        protect(frame.data, 1, layoutOf(FrameKind::Drive).dataId);
+        protect(std::span(frame.data).first(8), 1, layoutOf(FrameKind::Drive).dataId);
         const GateRefusal refusal = judge(frame, ready(), limits);
         const int size = std::abs(raw);
         ASSERT_EQ(refusal, size <= 2000 ? None : size <= 6000 ? OverLimit : Malformed) << raw;

@@ -12,6 +12,7 @@
 
 #include "core/wire/can_codec.h"
 #include "core/wire/dbc_file.h"
+#include "core/wire/dbc_number.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
@@ -75,8 +76,7 @@ std::optional<double> valueBitByBit(const DbcSignal& s, const CanFrame& frame)
     if (s.type == DbcSignal::Type::Float)
         number = static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
     if (s.type == DbcSignal::Type::Double) number = std::bit_cast<double>(raw);
-    const double value = number * s.scale + s.offset;
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return number * s.scale + s.offset;
 }
 
 DbcSignal randomSignal(std::mt19937_64& rng)
@@ -91,8 +91,8 @@ DbcSignal randomSignal(std::mt19937_64& rng)
         s.length = s.type == Type::Float  ? 32
                  : s.type == Type::Double ? 64
                                           : static_cast<int>(1 + rng() % 64);
-        s.start = static_cast<int>(rng() % 64);
-    } while (s.end() > 64);
+        s.start = static_cast<int>(rng() % 512);
+    } while (s.end() > 512);
     return s;
 }
 
@@ -102,15 +102,16 @@ TEST(DbcSignals, areWhatADecoderBitByBitFinds)
     std::size_t negative = 0, missing = 0;
     for (int i = 0; i < 200'000; ++i) {
         const DbcSignal s = randomSignal(rng);
-        CanFrame frame{.length = static_cast<std::uint8_t>(rng() % 9)};
-        if (rng() % 2 == 0) frame.length = 8;
-        const std::uint64_t bytes = rng();
-        for (std::size_t b = 0; b < 8; ++b)
-            frame.data[b] = static_cast<std::uint8_t>(bytes >> (8 * b));
+        CanFrame frame{.fd = true, .length = static_cast<std::uint8_t>(rng() % 65)};
+        if (rng() % 2 == 0) frame.length = 64;
+        for (std::uint8_t& byte : frame.data) byte = static_cast<std::uint8_t>(rng());
         const auto expected = valueBitByBit(s, frame);
         const auto found = valueOf(s, frame);
         ASSERT_EQ(found.has_value(), expected.has_value()) << s.start << "|" << s.length;
-        ASSERT_EQ(found.value_or(0.0), expected.value_or(0.0)) << s.start << "|" << s.length;
+        if (expected && std::isnan(*expected))
+            ASSERT_TRUE(std::isnan(*found)) << s.start << "|" << s.length;
+        else
+            ASSERT_EQ(found.value_or(0.0), expected.value_or(0.0)) << s.start << "|" << s.length;
         missing += !found;
         negative += found && (*found - s.offset) * s.scale < 0.0;
     }
@@ -139,9 +140,8 @@ TEST(DbcSignals, mayBeFloatsOfIeee754)
     const CanFrame frame = frameOfBytes({0, 0, 0xC0, 0x3F, 0xC0, 0x20, 0, 0});
     EXPECT_EQ(valueOf(m.signal("S"), frame), 2.0 * 1.5 + 1.0);
     EXPECT_EQ(valueOf(m.signal("T"), frame), -2.5);
-    EXPECT_FALSE(valueOf(m.signal("S"), frameOfBytes({0, 0, 0xC0, 0x7F, 0, 0, 0, 0}))) << "NaN";
-    EXPECT_FALSE(valueOf(m.signal("T"), frameOfBytes({0, 0, 0, 0, 0x7F, 0x80, 0, 0})))
-        << "infinite";
+    EXPECT_TRUE(std::isnan(*valueOf(m.signal("S"), frameOfBytes({0, 0, 0xC0, 0x7F, 0, 0, 0, 0}))));
+    EXPECT_TRUE(std::isinf(*valueOf(m.signal("T"), frameOfBytes({0, 0, 0, 0, 0x7F, 0x80, 0, 0}))));
     const DbcSignal whole = onlySignal("0|64@1- (1,0)", "SIG_VALTYPE_ 256 S : 2;\n");
     EXPECT_EQ(valueOf(whole, frameOfBytes({0, 0, 0, 0, 0, 0, 0x04, 0xC0})), -2.5);
 }
@@ -162,6 +162,10 @@ TEST(DbcSignals, haveNoValueInAFrameThatHasNotTheirBits)
     CanFrame fd = frameOfBytes({1, 2, 3, 4, 5, 6, 7, 8});
     fd.fd = true;
     fd.length = 64;
+    fd.data[62] = 0xF0;
+    fd.data[63] = 0x0A;
+    EXPECT_EQ(valueOf(far, fd), 0xAF);
+    fd.isCut = true;
     EXPECT_FALSE(valueOf(far, fd)) << "only eight bytes of it are known";
 }
 
@@ -189,25 +193,121 @@ TEST(DbcMultiplexing, showsWhatTheMultiplexorSelects)
     EXPECT_THROW(decode(m, frameOfBytes({}), std::span(without).first(2)), std::invalid_argument);
 }
 
-TEST(DbcMultiplexing, thatIsNestedIsLeftOutWithItsLine)
+TEST(DbcMultiplexing, mayBeNested)
+{
+    const DbcMessage m = onlyMessage("BO_ 256 M: 8 A\n"
+                                     " SG_ Page M : 0|4@1+ (1,0) [0|15] \"\" B\n"
+                                     " SG_ Sub m2M : 4|4@1+ (1,0) [0|15] \"\" B\n"
+                                     " SG_ Flat m1 : 8|16@1+ (0.1,0) [0|0] \"V\" B\n"
+                                     " SG_ Deep m0 : 8|16@1+ (1,0) [0|0] \"A\" B\n"
+                                     "SG_MUL_VAL_ 256 Deep Sub 0-0;\n"
+                                     "SG_MUL_VAL_ 256 Sub Page 2-2;\n"
+                                     "SG_MUL_VAL_ 256 Flat Page 1-1;\n");
+    const auto values = [&](std::uint8_t pages) {
+        std::vector<std::optional<double>> all(m.payload.size());
+        decode(m, frameOfBytes({pages, 5, 0}), all);
+        return all;
+    };
+    using All = std::vector<std::optional<double>>;
+    EXPECT_EQ(values(0x01), (All{1.0, std::nullopt, 0.5, std::nullopt}));
+    EXPECT_EQ(values(0x02), (All{2.0, 0.0, std::nullopt, 5.0}));
+    EXPECT_EQ(values(0x12), (All{2.0, 1.0, std::nullopt, std::nullopt}));
+    EXPECT_EQ(values(0x00), (All{0.0, std::nullopt, std::nullopt, std::nullopt}));
+}
+
+TEST(DbcMultiplexing, withoutAMultiplexorIsLeftOutWithItsLine)
 {
     const Result<DbcFile> file = parsed("BO_ 256 M: 8 A\n"
-                                        " SG_ Which M : 0|8@1+ (1,0) [0|0] \"\" B\n"
-                                        " SG_ One m1 : 8|8@1+ (1,0) [0|0] \"\" B\n"
-                                        " SG_ Below m2M : 16|8@1+ (1,0) [0|0] \"\" B\n"
+                                        " SG_ One m1M : 8|8@1+ (1,0) [0|0] \"\" B\n"
+                                        " SG_ Two m1M : 16|8@1+ (1,0) [0|0] \"\" B\n"
+                                        " SG_ Below m1 : 0|8@1+ (1,0) [0|0] \"\" B\n"
                                         " SG_ Always : 24|8@1+ (1,0) [0|0] \"\" B\n"
                                         "BO_ 257 N: 8 A\n"
-                                        " SG_ Lost m1 : 8|8@1+ (1,0) [0|0] \"\" B\n");
+                                        " SG_ Lost m1 : 8|8@1+ (1,0) [0|0] \"\" B\n"
+                                        "SG_MUL_VAL_ 256 One Two 1-1;\n"
+                                        "SG_MUL_VAL_ 256 Two One 1-1;\n"
+                                        "SG_MUL_VAL_ 256 Below One 1-1;\n");
     ASSERT_TRUE(file) << file.error().text;
-    ASSERT_EQ(file->messages[0].payload.size(), 2U);
-    EXPECT_EQ(file->messages[0].payload[0].name, "Which");
-    EXPECT_EQ(file->messages[0].payload[1].name, "Always");
+    ASSERT_EQ(file->messages[0].payload.size(), 1U) << "a circle selects nothing";
+    EXPECT_EQ(file->messages[0].payload[0].name, "Always");
     EXPECT_TRUE(file->messages[1].payload.empty());
     ASSERT_EQ(file->warnings.size(), 2U);
-    EXPECT_EQ(file->warnings[0], "f.dbc: line 4: 2 multiplexed signals of M are left out: it has "
-                                 "one multiplexor below another");
-    EXPECT_EQ(file->warnings[1], "f.dbc: line 7: 1 multiplexed signals of N are left out: "
-                                 "expected one signal marked M");
+    EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 2: 3 multiplexed signals of M"));
+    EXPECT_TRUE(file->warnings[1].starts_with("f.dbc: line 7: 1 multiplexed signals of N"));
+}
+
+TEST(DbcFiles, giveTheLongNames)
+{
+    const DbcMessage m =
+        onlyMessage("BO_ 256 Short: 8 A\n"
+                    " SG_ TemperatureOfTheAirInFrontOfThe_ : 0|8@1+ (1,0) [0|0] \"\" B\n"
+                    "BA_DEF_ SG_ \"SystemSignalLongSymbol\" STRING ;\n"
+                    "BA_ \"SystemSignalLongSymbol\" SG_ 256 TemperatureOfTheAirInFrontOfThe_ "
+                    "\"TemperatureOfTheAirInFrontOfTheGripper\";\n"
+                    "BA_ \"SystemMessageLongSymbol\" BO_ 256 \"MuchLongerThanShort\";\n"
+                    "VAL_ 256 TemperatureOfTheAirInFrontOfThe_ 1 \"one\" ;\n");
+    EXPECT_EQ(m.name, "MuchLongerThanShort");
+    EXPECT_EQ(m.payload.at(0).name, "TemperatureOfTheAirInFrontOfTheGripper");
+    EXPECT_EQ(m.payload.at(0).words.size(), 1U) << "the file goes on with the short one";
+}
+
+TEST(DbcFiles, sayWhichMessagesAreParameterGroups)
+{
+    const std::string message = "BO_ 2364540158 EEC1: 8 A\nBO_ 256 Standard: 8 A\n";
+    const std::string kinds =
+        "BA_DEF_ BO_ \"VFrameFormat\" ENUM \"StandardCAN\",\"J1939PG\",\"ExtendedCAN\";\n";
+    const auto isGroup = [&](const std::string& text) {
+        const Result<DbcFile> file = parsed(message + text);
+        EXPECT_TRUE(file && file->warnings.empty());
+        EXPECT_FALSE(file->messages.at(1).isParameterGroup) << "11 bits have none";
+        return file->messages.at(0).isParameterGroup;
+    };
+    EXPECT_FALSE(isGroup(""));
+    EXPECT_TRUE(isGroup(kinds + "BA_ \"VFrameFormat\" BO_ 2364540158 1;\n"));
+    EXPECT_FALSE(isGroup(kinds + "BA_ \"VFrameFormat\" BO_ 2364540158 2;\n"));
+    EXPECT_TRUE(isGroup("BA_ \"VFrameFormat\" BO_ 2364540158 3;\n"));
+    EXPECT_TRUE(isGroup(kinds + "BA_DEF_DEF_ \"VFrameFormat\" \"J1939PG\";\n"));
+    EXPECT_FALSE(isGroup(kinds
+                         + "BA_DEF_DEF_ \"VFrameFormat\" \"J1939PG\";\n"
+                           "BA_ \"VFrameFormat\" BO_ 2364540158 0;\n"));
+    EXPECT_TRUE(isGroup("BA_ \"ProtocolType\" \"J1939\";\n"));
+    EXPECT_EQ(parameterGroupOf(0x0CF00400), parameterGroupOf(0x18F004FE));
+    EXPECT_NE(parameterGroupOf(0x0CF00400), parameterGroupOf(0x0CF00500));
+    EXPECT_EQ(parameterGroupOf(0x18EAFF01), parameterGroupOf(0x18EA0002)) << "a destination";
+}
+
+DbcSignal scaled(double scale, double offset, DbcSignal::Type type = DbcSignal::Type::Unsigned)
+{
+    DbcSignal signal;
+    signal.length = 64;
+    signal.scale = scale;
+    signal.offset = offset;
+    signal.type = type;
+    return signal;
+}
+
+TEST(DbcNumberTexts, haveAllTheirDigits)
+{
+    DbcSignal whole = scaled(1.0, 0.0);
+    EXPECT_EQ(exactText(whole, 9223372036854788153U), "9223372036854788153");
+    EXPECT_EQ(shownText(whole, 9223372036854788153U), "9223372036854788153");
+    whole.type = DbcSignal::Type::Signed;
+    EXPECT_EQ(exactText(whole, ~std::uint64_t{0}), "-1");
+    EXPECT_EQ(exactText(whole, std::uint64_t{1} << 63U), "-9223372036854775808");
+    const DbcSignal tenths = scaled(0.1, -40.0);
+    EXPECT_EQ(exactText(tenths, 3), "-39.7");
+    EXPECT_EQ(exactText(tenths, 9223372036854788153U), "922337203685478775.3");
+    EXPECT_EQ(exactText(tenths, 400), "0.0");
+    DbcSignal fine = scaled(1.0 / 256.0, 0.0);
+    EXPECT_EQ(exactText(fine, 3), "0.01171875");
+    EXPECT_EQ(shownText(fine, std::uint64_t{3}), "0.0117");
+    fine.scale = 1.0 / 3.0;
+    EXPECT_EQ(exactText(fine, 1), "0.3333333333333333");
+    const DbcSignal real = scaled(1.0, 0.0, DbcSignal::Type::Double);
+    EXPECT_EQ(exactText(real, std::bit_cast<std::uint64_t>(1234.56789012345)), "1234.56789012345");
+    EXPECT_EQ(exactText(real, 0x7FF8'0000'0000'0000), "nan");
+    EXPECT_EQ(exactText(real, 0x7FF0'0000'0000'0000), "inf");
+    EXPECT_EQ(shownText(real, std::uint64_t{0xFFF0'0000'0000'0000}), "-inf");
 }
 
 /// As other programs write them.
@@ -306,7 +406,7 @@ TEST(DbcFiles, mayEndTheirLinesAsTheyLike)
     }
 }
 
-TEST(DbcFiles, areUtf8OrElseLatin1)
+TEST(DbcFiles, areUtf8OrElseOfWindows)
 {
     const std::string before = "BO_ 256 M: 8 A\n SG_ S : 0|8@1+ (1,0) [0|0] \"";
     const auto unit = [&](const std::string& bytes) {
@@ -315,15 +415,18 @@ TEST(DbcFiles, areUtf8OrElseLatin1)
     EXPECT_EQ(unit("\xB0"
                    "C"),
               "°C")
-        << "ISO 8859-1";
+        << "ISO 8859-1 is the same there";
+    EXPECT_EQ(unit("\x80\x85\x93\x99\xE4"), "€…“™ä") << "Windows code page 1252";
     EXPECT_EQ(unit("°C"), "°C");
-    EXPECT_EQ(unit("\xE2\x82"), "â ") << "no whole character of UTF-8; no control character";
+    EXPECT_EQ(unit("\xE2\x82"), "â‚") << "no whole character of UTF-8";
+    EXPECT_EQ(unit("\xE2\x81"), "â ") << "no letter, and no control character";
     EXPECT_EQ(onlyMessage("\xEF\xBB\xBF" + before + "Ω\" B\n").payload[0].unit, "Ω");
     EXPECT_EQ(unit("a\x1B[31m\xC2\x9B"
                    "b"),
               "a [31m b")
         << "nothing that a terminal would obey";
-    EXPECT_EQ(unit(std::string(500, 'x')), std::string(80, 'x') + "…");
+    EXPECT_EQ(unit(std::string(500, 'x')), std::string(500, 'x'));
+    EXPECT_EQ(unit(std::string(2500, 'x')), std::string(2000, 'x') + "…");
 }
 
 TEST(DbcFiles, withSomethingTwiceKeepTheFirstAndSaySo)
@@ -349,52 +452,95 @@ TEST(DbcFiles, withSomethingTwiceKeepTheFirstAndSaySo)
             << file->warnings[i];
 }
 
-TEST(DbcFiles, areRefusedWithLineExpectationAndCure)
+TEST(DbcFiles, loseTheLineAtFaultAndNoMore)
+{
+    const std::string head = "VERSION \"\"\n\nBO_ 256 M: 8 A\n";
+    const std::string kept = " SG_ Kept : 0|8@1+ (1,0) [0|0] \"\" B\n";
+    const std::string more = "BO_ 300 More: 8 A\n SG_ Kept : 0|8@1+ (1,0) [0|0] \"\" B\n";
+    const std::string s = " SG_ S : ";
+    struct Case {
+        std::string line;
+        std::vector<std::string_view> parts;
+    };
+    const std::vector<Case> cases{
+        {s + "60|8@1+ (1,0) [0|0] \"\" B\n", {"S is left out", "message M", "bit 68 of 64"}},
+        {s + "0|0@1+ (1,0) [0|0] \"\" B\n", {"0 bits", "1 to 64"}},
+        {s + "0|65@1+ (1,0) [0|0] \"\" B\n", {"65 bits", "1 to 64"}},
+        {s + "0|8@2+ (1,0) [0|0] \"\" B\n", {"byte order", "'2+'"}},
+        {s + "0|8@1 (1,0) [0|0] \"\" B\n", {"expected '+'", "'-'"}},
+        {s + "0|8@1+ (nan,0) [0|0] \"\" B\n", {"scale, a number", "'nan,0)'"}},
+        {s + "0|8@1+ (1e999,0) [0|0] \"\" B\n", {"scale, a number"}},
+        {s + "0|8@1+ (1;0) [0|0] \"\" B\n", {"between scale and offset"}},
+        {s + "0|8@1+ (1,0) [0|0] V B\n", {"unit", "quotation marks", "'V'"}},
+        {s + "0|8@1+ (1,0) 0|0 \"\" B\n", {"range"}},
+        {" SG_ S m : 0|8@1+ (1,0) [0|0] \"\" B\n", {"multiplexor", "'m'"}},
+        {" SG_ : 0|8@1+ (1,0) [0|0] \"\" B\n", {"the signal's name"}},
+        {"VAL_ 256 Kept 0 zero ;\n", {"word of a raw value", "'zero'"}},
+        {"SIG_VALTYPE_ 256 Kept : 1;\n", {"no float", "8 bits, expected 32"}},
+        {"time,id,data\n", {"keyword of a section", "'time'"}},
+        {"BO_ x N: 8 A\n", {"identifier", "'x'"}},
+        {"BO_ 4096 N: 8 A\n", {"4096", "at most 2047"}},
+        {"BO_ 3221225473 N: 8 A\n", {"3221225473", "29 bits"}},
+        {"BO_ 4294967296 N: 8 A\n", {"at most 4294967295"}},
+        {"BO_ 257 N 8 A\n", {"':' behind the message's name"}},
+        {"BO_ 257 " + std::string(129, 'x') + ": 8 A\n", {"at most 128"}},
+    };
+    for (const Case& c : cases) {
+        const Result<DbcFile> file = parsed(head + kept + c.line + more);
+        ASSERT_TRUE(file) << c.line << file.error().text;
+        ASSERT_EQ(file->warnings.size(), 1U) << c.line;
+        EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 5: ")) << file->warnings[0];
+        for (const std::string_view part : c.parts)
+            EXPECT_NE(file->warnings[0].find(part), std::string::npos)
+                << "no " << part << " in " << file->warnings[0];
+        ASSERT_EQ(file->messages.size(), 2U) << c.line;
+        const bool isLost = c.line.starts_with("SIG_VALTYPE_");
+        EXPECT_EQ(file->messages[0].payload.size(), isLost ? 0U : 1U) << c.line;
+        EXPECT_EQ(file->messages[1].payload.size(), 1U) << c.line;
+    }
+}
+
+TEST(DbcFiles, withAQuoteThatDoesNotEndKeepTheRest)
+{
+    const Result<DbcFile> file = parsed("BO_ 256 M: 8 A\nCM_ BO_ 256 \"no end;\nBO_ 257 N: 8 A\n");
+    ASSERT_TRUE(file) << file.error().text;
+    EXPECT_EQ(file->messages.size(), 2U);
+    ASSERT_EQ(file->warnings.size(), 1U);
+    EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 2: expected a quotation mark"))
+        << file->warnings[0];
+}
+
+TEST(DbcFiles, passOverWhatNeedsNoWord)
+{
+    const std::string text = "// made by hand\nVERSION \"\"\nBO_ 256 M: 8 A // its message\n"
+                             "// BO_ 257 Not: 8 A\n"
+                             " SG_ S : 0|8@1+ (1,0) [-1e400|1e400] \"\" B\n"
+                             " SG_ T : 8|8@1+ (1,0) [] \"\" B\n"
+                             "BO_ 1073741824 VECTOR__INDEPENDENT_SIG_MSG: 0 Vector__XXX\n"
+                             " SG_ Orphan : 0|8@1+ (1,0) [0|0] \"\" B\n"
+                             "BO_ 258 N: 8\n\x1A";
+    const Result<DbcFile> file = parsed(text);
+    ASSERT_TRUE(file) << file.error().text;
+    EXPECT_TRUE(file->warnings.empty()) << file->warnings.front();
+    ASSERT_EQ(file->messages.size(), 2U);
+    EXPECT_EQ(file->messages[0].payload.size(), 2U);
+    EXPECT_EQ(file->messages[0].payload[0].most, 0.0) << "no range";
+    EXPECT_EQ(file->messages[1].name, "N") << "without a sender";
+}
+
+TEST(DbcFiles, withoutAMessageAreRefusedWithTheFirstCause)
 {
     struct Case {
         std::string text;
         std::vector<std::string_view> parts;
     };
-    const std::string head = "VERSION \"\"\n\nBO_ 256 M: 8 A\n";
     const std::vector<Case> cases{
-        {head + " SG_ S : 60|8@1+ (1,0) [0|0] \"\" B\n",
-         {"line 4", "S does not fit its message M", "bit 68 of 64", "correct"}},
-        {head
-             + " SG_ S : 4|8@0+ (1,0) [0|0] \"\" B\nBO_ 1 Z: 1 A\n SG_ T : 3|8@0+ (1,0) [0|0] "
-               "\"\" B\n",
-         {"line 6", "T does not fit its message Z"}},
-        {head + " SG_ S : 0|0@1+ (1,0) [0|0] \"\" B\n", {"line 4", "0 bits", "1 to 64"}},
-        {head + " SG_ S : 0|65@1+ (1,0) [0|0] \"\" B\n", {"line 4", "65 bits", "1 to 64"}},
-        {head + " SG_ S : 0|8@2+ (1,0) [0|0] \"\" B\n", {"line 4", "byte order", "'2+'"}},
-        {head + " SG_ S : 0|8@1 (1,0) [0|0] \"\" B\n", {"line 4", "expected '+'", "'-'"}},
-        {head + " SG_ S : 0|8@1+ (nan,0) [0|0] \"\" B\n",
-         {"line 4", "scale, a number", "'nan,0)'"}},
-        {head + " SG_ S : 0|8@1+ (1e999,0) [0|0] \"\" B\n", {"line 4", "scale, a number"}},
-        {head + " SG_ S : 0|8@1+ (1;0) [0|0] \"\" B\n", {"line 4", "between scale and offset"}},
-        {head + " SG_ S : 0|8@1+ (1,0) [0..1] \"\" B\n", {"line 4", "range"}},
-        {head + " SG_ S : 0|8@1+ (1,0) [0|0] V B\n", {"line 4", "unit", "quotation marks", "'V'"}},
-        {head + " SG_ S m : 0|8@1+ (1,0) [0|0] \"\" B\n", {"line 4", "multiplexor", "'m'"}},
-        {head + " SG_ : 0|8@1+ (1,0) [0|0] \"\" B\n", {"line 4", "the signal's name"}},
+        {"time,id,data\n0.1,22,AA\n", {"no message", "line 1", "keyword of a section", "'time'"}},
         {"VERSION \"\"\n SG_ S : 0|8@1+ (1,0) [0|0] \"\" B\n",
-         {"line 2", "a message (BO_) before"}},
-        {"BO_ x M: 8 A\n", {"line 1", "identifier", "'x'", "mend"}},
-        {"BO_ 4096 M: 8 A\n", {"line 1", "4096", "at most 2047"}},
-        {"BO_ 3221225473 M: 8 A\n", {"line 1", "3221225473", "29 bits"}},
-        {"BO_ 4294967296 M: 8 A\n", {"line 1", "at most 4294967295"}},
-        {"BO_ 256 M 8 A\n", {"line 1", "':' behind the message's name"}},
-        {"BO_ 256 M: 8", {"line 1", "sender", "the end of the file"}},
-        {head + "CM_ BO_ 256 \"no end;\n\n\n",
-         {"line 4", "quotation mark at the end of a comment"}},
-        {head + "VAL_ 256 S 0 zero ;\n", {"line 4", "word of a raw value", "'zero'"}},
-        {head + " SG_ S : 0|8@1+ (1,0) [0|0] \"\" B\nSIG_VALTYPE_ 256 S : 1;\n",
-         {"line 5", "no float", "8 bits, expected 32"}},
-        {head + " SG_ S : 0|32@1+ (1,0) [0|0] \"\" B\nSIG_VALTYPE_ 256 S : 2;\n",
-         {"line 5", "no double", "expected 64"}},
-        {"time,id,data\n0.1,22,AA\n", {"line 1", "keyword of a section", "'time'"}},
+         {"no message", "line 2", "a message (BO_) before"}},
         {"VERSION \"\"\n", {"no message", "is it a DBC file?"}},
         {"", {"no message"}},
         {std::string("BO_\0", 4), {"no text", "save it anew"}},
-        {"BO_ 256 " + std::string(129, 'x') + ": 8 A\n", {"line 1", "at most 128"}},
     };
     for (const Case& c : cases) {
         const Result<DbcFile> file = parsed(c.text);

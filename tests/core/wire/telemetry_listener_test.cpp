@@ -193,7 +193,7 @@ TEST_F(Listening, takesAValueOutOfRangeForAMissingFrame)
     for (const int byte : {3, 6}) {  // an epoch of 0; a last command that no console sends
         CanFrame frame = frameOf(status, ++counter);
         frame.data[static_cast<std::size_t>(byte)] = byte == 3 ? 0 : 5;
-        protect(frame.data, counter, layout.dataId);
+        protect(std::span(frame.data).first(8), counter, layout.dataId);
         now += 0.1;
         listener.take(frame, now);
     }

@@ -1,10 +1,13 @@
-#include "drivers/candump_replay.h"
+#include "drivers/log_replay.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "core/wire/can_codec.h"
@@ -23,17 +26,17 @@ struct Replaying : testing::Test {
     std::array<BusFrame, 4> frames;
 
     std::string path() const { return folder.file("demo.log"); }
-    Result<std::unique_ptr<CandumpReplay>> open(std::string_view content,
-                                                const CandumpReplay::Options& options = {})
+    Result<std::unique_ptr<LogReplay>> open(std::string_view content,
+                                            const LogReplay::Options& options = {})
     {
         folder.write("demo.log", content);
-        return CandumpReplay::open(path(), options,
-                                   {[this] { return now; },
-                                    [this](double seconds) {
-                                        ASSERT_GT(seconds, 0.0);
-                                        now += seconds;
-                                        ++sleeps;
-                                    }});
+        return LogReplay::open(path(), options,
+                               {[this] { return now; },
+                                [this](double seconds) {
+                                    ASSERT_GT(seconds, 0.0);
+                                    now += seconds;
+                                    ++sleeps;
+                                }});
     }
     std::size_t receive(CanBus& bus, std::chrono::milliseconds patience)
     {
@@ -129,6 +132,47 @@ TEST_F(Replaying, neverRunsBackwardsAndNeverCatchesUpABackwardStep)
     EXPECT_NEAR(frames[0].time, 5001.0, 1e-9);
 }
 
+TEST_F(Replaying, saysWhereTheClockGoesBackAndTheEndIsTorn)
+{
+    const auto bus = open("(1000.0) can0 001#\n(900.0) can0 002#\n(901.0) can0 00");
+    ASSERT_TRUE(bus) << bus.error().text;
+    const auto& remarks = (*bus)->remarks();
+    ASSERT_EQ(remarks.size(), 2U);
+    EXPECT_TRUE(remarks[0].starts_with(path() + ": line 2: 100 s earlier")) << remarks[0];
+    EXPECT_TRUE(remarks[1].starts_with(path() + ": line 3: is torn")) << remarks[1];
+    EXPECT_EQ(receive(**bus, 0ms), 2U);
+    EXPECT_EQ((*bus)->state(), BusState::Ended);
+}
+
+TEST_F(Replaying, shortensASilenceOfYearsAndSaysSo)
+{
+    const auto bus = open("(1000.0) can0 001#\n(1000.0) can1 001#\n(100001000.0) can0 002#\n"
+                          "(100001050.0) can0 003#\n",
+                          {.interface = "can0"});
+    ASSERT_TRUE(bus) << bus.error().text;
+    ASSERT_EQ((*bus)->remarks().size(), 1U);
+    EXPECT_NE((*bus)->remarks()[0].find("line 3: follows 100000000 s of silence"),
+              std::string::npos);
+    EXPECT_FALSE((*bus)->wait());
+    ASSERT_EQ(receive(**bus, 0ms), 1U);
+    EXPECT_EQ((*bus)->wait(), LogReplay::kShortWait);
+    ASSERT_EQ(receive(**bus, 10'000ms), 1U);
+    EXPECT_NEAR(now, 5000.0 + LogReplay::kShortWait, 1e-9);
+    EXPECT_EQ(frames[0].wallTime, 100001000.0);
+    EXPECT_NEAR(*(*bus)->wait(), 50.0, 1e-9) << "a shorter silence is kept";
+}
+
+TEST_F(Replaying, takesALogThatIsAPipe)
+{
+    const std::string fifo = folder.file("fifo");
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(fifo) << kThree; });
+    const auto bus = LogReplay::open(fifo, {});
+    writer.join();
+    ASSERT_TRUE(bus) << bus.error().text;
+    EXPECT_EQ((*bus)->name(), "REPLAY fifo");
+}
+
 TEST_F(Replaying, givesAFrameTheTimeItWasDueWhoeverIsLate)
 {
     const auto bus = open(kThree);
@@ -160,10 +204,12 @@ TEST_F(Replaying, refusesALogThatCannotBeReplayed)
     EXPECT_TRUE(refused(open(""), path(), {"holds no frame"}));
     EXPECT_TRUE(refused(open("(1.0) can0 001#\n(1.1) can0 1#\n"), path(), {"line 2"}));
     EXPECT_TRUE(refused(open(" can0  001   [0] \n"), path(), {"line 1", "candump -L"}));
-    const auto none = CandumpReplay::open(folder.file("none.log"), {});
+    const auto none = LogReplay::open(folder.file("none.log"), {});
     EXPECT_TRUE(refused(none, folder.file("none.log"), {"No such file"}));
-    const auto pipe = CandumpReplay::open("/dev/null", {});
-    EXPECT_TRUE(refused(pipe, "/dev/null", {"is no file"}));
+    const auto device = LogReplay::open("/dev/null", {});
+    EXPECT_TRUE(refused(device, "/dev/null", {"holds no frame"}));
+    const auto directory = LogReplay::open(folder.file(""), {});
+    EXPECT_TRUE(refused(directory, folder.file(""), {"is a folder"}));
     for (const double speed : {0.0, -1.0, 1001.0, std::nan("")})
         EXPECT_THROW(static_cast<void>(open(kThree, {.speed = speed})), std::invalid_argument);
     const auto bus = open(kThree);
@@ -191,7 +237,7 @@ TEST_F(Replaying, saysSoWhenTheLogChangesUnderIt)
 TEST_F(Replaying, needsNoClockToBeGiven)
 {
     folder.write("demo.log", kThree);
-    const auto bus = CandumpReplay::open(path(), {.speed = 1000.0});
+    const auto bus = LogReplay::open(path(), {.speed = 1000.0});
     ASSERT_TRUE(bus);
     EXPECT_EQ(receive(**bus, 1ms), 2U);
     EXPECT_EQ(receive(**bus, 10'000ms), 1U) << "due after half a millisecond";

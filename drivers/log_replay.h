@@ -6,18 +6,20 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "core/wire/candump_log.h"
+#include "core/wire/log_reader.h"
 #include "drivers/can_bus.h"
 
 namespace terratact {
 
-/// A log of CAN traffic (core/wire/candump_log.h) as if it were a bus: its frames come at the pace at which
-/// they were recorded.  Takes no commands.  Time that runs backwards in the log is no time at all.
+/// A log of CAN traffic (core/wire/log_reader.h) as if it were a bus: its frames come at the pace at which
+/// they were recorded.  Takes no commands.  Time that runs backwards in the log is no time at all, and a silence of the
+/// log that would last longer than kLongestWait takes kShortWait.
 ///
 /// A frame's `time` is when it was due on the steady clock, so that ages and time limits hold as on a bus; at
 /// another speed than 1 they are off by that factor.  Its `wallTime` is the log's own time.
-class CandumpReplay final : public CanBus {
+class LogReplay final : public CanBus {
 public:
     struct Options {
         std::string interface {
@@ -29,13 +31,17 @@ public:
         std::function<void(double)> sleep;  ///< [s]
     };
 
-    /// Reads the log once from end to end, so that nothing surprises later.  Errors name the file: it is no
-    /// log, holds no frame or one without a time, none of the interface, or those of several and none was
-    /// named.  Throws std::invalid_argument unless 0 < speed ≤ 1000.
-    static Result<std::unique_ptr<CandumpReplay>> open(const std::string& path,
-                                                       const Options& options);
-    static Result<std::unique_ptr<CandumpReplay>> open(const std::string& path,
-                                                       const Options& options, Clock clock);
+    static constexpr double kLongestWait = 60.0, kShortWait = 2.0;  ///< [s]
+    static constexpr std::size_t kMostPiped = std::size_t{512}
+                                           << 20U;  ///< bytes of a log that is no file
+
+    /// Reads the log once from end to end, so that nothing surprises later; one that is no file (a pipe; "-" for
+    /// standard input) is kept in memory.  Errors name the log: it is no log, holds no frame or one without a time, none
+    /// of the interface, or those of several and none was named.  Throws std::invalid_argument unless
+    /// 0 < speed ≤ 1000.
+    static Result<std::unique_ptr<LogReplay>> open(const std::string& path, const Options& options);
+    static Result<std::unique_ptr<LogReplay>> open(const std::string& path, const Options& options,
+                                                   Clock clock);
 
     /// "REPLAY demo.log"
     std::string name() const override;
@@ -54,17 +60,25 @@ public:
     /// dropped: what the log says was lost when it was recorded.
     BusCounters counters() const override;
 
+    /// What is to be said of the log (LogReader::takeRemarks), and the silences that are shortened: a sentence each.
+    const std::vector<std::string>& remarks() const { return remarks_; }
+
+    /// [s] until the next frame; empty before the first receive() and after the last frame.  Of the thread that
+    /// receives.
+    std::optional<double> wait() const;
+
 private:
-    CandumpReplay(std::string name, CandumpReader log, Options options, Clock clock);
+    LogReplay(std::string name, LogReader log, Options options, Clock clock);
     Status fetch();
     Result<std::size_t> takeDue(std::span<BusFrame> frames);
 
     std::string name_;
-    CandumpReader log_;
+    LogReader log_;
     Options options_;
     Clock clock_;
     std::optional<LoggedFrame> next_;
-    double logTime_ = 0.0;       ///< [s] of next_
+    std::vector<std::string> remarks_;
+    double logTime_ = 0.0;       ///< [s] of next_, since the log's beginning, on its even clock
     std::optional<double> due_;  ///< of next_, on the clock; empty before the first receive()
     mutable std::mutex mutex_;   ///< guards the two below
     BusCounters counters_;

@@ -1,0 +1,186 @@
+#include "core/wire/log_bytes.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "core/file_read.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{16} * 1024;
+
+/// Closes on the way out, unless it is standard input.
+class LogFile {
+public:
+    explicit LogFile(const std::string& path)
+        : isInput_(path == "-"),
+          fd_(isInput_ ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+    {
+    }
+    ~LogFile()
+    {
+        if (!isInput_ && fd_ >= 0) ::close(fd_);
+    }
+    LogFile(const LogFile&) = delete;
+    LogFile& operator=(const LogFile&) = delete;
+    int fd() const { return fd_; }
+
+private:
+    bool isInput_;
+    int fd_;
+};
+
+}  // namespace
+
+/// The state of gzip.
+struct LogBytes::Packed {
+    Packed() { isReady = ::inflateInit2(&stream, 15 + 16) == Z_OK; }  // gzip alone
+    ~Packed()
+    {
+        if (isReady) ::inflateEnd(&stream);
+    }
+    Packed(const Packed&) = delete;
+    Packed& operator=(const Packed&) = delete;
+
+    z_stream stream{};
+    std::array<char, 2 * kBlock> input{};  // at first, what begin() has looked at
+    bool isReady = false, isWhole = false, isTorn = false;
+};
+
+LogBytes::LogBytes(Source source) : source_(std::move(source)) {}
+LogBytes::~LogBytes() = default;
+LogBytes::LogBytes(LogBytes&&) noexcept = default;
+LogBytes& LogBytes::operator=(LogBytes&&) noexcept = default;
+
+Result<LogBytes::Source> LogBytes::sourceOf(const std::string& path)
+{
+    const auto file = std::make_shared<LogFile>(path);
+    if (file->fd() < 0) {
+        const int code = errno;
+        return fileError(path, "cannot be opened: " + std::generic_category().message(code), code);
+    }
+    return Source([file](std::span<char> room) -> Result<std::size_t> {
+        for (;;) {
+            const ssize_t got = ::read(file->fd(), room.data(), room.size());
+            if (got >= 0) return static_cast<std::size_t>(got);
+            const int code = errno;
+            if (code != EINTR)
+                return Error{"cannot be read: " + std::generic_category().message(code), code};
+        }
+    });
+}
+
+bool LogBytes::isPacked() const
+{
+    return packed_ != nullptr;
+}
+
+bool LogBytes::isTorn() const
+{
+    return packed_ && packed_->isTorn;
+}
+
+Result<std::string_view> LogBytes::peek(std::size_t least)
+{
+    if (!hasBegun_)
+        if (const Status done = begin(); !done) return done.error();
+    while (block_.size() - at_ < least && !hasEnded_) {
+        const Result<std::size_t> got = more();
+        if (!got) return got.error();
+        hasEnded_ = *got == 0;
+    }
+    return std::string_view(block_).substr(at_);
+}
+
+void LogBytes::take(std::size_t bytes)
+{
+    at_ += std::min(bytes, block_.size() - at_);
+}
+
+/// What the first bytes say: gzip, a byte order mark.
+Status LogBytes::begin()
+{
+    hasBegun_ = true;
+    if (const auto first = peek(2); !first) return first.error();
+    if (block_.starts_with("\x1F\x8B")) {
+        packed_ = std::make_unique<Packed>();
+        if (!packed_->isReady) return Error{"cannot be unpacked: there is no memory"};
+        std::copy(block_.begin(), block_.end(), packed_->input.begin());
+        packed_->stream.next_in = reinterpret_cast<Bytef*>(packed_->input.data());
+        packed_->stream.avail_in = static_cast<uInt>(block_.size());
+        block_.clear();
+        hasEnded_ = false;
+    }
+    if (const auto first = peek(3); !first) return first.error();
+    if (block_.starts_with("\xEF\xBB\xBF")) take(3);
+    isLowFirst_ = block_.starts_with("\xFF\xFE");
+    isWide_ = isLowFirst_ || block_.starts_with("\xFE\xFF");
+    if (isWide_) addWide(std::exchange(block_, {}).substr(2));
+    return Done{};
+}
+
+/// Adds letters of UTF-16; of a log only those of ASCII matter.
+void LogBytes::addWide(std::string_view bytes)
+{
+    half_ += bytes;
+    const std::string wide = std::exchange(half_, {});
+    const std::size_t whole = wide.size() / 2 * 2;
+    for (std::size_t i = 0; i < whole; i += 2) {
+        const char low = wide[isLowFirst_ ? i : i + 1], high = wide[isLowFirst_ ? i + 1 : i];
+        block_ += high == '\0' && static_cast<unsigned char>(low) < 0x80 ? low : '?';
+    }
+    half_ = wide.substr(whole);
+}
+
+/// Adds to what is at hand; 0: there is no more.
+Result<std::size_t> LogBytes::more()
+{
+    block_.erase(0, at_);
+    at_ = 0;
+    std::array<char, kBlock> room{};
+    const Result<std::size_t> got = packed_ ? unpack(room) : source_(room);
+    if (!got || *got == 0) return got;
+    const std::string_view bytes(room.data(), *got);
+    if (isWide_)
+        addWide(bytes);
+    else
+        block_ += bytes;
+    return got;
+}
+
+/// Several packed pieces behind each other are one log.
+Result<std::size_t> LogBytes::unpack(std::span<char> room)
+{
+    Packed& p = *packed_;
+    p.stream.next_out = reinterpret_cast<Bytef*>(room.data());
+    p.stream.avail_out = static_cast<uInt>(room.size());
+    while (p.stream.avail_out == room.size() && !p.isTorn) {
+        if (p.stream.avail_in == 0) {
+            const Result<std::size_t> got = source_(p.input);
+            if (!got) return got;
+            p.stream.next_in = reinterpret_cast<Bytef*>(p.input.data());
+            p.stream.avail_in = static_cast<uInt>(*got);
+            p.isTorn = *got == 0 && !p.isWhole;
+            if (*got == 0) break;
+        }
+        if (std::exchange(p.isWhole, false)) {
+            if (*p.stream.next_in != 0x1F) return std::size_t{0};  // something else behind it
+            ::inflateReset(&p.stream);
+        }
+        const int result = ::inflate(&p.stream, Z_NO_FLUSH);
+        p.isWhole = result == Z_STREAM_END;
+        if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR)
+            return Error{"cannot be unpacked from here on: its packed bytes are damaged"};
+    }
+    return room.size() - p.stream.avail_out;
+}
+
+}  // namespace terratact

@@ -1,0 +1,31 @@
+#include "core/wire/log_clock.h"
+
+#include <algorithm>
+
+namespace terratact {
+
+std::optional<double> LogClock::take(double time, const std::string& interface)
+{
+    ++frames_;
+    if (!first_) {
+        first_ = base_ = last_ = time;
+        lastOf_[interface] = time;
+        return std::nullopt;
+    }
+    const auto known = lastOf_.find(interface);
+    const double back = last_ - time;
+    const bool isSet = back > kDisorder || (known != lastOf_.end() && time < known->second);
+    if (time <= last_) ++notLater_;
+    std::optional<double> step;
+    if (isSet) {
+        step = back > kDisorder ? back : known->second - time;
+        base_ = time - elapsed_;
+        lastOf_.clear();
+    }
+    elapsed_ = std::max(elapsed_, time - base_);
+    last_ = isSet ? time : std::max(last_, time);
+    if (lastOf_.size() < kMostInterfaces || lastOf_.contains(interface)) lastOf_[interface] = time;
+    return step;
+}
+
+}  // namespace terratact

@@ -1,0 +1,150 @@
+#include "core/wire/log_format.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/text.h"
+#include "core/wire/log_words.h"
+
+namespace terratact {
+namespace {
+
+bool isNumber(std::string_view word)
+{
+    return !word.empty() && word.front() >= '0' && word.front() <= '9'
+        && word.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+std::size_t commasIn(std::string_view line)
+{
+    return static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+}
+
+/// A line of GVRET without a heading: "1000000,00000500,false,0,3,DD,FF,01,".
+bool isGvretLine(std::string_view line)
+{
+    const std::size_t comma = line.find(',');
+    if (comma == std::string_view::npos || !isNumber(line.substr(0, comma))) return false;
+    return line.find(",false,") != std::string_view::npos
+        || line.find(",true,") != std::string_view::npos;
+}
+
+bool isCsvHeading(std::string_view line)
+{
+    return commasIn(line) >= 5
+        && (line.starts_with("Time Stamp,ID,") || line.starts_with("timestamp,arbitration_id,")
+            || line.starts_with("__time,id,extended,"));
+}
+
+bool isAscHeading(std::string_view first, std::string_view line)
+{
+    return first == "date" || first == "base" || line.starts_with("Begin Triggerblock")
+        || line.starts_with("begin triggerblock") || line.starts_with("internal events logged")
+        || line.starts_with("no internal events logged") || line.starts_with("// version ");
+}
+
+/// "0.100000 1  500 ..." or "0.100000 CANFD ...": a log of Vector without its heading.
+bool isAscLine(std::string_view first, std::string_view second)
+{
+    return isNumber(first) && first.find('.') != std::string_view::npos
+        && (isDigits(second) || second == "CANFD");
+}
+
+bool isTrcLine(std::string_view first)
+{
+    return first.size() > 1 && first.ends_with(')') && isDigits(first.substr(0, first.size() - 1));
+}
+
+constexpr std::string_view kConvert =
+    "; expected a log of candump, .asc, .trc, or CSV of GVRET or python-can: export it as one of "
+    "them";
+
+/// What else a text may be: how it begins, and what it is called.
+std::string otherKindOf(std::string_view line, std::string_view first)
+{
+    const auto is = [](std::string_view what) {
+        return "is " + std::string(what) + std::string(kConvert);
+    };
+    if (line.starts_with("***BUSMASTER")) return is("a log of BusMaster");
+    if (line.starts_with("Time,") || line.starts_with("Time;")) return is("a table, no known log");
+    if (isCsvHeading(line)) return {};
+    const bool isDate = line.size() > 10 && line[4] == '-' && line[7] == '-' && line[10] == 'T';
+    if (isDate && commasIn(line) >= 5) return is("a log of NMEA 2000 of canboat");
+    if (line.starts_with("BO_ ") || line.starts_with("VERSION \""))
+        return "is a DBC file, which --dbc reads; expected a log of CAN traffic";
+    LogWords words(line);
+    (void)words.next();
+    const std::string_view second = words.next();
+    const bool isCrtd = isNumber(first) && second.size() >= 3
+                     && (second.ends_with("R11") || second.ends_with("R29")
+                         || second.ends_with("T11") || second.ends_with("CXX"));
+    if (isCrtd) return is("a log of CRTD");
+    if (line.starts_with("{") || line.starts_with("<?xml")) return is("JSON or XML, no known log");
+    return {};
+}
+
+struct Magic {
+    std::string_view begin, kind;
+};
+
+}  // namespace
+
+std::string LogFormat::takeRemark()
+{
+    return std::exchange(remark_, {});
+}
+
+std::optional<LoggedFrame> LogFormat::passOver()
+{
+    ++passed_;
+    return std::nullopt;
+}
+
+Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line)
+{
+    LogWords words(line);
+    const std::string_view begin = words.rest(), first = words.next(), second = words.next();
+    if (first.starts_with('(')) return candumpFormat();
+    if (first.starts_with(';')) return trcFormat();
+    if (isTrcLine(first)) return trcFormat();
+    if (isAscHeading(first, begin) || isAscLine(first, second)) return ascFormat();
+    if (first.starts_with('#') || first.starts_with("//")) return std::unique_ptr<LogFormat>();
+    if (isCsvHeading(begin) || isGvretLine(begin)) return csvFormat(begin);
+    if (std::string other = otherKindOf(begin, first); !other.empty())
+        return Error{std::move(other)};
+    return candumpFormat();
+}
+
+std::string binaryKindOf(std::string_view begin)
+{
+    using namespace std::string_view_literals;
+    constexpr std::array kKinds{
+        Magic{"LOGG"sv, "a binary log of Vector (.blf)"},
+        Magic{"MDF     "sv, "a measurement file (.mf4, .mdf)"},
+        Magic{"\x89MCAP0"sv, "an MCAP file"},
+        Magic{"SQLite format 3\0"sv, "a session or another SQLite file"},
+        Magic{"\x0A\x0D\x0D\x0A"sv, "a capture of Wireshark (.pcapng)"},
+        Magic{"\xD4\xC3\xB2\xA1"sv, "a capture of tcpdump (.pcap)"},
+        Magic{"\xA1\xB2\xC3\xD4"sv, "a capture of tcpdump (.pcap)"},
+        Magic{"PK\x03\x04"sv, "a ZIP archive: unpack it"},
+        Magic{"\xFD"
+              "7zXZ"sv,
+              "packed by xz: unpack it (xz -d)"},
+        Magic{"\x28\xB5\x2F\xFD"sv, "packed by zstd: unpack it (zstd -d)"},
+        Magic{"BZh"sv, "packed by bzip2: unpack it (bzip2 -d)"},
+    };
+    for (const auto& [magic, kind] : kKinds) {
+        if (!begin.starts_with(magic)) continue;
+        const std::string is = "is " + std::string(kind);
+        if (kind.find(": unpack") != std::string_view::npos) return is;
+        if (magic == "SQLite format 3\0"sv)
+            return is + "; expected a log of CAN frames: session export makes one of a session";
+        if (magic == "LOGG"sv || magic == "MDF     "sv)
+            return is + "; expected a log as text: can_logconvert of python-can makes one";
+        return is + std::string(kConvert);
+    }
+    return {};
+}
+
+}  // namespace terratact

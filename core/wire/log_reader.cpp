@@ -1,0 +1,218 @@
+#include "core/wire/log_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "core/file_read.h"
+#include "core/wire/log_words.h"
+
+namespace terratact {
+namespace {
+
+LogBytes::Source sourceOf(std::unique_ptr<std::istream> log)
+{
+    return [stream = std::shared_ptr<std::istream>(std::move(log))](
+               std::span<char> room) -> Result<std::size_t> {
+        errno = 0;
+        stream->read(room.data(), static_cast<std::streamsize>(room.size()));
+        const int code = errno;
+        if (stream->bad())
+            return Error{"cannot be read: " + std::generic_category().message(code), code};
+        return static_cast<std::size_t>(stream->gcount());
+    };
+}
+
+bool isZeros(std::string_view text)
+{
+    return text.find_first_not_of('\0') == std::string_view::npos;
+}
+
+}  // namespace
+
+LogReader::LogReader(std::string name, std::unique_ptr<std::istream> log)
+    : LogReader(std::move(name), sourceOf(std::move(log)))
+{
+}
+
+LogReader::LogReader(std::string name, LogBytes::Source source)
+    : name_(std::move(name)), bytes_(std::move(source))
+{
+}
+
+Result<LogReader> LogReader::open(const std::string& path)
+{
+    Result<LogBytes::Source> source = LogBytes::sourceOf(path);
+    if (!source) return source.error();
+    return LogReader(path == "-" ? "standard input" : path, *std::move(source));
+}
+
+std::uint64_t LogReader::dropped() const
+{
+    return format_ ? format_->dropped() : 0;
+}
+
+std::string LogReader::format() const
+{
+    if (!format_) return {};
+    return std::string(format_->name()) + (bytes_.isPacked() ? ", packed by gzip" : "");
+}
+
+Error LogReader::error(std::string_view cause) const
+{
+    return fileError(name_, fmt::format("line {}: {}", line_, cause));
+}
+
+std::vector<std::string> LogReader::takeRemarks()
+{
+    return std::exchange(remarks_, {});
+}
+
+void LogReader::remark(std::string_view what)
+{
+    remarks_.push_back(error(what).text);
+}
+
+/// The next line into text_.
+Result<LogReader::Line> LogReader::readLine()
+{
+    for (std::size_t looked = 0;;) {
+        const Result<std::string_view> got = bytes_.peek(looked + 1);
+        if (!got) return fileError(name_, got.error().text, got.error().code);
+        if (!std::exchange(hasLooked_, true))
+            if (const std::string kind = binaryKindOf(*got); !kind.empty())
+                return fileError(name_, kind);
+        const std::size_t end = got->find('\n', looked);
+        if (end != std::string_view::npos && end <= kLongestLine) {
+            ++line_;
+            text_ = got->substr(0, end);
+            bytes_.take(end + 1);
+            return Line::Whole;
+        }
+        if (got->size() > kLongestLine) return endOfLongLine();
+        if (got->size() == looked) {  // there is no more
+            if (looked == 0) return Line::None;
+            ++line_;
+            text_ = *got;
+            bytes_.take(looked);
+            return Line::Unended;
+        }
+        looked = got->size();
+    }
+}
+
+/// Where power was lost, file systems leave zeros: they end a log.
+Result<LogReader::Line> LogReader::endOfLongLine()
+{
+    ++line_;
+    const Error tooLong = error(fmt::format("is longer than {} bytes", kLongestLine));
+    const Result<std::string_view> begin = bytes_.peek(1);
+    text_ = begin ? begin->substr(0, kLongestLine) : std::string_view();
+    bytes_.take(text_.size());
+    const std::size_t zeros = std::min(text_.find('\0'), text_.size());
+    if (zeros == text_.size() || !isZeros(std::string_view(text_).substr(zeros))) return tooLong;
+    for (;;) {
+        const Result<std::string_view> rest = bytes_.peek(1);
+        if (!rest) return fileError(name_, rest.error().text, rest.error().code);
+        if (rest->empty()) break;
+        if (!isZeros(*rest)) return tooLong;
+        bytes_.take(rest->size());
+    }
+    text_.resize(zeros + 1);
+    return Line::Unended;
+}
+
+Status LogReader::chooseFormat()
+{
+    if (format_ || LogWords(text_).rest().empty()) return Done{};
+    Result<std::unique_ptr<LogFormat>> format = formatOfLine(text_);
+    if (!format) return fileError(name_, format.error().text);
+    format_ = *std::move(format);
+    return Done{};
+}
+
+void LogReader::tear(std::string_view what)
+{
+    isTorn_ = true;
+    remark(what);
+}
+
+/// What is left to say.
+std::optional<LoggedFrame> LogReader::end()
+{
+    if (std::exchange(hasEnded_, true)) return std::nullopt;
+    if (bytes_.isTorn() && !isTorn_)
+        tear("the packed log is torn behind it: what came before is read");
+    if (steps_ > kMostSteps)
+        remarks_.push_back(
+            fileError(name_, fmt::format("time goes back {} more times", steps_ - kMostSteps))
+                .text);
+    const std::size_t steps = clock_.frames() > 0 ? clock_.frames() - 1 : 0;
+    // Of candump -td every time is that since the line before.
+    if (format_ && format_->name() == "candump" && clock_.first() == 0.0 && steps >= 3
+        && 4 * clock_.notLater() >= steps)
+        remarks_.push_back(
+            fileError(name_, fmt::format("{} of {} times are no later than the one before, from 0 "
+                                         "on: is this a log of candump -td, whose times are wrong "
+                                         "here? Record with candump -L",
+                                         clock_.notLater(), steps))
+                .text);
+    if (format_ && format_->passedOver() > 0)
+        remarks_.push_back(
+            fileError(name_, fmt::format("{} lines that hold no frame are passed over, the first "
+                                         "is line {}",
+                                         format_->passedOver(), firstPassed_))
+                .text);
+    return std::nullopt;
+}
+
+void LogReader::watchClock(const LoggedFrame& logged)
+{
+    step_.reset();
+    if (!logged.time) return;
+    step_ = clock_.take(*logged.time, logged.interface);
+    if (!step_ || ++steps_ > kMostSteps) return;
+    const bool isCandump = format_->name() == "candump";
+    remark(fmt::format("{:.6g} s earlier than the line before: was the clock set{}?", *step_,
+                       isCandump ? ", or is this a log of candump -td" : ""));
+}
+
+Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
+{
+    const std::uint64_t passed = format_->passedOver();
+    Result<std::optional<LoggedFrame>> taken = format_->take(text_);
+    if (passed == 0 && format_->passedOver() > 0) firstPassed_ = line_;
+    if (const std::string said = format_->takeRemark(); !said.empty()) remark(said);
+    // Only candump's compact lines do not tell how long they are.
+    const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";
+    if (taken && *taken && line == Line::Unended && mayBeCut)
+        remark("has no line end: it is read as it stands, and may have been longer");
+    if (taken) return taken;
+    if (line == Line::Whole) return error(taken.error().text);
+    tear("is torn: the log ends within it; what came before is read");
+    return std::optional<LoggedFrame>{};
+}
+
+Result<std::optional<LoggedFrame>> LogReader::next()
+{
+    for (;;) {
+        if (hasEnded_) return std::optional<LoggedFrame>{};
+        const Result<Line> line = readLine();
+        if (!line) return line.error();
+        if (*line == Line::None) return end();
+        if (const Status done = chooseFormat(); !done) return done.error();
+        if (!format_) continue;
+        Result<std::optional<LoggedFrame>> taken = frameOf(*line);
+        if (!taken) return taken;
+        if (*taken) {
+            watchClock(**taken);
+            return taken;
+        }
+        if (isTorn_) return end();
+    }
+}
+
+}  // namespace terratact

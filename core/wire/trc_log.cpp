@@ -1,0 +1,204 @@
+// Logs of PEAK's tools (.trc), of their versions 1.0 to 2.1.  A line of version 1 is
+//
+//     1)      1059.9  Rx     0300  7  00 00 00 00 04 00 00
+//
+// with a bus before the direction from 1.2 on, and a reserved dash behind the identifier in 1.3.  From 2.0 on a heading
+// tells the columns (;$COLUMNS=N,O,T,B,I,d,R,L,D).  Times are milliseconds since ;$STARTTIME, days since 30 December
+// 1899, taken for UTC, as python-can does.  States, events and error counters are passed over and counted.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/text.h"
+#include "core/wire/log_format.h"
+#include "core/wire/log_time.h"
+#include "core/wire/log_words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kMilliseconds = 1000.0;
+constexpr std::size_t kLongId = 4;  // an identifier of more digits is an extended one
+constexpr std::string_view kColumns20 = "NOTIdlD", kColumns21 = "NOTBIdRLD";
+
+/// [s] since 1970 of days since 30 December 1899.
+std::optional<double> secondsOfDays(std::string_view text)
+{
+    constexpr double kDaysTo1970 = 25569.0, kDay = 86400.0, kMostDays = 130'000.0;
+    const std::optional<double> days = numberFrom(text);
+    if (!days || !(*days >= kDaysTo1970 && *days <= kMostDays)) return std::nullopt;
+    return (*days - kDaysTo1970) * kDay;
+}
+
+bool isDirection(std::string_view word)
+{
+    return word == "Rx" || word == "Tx";
+}
+
+class TrcFormat final : public LogFormat {
+public:
+    std::string_view name() const override { return "PEAK .trc"; }
+
+    Result<std::optional<LoggedFrame>> take(std::string_view line) override
+    {
+        LogWords words(line);
+        const std::string_view begin = words.rest();
+        if (begin.empty()) return std::optional<LoggedFrame>{};
+        if (begin.front() == ';') return heading(begin.substr(1));
+        if (const std::string_view number = words.next(); number.ends_with(')'))
+            return oldFrame(number, words);
+        return newFrame(LogWords(line));
+    }
+
+private:
+    using Taken = Result<std::optional<LoggedFrame>>;
+
+    Taken heading(std::string_view text)
+    {
+        constexpr std::string_view kVersion = "$FILEVERSION=", kStart = "$STARTTIME=",
+                                   kColumns = "$COLUMNS=";
+        while (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+        if (text.starts_with(kVersion)) {
+            const std::string_view version = text.substr(kVersion.size());
+            if (version.empty() || version.front() < '1' || version.front() > '2')
+                return expectedInLog("version 1.0 to 2.1 of the format", version);
+            if (version == "2.0") columns_ = kColumns20;
+        } else if (text.starts_with(kStart)) {
+            if (const auto seconds = secondsOfDays(text.substr(kStart.size())))
+                start_ = *seconds;
+            else
+                remark_ = "the start time is not understood: times count from 0";
+        } else if (text.starts_with(kColumns)) {
+            columns_.clear();
+            for (const char c : text.substr(kColumns.size()))
+                if (c != ',' && c != ' ') columns_ += c;
+        }
+        return std::optional<LoggedFrame>{};
+    }
+
+    Status setTime(LoggedFrame& logged, std::string_view word) const
+    {
+        const Result<double> time = logSeconds(word, kMilliseconds);
+        if (!time) return time.error();
+        logged.time = start_ + *time;
+        return Done{};
+    }
+
+    static Status setBus(LoggedFrame& logged, std::string_view word)
+    {
+        const auto bus = isDigits(word) ? integerFrom<std::uint8_t>(word) : std::nullopt;
+        if (!bus) return expectedInLog("the number of a bus", word);
+        logged.interface = interfaceOfBus(*bus);
+        return Done{};
+    }
+
+    static Status setId(CanFrame& frame, std::string_view word)
+    {
+        if (word.ends_with('h')) word.remove_suffix(1);
+        frame.extended = word.size() > kLongId;
+        return setFrameId(frame, word);
+    }
+
+    // Of versions 1.0 to 1.3, behind "1)".
+    Taken oldFrame(std::string_view number, LogWords& words)
+    {
+        if (!isDigits(number.substr(0, number.size() - 1)))
+            return expectedInLog("the number of a frame, such as 1)", number);
+        LoggedFrame logged;
+        logged.interface = interfaceOfBus(1);
+        if (const Status done = setTime(logged, words.next()); !done) return done.error();
+        std::string_view word = words.next();
+        if (word.size() <= 2 && isDigits(word)) {
+            if (const Status done = setBus(logged, word); !done) return done.error();
+            word = words.next();
+        }
+        if (word == "Warng" || word == "Error" || word == "Event") return passOver();
+        if (isDirection(word)) {
+            logged.direction = word == "Rx" ? LogDirection::Received : LogDirection::Sent;
+            word = words.next();
+        }
+        if (word == "FFFFFFFF") return passOver();  // the state of the bus
+        if (const Status done = setId(logged.frame, word); !done) return done.error();
+        word = words.next();
+        if (word == "-") word = words.next();
+        const auto length = isDigits(word) ? integerFrom<unsigned>(word) : std::nullopt;
+        if (const Status done = setFrameLength(logged.frame, length.value_or(kFdBytes + 1), word);
+            !done)
+            return done.error();
+        return withBytes(std::move(logged), words);
+    }
+
+    // From version 2.0 on, by columns.
+    Taken newFrame(LogWords words)
+    {
+        LoggedFrame logged;
+        logged.interface = interfaceOfBus(1);
+        std::string_view type;
+        for (const char column : columns_) {
+            if (column == 'D') break;
+            const std::string_view word = words.next();
+            if (column == 'T') type = word;
+            // What is no frame has its own columns.
+            if (column == 'T' && !setType(logged.frame, type)) return passOver();
+            if (const Status done = setColumn(logged, column, word); !done) return done.error();
+        }
+        if (type.empty()) return expectedInLog("a line with the columns of the heading", "");
+        return withBytes(std::move(logged), words);
+    }
+
+    /// False: no frame of data, nor a remote one.
+    static bool setType(CanFrame& frame, std::string_view type)
+    {
+        frame.fd = type == "FD" || type == "FB" || type == "FE" || type == "BI";
+        frame.remote = type == "RR";
+        return frame.fd || frame.remote || type == "DT";
+    }
+
+    Status setColumn(LoggedFrame& logged, char column, std::string_view word) const
+    {
+        switch (column) {
+        case 'N': return isDigits(word) ? Status(Done{}) : expectedInLog("a number", word);
+        case 'O': return setTime(logged, word);
+        case 'B': return setBus(logged, word);
+        case 'I': return setId(logged.frame, word);
+        case 'd':
+            if (!isDirection(word)) return expectedInLog("Rx or Tx", word);
+            logged.direction = word == "Rx" ? LogDirection::Received : LogDirection::Sent;
+            return Done{};
+        case 'l':
+        case 'L': return setLength(logged.frame, column == 'L', word);
+        default: return Done{};
+        }
+    }
+
+    static Status setLength(CanFrame& frame, bool isCode, std::string_view word)
+    {
+        const auto number = isDigits(word) ? integerFrom<unsigned>(word) : std::nullopt;
+        if (!number || (isCode && *number > 15)) return expectedInLog("a length", word);
+        if (!isCode) return setFrameLength(frame, *number, word);
+        const std::size_t bytes =
+            frame.fd ? bytesOfCode(*number) : std::min<std::size_t>(*number, kClassicBytes);
+        return setFrameLength(frame, bytes, word);
+    }
+
+    static Taken withBytes(LoggedFrame logged, LogWords& words)
+    {
+        if (words.rest().starts_with("RTR")) logged.frame.remote = !logged.frame.fd;
+        for (std::size_t i = 0; !logged.frame.remote && i < logged.frame.length; ++i)
+            if (const Status done = setFrameByte(logged.frame, i, words.next()); !done)
+                return done.error();
+        return std::optional(std::move(logged));
+    }
+
+    double start_ = 0.0;  ///< [s] since 1970
+    std::string columns_{kColumns21};
+};
+
+}  // namespace
+
+std::unique_ptr<LogFormat> trcFormat()
+{
+    return std::make_unique<TrcFormat>();
+}
+
+}  // namespace terratact

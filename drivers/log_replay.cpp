@@ -1,0 +1,264 @@
+#include "drivers/log_replay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMostNames = 16;  // of interfaces that are remembered
+
+Error fileError(const std::string& path, const std::string& cause)
+{
+    return Error{path + ": " + cause};
+}
+
+/// Where a log can be read from as often as needed.
+class LogSource {
+public:
+    static Result<LogSource> of(const std::string& path)
+    {
+        std::error_code failure;
+        LogSource source;
+        source.path_ = path == "-" ? "standard input" : path;
+        const auto type = std::filesystem::status(path, failure).type();
+        if (type == std::filesystem::file_type::directory)
+            return fileError(path, "is a folder, no log of CAN traffic");
+        const bool isFile = type == std::filesystem::file_type::regular && path != "/dev/stdin";
+        const bool isMissing = type == std::filesystem::file_type::not_found && path != "-";
+        if (isFile || isMissing) return source;
+        if (const Status kept = source.keep(path); !kept) return kept.error();
+        return source;
+    }
+
+    Result<LogReader> read() const
+    {
+        if (!kept_) return LogReader::open(path_);
+        return LogReader(path_, std::make_unique<std::istringstream>(*kept_));
+    }
+    const std::string& name() const { return path_; }
+
+private:
+    Status keep(const std::string& path)
+    {
+        const auto bytes = LogBytes::sourceOf(path == "/dev/stdin" ? "-" : path);
+        if (!bytes) return bytes.error();
+        auto kept = std::make_shared<std::string>();
+        std::vector<char> block(std::size_t{64} * 1024);
+        for (;;) {
+            const Result<std::size_t> got = (*bytes)(block);
+            if (!got) return fileError(path_, got.error().text);
+            if (*got == 0) break;
+            if (kept->size() + *got > LogReplay::kMostPiped)
+                return fileError(path_, "is no file, and too long to be kept: copy it to one");
+            kept->append(block.data(), *got);
+        }
+        kept_ = std::move(kept);
+        return Done{};
+    }
+
+    std::string path_;
+    std::shared_ptr<const std::string> kept_;  // null: it is a file
+};
+
+/// What a log holds.
+struct LogScan {
+    struct Interface {
+        double last = 0.0;                  ///< [s] of its newest frame, on the even clock
+        std::vector<std::string> silences;  ///< that a replay shortens
+    };
+    std::map<std::string, Interface> interfaces;
+    std::vector<std::string> remarks;
+};
+
+std::string silenceText(const LogReader& log, double seconds)
+{
+    return log
+        .error(fmt::format("follows {:.0f} s of silence, which the replay shortens to {:.0f} s",
+                           seconds, LogReplay::kShortWait))
+        .text;
+}
+
+Result<LogScan> scan(const LogSource& source, double speed)
+{
+    constexpr std::size_t kMostSilences = 10;  // that are said of one interface
+    Result<LogReader> log = source.read();
+    if (!log) return log.error();
+    LogScan found;
+    for (;;) {
+        const auto frame = log->next();
+        if (!frame) return frame.error();
+        if (!*frame) break;
+        if (!(*frame)->time) return log->error("has no time; record with candump -L");
+        const auto known = found.interfaces.find((*frame)->interface);
+        if (known == found.interfaces.end()) {
+            if (found.interfaces.size() < kMostNames)
+                found.interfaces[(*frame)->interface].last = log->elapsed();
+            continue;
+        }
+        LogScan::Interface& of = known->second;
+        const double silence = log->elapsed() - std::exchange(of.last, log->elapsed());
+        if (silence / speed > LogReplay::kLongestWait && of.silences.size() < kMostSilences)
+            of.silences.push_back(silenceText(*log, silence));
+    }
+    found.remarks = log->takeRemarks();
+    return found;
+}
+
+std::string listed(const LogScan& scan)
+{
+    std::string text;
+    for (const auto& [name, of] : scan.interfaces) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// The interface to be replayed.
+Result<std::string> chosen(const std::string& path, const LogScan& scan, const std::string& wanted)
+{
+    if (scan.interfaces.empty()) return fileError(path, "holds no frame");
+    if (!wanted.empty() && !scan.interfaces.contains(wanted))
+        return fileError(path, "holds no frame of " + wanted + ", only of " + listed(scan));
+    if (!wanted.empty()) return wanted;
+    if (scan.interfaces.size() > 1)
+        return fileError(path, "holds frames of " + listed(scan)
+                                   + ": name the one to replay with --interface");
+    return scan.interfaces.begin()->first;
+}
+
+LogReplay::Clock steadyClock()
+{
+    using Seconds = std::chrono::duration<double>;
+    return {[] { return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count(); },
+            [](double seconds) { std::this_thread::sleep_for(Seconds(seconds)); }};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LogReplay>> LogReplay::open(const std::string& path, const Options& options)
+{
+    return open(path, options, steadyClock());
+}
+
+Result<std::unique_ptr<LogReplay>> LogReplay::open(const std::string& path, const Options& options,
+                                                   Clock clock)
+{
+    if (!(options.speed > 0.0 && options.speed <= 1000.0))
+        throw std::invalid_argument("LogReplay: the speed must be over 0 and at most 1000");
+    const Result<LogSource> source = LogSource::of(path);
+    if (!source) return source.error();
+    Result<LogScan> found = scan(*source, options.speed);
+    if (!found) return found.error();
+    Result<std::string> interface = chosen(source->name(), *found, options.interface);
+    if (!interface) return interface.error();
+    Result<LogReader> log = source->read();
+    if (!log) return log.error();
+    std::unique_ptr<LogReplay> replay(
+        new LogReplay("REPLAY " + std::filesystem::path(source->name()).filename().string(),
+                      *std::move(log), {*interface, options.speed}, std::move(clock)));
+    replay->remarks_ = std::move(found->remarks);
+    const auto& silences = found->interfaces[*interface].silences;
+    replay->remarks_.insert(replay->remarks_.end(), silences.begin(), silences.end());
+    if (const Status done = replay->fetch(); !done) return done.error();
+    return replay;
+}
+
+LogReplay::LogReplay(std::string name, LogReader log, Options options, Clock clock)
+    : name_(std::move(name)), log_(std::move(log)), options_(std::move(options)),
+      clock_(std::move(clock))
+{
+}
+
+std::string LogReplay::name() const
+{
+    return name_;
+}
+
+// Goes to the next frame of the interface, and moves what is due on by the time between the two.
+Status LogReplay::fetch()
+{
+    const double before = logTime_;
+    do {
+        Result<std::optional<LoggedFrame>> got = log_.next();
+        if (!got) return got.error();
+        next_ = *std::move(got);
+        if (next_ && !next_->time) return log_.error("has lost its time: the log has changed");
+    } while (next_ && next_->interface != options_.interface);
+    logTime_ = log_.elapsed();
+    const double wait = (logTime_ - before) / options_.speed;
+    if (due_) *due_ += wait > kLongestWait ? kShortWait : wait;
+    const std::lock_guard lock(mutex_);
+    counters_.dropped = log_.dropped();
+    ended_ = !next_;
+    return Done{};
+}
+
+Result<std::size_t> LogReplay::takeDue(std::span<BusFrame> frames)
+{
+    const double now = clock_.now();
+    if (!due_) due_ = now;
+    std::size_t count = 0;
+    for (; count < frames.size() && next_ && *due_ <= now; ++count) {
+        frames[count] = {.frame = next_->frame,
+                         .time = *due_,
+                         .wallTime = *next_->time,
+                         .echo = false,
+                         .local = next_->direction == LogDirection::Sent};
+        {
+            const std::lock_guard lock(mutex_);
+            ++counters_.received;
+            if (next_->frame.error) ++counters_.errorFrames;
+        }
+        if (const Status done = fetch(); !done) return done.error();
+    }
+    return count;
+}
+
+Result<std::size_t> LogReplay::receive(std::span<BusFrame> frames,
+                                       std::chrono::milliseconds patience)
+{
+    if (frames.empty()) throw std::invalid_argument("LogReplay: there is no room for one frame");
+    const double until = clock_.now() + std::chrono::duration<double>(patience).count();
+    for (;;) {
+        Result<std::size_t> count = takeDue(frames);
+        if (!count || *count > 0) return count;
+        const double now = clock_.now();
+        if (now >= until) return std::size_t{0};
+        clock_.sleep((next_ ? std::min(*due_, until) : until) - now);
+    }
+}
+
+Status LogReplay::send(const CanFrame&)
+{
+    const std::lock_guard lock(mutex_);
+    ++counters_.notSent;
+    return Error{name_ + ": a replay takes no commands"};
+}
+
+std::optional<double> LogReplay::wait() const
+{
+    if (!due_ || !next_) return std::nullopt;
+    return std::max(0.0, *due_ - clock_.now());
+}
+
+BusState LogReplay::state() const
+{
+    const std::lock_guard lock(mutex_);
+    return ended_ ? BusState::Ended : BusState::Up;
+}
+
+BusCounters LogReplay::counters() const
+{
+    const std::lock_guard lock(mutex_);
+    return counters_;
+}
+
+}  // namespace terratact
