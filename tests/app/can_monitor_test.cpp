@@ -78,7 +78,8 @@ TEST_F(Monitoring, saysWhatIsWrongWithTheNewestFrame)
 TEST_F(Monitoring, givesEachValueOfAnAbsolemItsRow)
 {
     CanMonitor absolem(CanProtocol::Absolem, 500'000.0);
-    const auto take = [&](std::uint32_t id, std::array<std::uint8_t, 8> data, std::uint8_t length) {
+    const auto take = [&](std::uint32_t id, std::array<std::uint8_t, kFdBytes> data,
+                          std::uint8_t length) {
         absolem.take({.frame = {.id = id, .length = length, .data = data}, .time = 0.0});
     };
     take(0x307, {'p', 'x', 0, 0x40}, 4);

@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-CanFrame errorFrame(std::uint32_t classes, std::array<std::uint8_t, 8> data = {})
+CanFrame errorFrame(std::uint32_t classes, std::array<std::uint8_t, kFdBytes> data = {})
 {
     return {.id = classes, .error = true, .length = 8, .data = data};
 }
