@@ -53,9 +53,11 @@ void addRobotOnBus(CLI::App& app, Job& job)
     c->add_option("--can", o->can, "Interface, such as vcan0")->required();
     c->add_option("--terrain", o->terrain,
                   "File with a profile, or 'varied' for random ground (default: the demo's)");
-    c->add_option("--fault", o->fault,
-                  "What goes wrong: silence, stuck-imu, dead-element, refuse-probe, slow-arm or "
-                  "reboot, from the start or @SECONDS later")
+    c->add_option(
+         "--fault", o->fault,
+         "What goes wrong: silence, stuck-imu, dead-element, refuse-probe, slow-arm, reboot, or "
+         "sensors that lie, KIND:SENSORS[:AMOUNT] (stuck:pitch, late:front; FAULTS in the "
+         "manual page), from the start or @SECONDS later")
         ->capture_default_str();
     c->add_option("--seed", o->seed, "Of terrain and sensor noise")->capture_default_str();
     c->add_option("--speed", o->speed, "Simulated seconds per second")

@@ -22,6 +22,31 @@ void addContacts(CLI::App& app, Job& job)
     });
 }
 
+void addFaults(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand(
+        "faults", "Which faults of sensors are noticed on simulated drives, and what they cost");
+    const auto o = std::make_shared<FaultsOptions>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    c->add_option("--terrain", o->terrain, "varied, or a CSV file of profiles")
+        ->capture_default_str();
+    addNumber(*c, "--drives", o->drives, "Drives; of a file every profile, at most so many")
+        ->check(CLI::Range(1, 100'000));
+    addNumber(*c, "--spacing", o->spacing, "Driven between two scenes [m]")
+        ->check(CLI::Range(0.01, 1.0));
+    addNumber(*c, "--step", o->step, "Distance of a file's heights [m]")
+        ->check(CLI::Range(0.001, 1.0));
+    c->add_flag("--blocks", o->blocks,
+                "A file's heights are flat-topped blocks with vertical faces");
+    addNumber(*c, "--seed", o->settings.seed, "Seed of terrain, noise and estimates");
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return judgeFaults(*o); };
+    });
+}
+
 void addGhost(CLI::App& app, Job& job)
 {
     auto* c = app.add_subcommand(
@@ -121,6 +146,7 @@ void addInspection(CLI::App& app, Job& job)
 {
     addContacts(app, job);
     addGhost(app, job);
+    addFaults(app, job);
     addProbes(app, job);
     addCalibrate(app, job);
     auto* model = app.add_subcommand("model", "Look at models");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <variant>
 
 #include "app/cli_options.h"
 #include "app/cli_subcommands.h"
@@ -45,6 +47,17 @@ void splitAtOut(const Words& words, TrainOptions& options)
         options.commandAfterOut += " " + *word;
 }
 
+constexpr const char* kDisturbWords =
+    "none|imu-noise|forces-high|forces-low|dead-element|soft-ground|light-robot|heavy-robot|"
+    "friction-free";
+
+std::optional<std::variant<Disturbance, SensorFault>> disturbedFrom(const std::string& text)
+{
+    if (const auto known = disturbanceFromName(text)) return *known;
+    if (auto fault = sensorFaultFrom(text)) return *std::move(fault);
+    return std::nullopt;
+}
+
 void addSimulate(CLI::App& app, Job& job)
 {
     auto* c =
@@ -68,11 +81,14 @@ void addSimulate(CLI::App& app, Job& job)
     c->add_option("--soft-drives", o->softDrives,
                   "Share of the drives over ground into which the robot sinks (default 0)")
         ->check(CLI::Range(0.0, 1.0));
-    addChoice(*c, "--disturb", o->disturbance, disturbanceFromName,
-              "none|imu-noise|forces-high|forces-low|dead-element|soft-ground|light-robot|"
-              "heavy-robot|friction-free",
-              "What the estimator does not know of (default none)");
-    c->callback([o, &job] {
+    const auto disturbed = std::make_shared<std::variant<Disturbance, SensorFault>>();
+    addParsed(*c, "--disturb", *disturbed, disturbedFrom, kDisturbWords,
+              fmt::format("is none of {}, nor {}", kDisturbWords, sensorFaultSyntax()),
+              "What the estimator does not know of (default none): of the world, or of sensors "
+              "that lie (stuck:pitch, late:front; FAULTS in the manual page)");
+    c->callback([o, disturbed, &job] {
+        if (const auto* known = std::get_if<Disturbance>(disturbed.get())) o->disturbance = *known;
+        if (const auto* fault = std::get_if<SensorFault>(disturbed.get())) o->sensorFault = *fault;
         useShippedRobot(o->robot);
         job = [o] { return simulate(*o); };
     });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <random>
 
@@ -16,9 +17,26 @@ namespace terratact {
 
 namespace {
 
-constexpr double kSpacing = 0.1;  // [m] between the stops of a drive
-constexpr int kBoxRuns = 28;      // the paper's training set
+constexpr double kSpacing = 0.1;           // [m] between the stops of a drive
+constexpr double kSecondsPerScene = 10.0;  // that a sensor drifts: drive, press, stand
+constexpr int kBoxRuns = 28;               // the paper's training set
 constexpr int kPresetScenes = 1400;
+
+/// What the faulty sensors of one drive make of its scenes.
+std::function<Proprioception(const Proprioception&)>
+faultyReading(const SensorFault& fault, const RobotModel& robot, std::uint64_t seed)
+{
+    struct State {
+        FaultyScenes scenes;
+        double time;
+    };
+    const auto state = std::make_shared<State>(State{FaultyScenes(fault, robot, seed), 0.0});
+    return [state](const Proprioception& s) {
+        const Proprioception read = state->scenes.take(s, state->time);
+        state->time += kSecondsPerScene;
+        return read;
+    };
+}
 
 /// Of the next drive; draws only where some drives are over soft ground.
 DriveConditions nextConditions(const SimulateOptions& options, const RobotModel& robot,
@@ -30,6 +48,8 @@ DriveConditions nextConditions(const SimulateOptions& options, const RobotModel&
     if (options.softDrives > 0.0
         && std::uniform_real_distribution<double>(0.0, 1.0)(rng) < options.softDrives)
         conditions.ground = randomSoftGround(rng);
+    if (options.sensorFault)
+        conditions.reading = faultyReading(*options.sensorFault, robot, options.seed);
     return conditions;
 }
 

@@ -10,6 +10,7 @@
 #include "core/learn/bin_set.h"
 #include "core/result.h"
 #include "core/sim/disturbance.h"
+#include "core/sim/sensor_fault.h"
 
 namespace terratact {
 
@@ -25,6 +26,7 @@ struct SimulateOptions {
     bool blocks = false;  ///< heights of a file are flat-topped blocks
     bool exactTruth = false;
     Disturbance disturbance = Disturbance::None;
+    std::optional<SensorFault> sensorFault{};  ///< of every drive, from its start
     double softDrives =
         0.0;  ///< share of drives over ground that gives way  ///< of the simulated world
 };
@@ -95,6 +97,19 @@ struct GhostOptions {
 /// Drives simulated robots from scene to scene and prints what the last estimate is worth at the next: as it is
 /// drawn, and as a weak measurement of the next estimate.
 Status judgeGhost(const GhostOptions& options);
+
+struct FaultsOptions {
+    std::string robot, model;
+    std::string terrain = "varied";  ///< "varied", or a file of profiles
+    double step = 0.1;               ///< [m] of a file of heights
+    bool blocks = false;             ///< heights of a file are flat-topped blocks
+    int drives = 40;                 ///< over random ground, or profiles of the file at most
+    double spacing = 0.3;            ///< [m] driven between two scenes
+    Settings settings;
+};
+/// Drives simulated robots whose sensors lie and prints, fault by fault, when SensorWatch notices it, in how many
+/// scenes it stands, and what error and cover are with it.
+Status judgeFaults(const FaultsOptions& options);
 
 struct ContactsOptions {
     std::string robot, data;

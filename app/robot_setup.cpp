@@ -29,9 +29,11 @@ Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed)
 Result<RobotOnBus::Options> withFault(RobotOnBus::Options robot, const std::string& text)
 {
     const std::size_t sign = text.find('@');
-    const auto kind = robotFaultFromName(std::string_view(text).substr(0, sign));
-    bool good = kind.has_value();
-    if (good) robot.fault = *kind;
+    const std::string_view name = std::string_view(text).substr(0, sign);
+    const auto kind = robotFaultFromName(name);
+    robot.sensorFault = sensorFaultFrom(name);
+    bool good = kind || robot.sensorFault;
+    if (kind) robot.fault = *kind;
     if (sign != std::string::npos) {
         const char* const begin = text.data() + sign + 1;
         const char* const end = text.data() + text.size();
@@ -41,9 +43,10 @@ Result<RobotOnBus::Options> withFault(RobotOnBus::Options robot, const std::stri
     }
     if (good) return robot;
     std::string names;
-    for (const RobotFault known : kRobotFaults) names += fmt::format(" {}", name(known));
-    return Error{
-        fmt::format("--fault {}: expected NAME or NAME@SECONDS, NAME one of{}", text, names), 0};
+    for (const RobotFault known : kRobotFaults) names += fmt::format(" {}", terratact::name(known));
+    return Error{fmt::format("--fault {}: expected NAME or NAME@SECONDS, NAME one of{}, or {}",
+                             text, names, sensorFaultSyntax()),
+                 0};
 }
 
 }  // namespace terratact

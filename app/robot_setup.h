@@ -19,7 +19,8 @@ struct RobotGround {
 /// the built-in step, with some way to go to it.
 Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed);
 
-/// Adds a fault in words, "silence" or "silence@12.5" for 12.5 s after the start.
+/// Adds a fault in words, "silence" or "silence@12.5" for 12.5 s after the start; also one of sensors, as
+/// sensorFaultFrom() reads it: "stuck:pitch@12.5".
 Result<RobotOnBus::Options> withFault(RobotOnBus::Options robot, const std::string& text);
 
 }  // namespace terratact

@@ -49,6 +49,7 @@ RobotOnBus::RobotOnBus(RobotModel model, SimulatedRobot robot, const Options& op
         throw std::invalid_argument("RobotOnBus: the speed must lie above 0 and at most at 1000");
     if (!(options.faultAt >= 0.0))
         throw std::invalid_argument("RobotOnBus: a fault cannot begin before the robot");
+    if (options.sensorFault) faultySensors_.emplace(*options.sensorFault, model_, 1);
 }
 
 bool RobotOnBus::faulty(RobotFault fault) const
@@ -152,7 +153,7 @@ void RobotOnBus::reboot()
     lastCounter_ = telemetryCounter_ = heartbeatCounter_ = 0;
 }
 
-std::vector<CanFrame> RobotOnBus::telemetry()
+Measurement RobotOnBus::measured()
 {
     Measurement m = robot_.measure();
     if (faulty(RobotFault::StuckImu)) {
@@ -160,6 +161,13 @@ std::vector<CanFrame> RobotOnBus::telemetry()
         m.pitch = stuck_->pitch;
         m.roll = stuck_->roll;
     }
+    if (faultySensors_ && *last_ - *began_ >= options_.faultAt) m = faultySensors_->take(m);
+    return m;
+}
+
+std::vector<CanFrame> RobotOnBus::telemetry()
+{
+    const Measurement m = measured();
     SensorLine line = sensorLineOf(m, model_);
     if (faulty(RobotFault::DeadElement)) {
         const bool left = haveElement(model_.forceArrays, Side::Left, 3);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/robot/robot_model.h"
+#include "core/sim/sensor_fault.h"
 #include "core/sim/simulated_robot.h"
 #include "core/wire/can_frame.h"
 #include "core/wire/command_receiver.h"
@@ -46,7 +47,8 @@ public:
         std::uint8_t firstEpoch = 1;  ///< drawn anew at every start, not 0
         double speed = 1.0;           ///< simulated seconds per second
         RobotFault fault = RobotFault::None;
-        double faultAt = 0.0;  ///< [s] after the first tick
+        double faultAt = 0.0;                      ///< [s] after the first tick
+        std::optional<SensorFault> sensorFault{};  ///< from faultAt on, too
     };
     static constexpr double kPeriod = 0.05;      ///< [s] of telemetry
     static constexpr double kRebootTime = 1.0;   ///< [s]
@@ -73,6 +75,7 @@ private:
     void haltForSilence(CommandReceiver::Silence silence);
     void live(double dt);
     void reboot();
+    Measurement measured();
     std::vector<CanFrame> telemetry();
 
     RobotModel model_;
@@ -88,6 +91,7 @@ private:
     std::uint8_t lastCounter_ = 0;
     std::uint8_t telemetryCounter_ = 0, heartbeatCounter_ = 0;
     std::optional<Measurement> stuck_;
+    std::optional<FaultySensors> faultySensors_;
 };
 
 }  // namespace terratact

@@ -18,8 +18,8 @@ constexpr double kHighestFlipper = 3.1;  // [rad]
 
 SimulatedRobot::SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options)
     : robot_(std::move(robot)), terrain_(std::move(terrain)), options_(options), rng_(options.seed),
-      slipRng_(~options.seed), x_(options.startX), frontTarget_(options.drivingAngle),
-      rearTarget_(options.rearAngle)
+      slipRng_(~options.seed), rollRng_(options.seed ^ 0x5555), x_(options.startX),
+      frontTarget_(options.drivingAngle), rearTarget_(options.rearAngle)
 {
     settle();
 }
@@ -224,6 +224,7 @@ Measurement SimulatedRobot::measure()
     Measurement m;
     m.time = time_;
     m.pitch = s.pitch;
+    m.roll = options_.noise.pitch * std::normal_distribution<double>()(rollRng_);
     m.frontLeft = m.frontRight = s.front;
     m.rearLeft = m.rearRight = s.rear;
     m.frontLeftCurrent = m.frontRightCurrent = s.frontCurrent.value_or(0.0);

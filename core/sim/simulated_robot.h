@@ -69,6 +69,7 @@ private:
     Options options_;
     std::mt19937_64 rng_;
     std::mt19937_64 slipRng_;  ///< of its own: no sensor's noise depends on how often it drives
+    std::mt19937_64 rollRng_;  ///< of its own, too
     RestPose rest_;
     double time_ = 0.0;
     double x_ = 0.0;

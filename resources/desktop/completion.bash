@@ -96,6 +96,7 @@ _terratact_options() {
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
+    faults) echo --robot --model --terrain --drives --spacing --step --blocks --seed ;;
     ghost) echo --robot --model --terrain --drives --spacing --step --blocks --methods --sd-factor --seed ;;
     probes) echo --data ;;
     calibrate) echo --data --robot ;;
@@ -122,7 +123,7 @@ _terratact_options() {
 # What may stand where no option does.
 _terratact_argument() {
   case $1 in
-    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts ghost probes calibrate model panel \
+    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts faults ghost probes calibrate model panel \
       demo robot can session ;;
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;

@@ -39,7 +39,7 @@ class Commands(unittest.TestCase):
         return few
 
     def test_every_command_explains_itself(self):
-        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "ghost", "probes", "calibrate", "panel",
+        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "faults", "ghost", "probes", "calibrate", "panel",
                         "demo", "model"):
             self.assertIn("--help", run(command, "--help"))
         self.assertIn("terratact", run("--version"))
@@ -144,6 +144,26 @@ class Commands(unittest.TestCase):
         self.assertNotEqual(text, run(*command, "--sd-factor", 5))
         self.assertIn("fewer than 5 drives", run(*command[:-4], "--drives", 2, "--methods", "local"))
         complaint(*command, "--sd-factor", 0, code=2)
+
+    def test_faults_says_which_sensors_that_lie_are_noticed(self):
+        text = run("faults", "--model", self.model, "--drives", 2)
+        rows_ = {line[:38].strip(): line[38:].split() for line in text.splitlines() if re.match(r".{38} +\d+\.\d", line)}
+        self.assertEqual(float(rows_["none"][2]), 0.0, "no scene of a sound robot is suspect")
+        self.assertEqual(float(rows_["pitch stuck at 0"][2]), 100.0)
+        self.assertGreater(float(rows_["pitch stuck at 0"][0]), float(rows_["none"][0]))
+        self.assertIn("pitch +3°: a tilt of the whole world", text.replace(" (harmless)", ""))
+        self.assertRegex(text, r"\d+ of \d+ faults that harm are noticed")
+
+    def test_simulate_lets_sensors_lie(self):
+        sound, stuck = self.path / "sound.csv", self.path / "stuck.csv"
+        command = ("simulate", "--terrain", "boxes", "--count", 60, "--seed", 5)
+        run(*command, "--out", sound)
+        run(*command, "--disturb", "stuck:pitch", "--out", stuck)
+        first = {}
+        for row, true in zip(rows(stuck), rows(sound), strict=True):
+            self.assertEqual(row["pitch_rad"], first.setdefault(row["run"], true["pitch_rad"]))
+            self.assertEqual(row["front_rad"], true["front_rad"])
+        self.assertIn("KIND:SENSORS", complaint(*command, "--disturb", "stuck:nose", "--out", stuck, code=2))
 
     def test_training_says_how_well_conditioned_its_models_are(self):
         shown = run("model", "show", self.model)

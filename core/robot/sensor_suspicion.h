@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/robot/sensor.h"
+
+namespace terratact {
+
+/// What makes a reading doubtful.
+enum class SensorTrouble : std::uint8_t {
+    Stuck,         ///< does not change while the robot moves, or while its like have noise
+    Spikes,        ///< jumps away and back
+    OutOfRange,    ///< beyond what the robot can do
+    Flipped,       ///< has the wrong sign
+    SwappedAxles,  ///< front and rear are exchanged
+    Late,          ///< still changes when all movement has ended
+    NoLoad,        ///< feels nothing although the flippers press
+    LoadedFree,    ///< feels a load although nothing can press on it
+    SidesDiffer,   ///< left and right differ by the same amount at every press
+    Offset,        ///< ground felt ahead is found higher or lower once the robot has come there
+};
+inline constexpr int kSensorTroubles = 10;
+
+struct SensorSuspicion {
+    Sensor sensor = Sensor::Pitch;
+    SensorTrouble trouble = SensorTrouble::Stuck;
+    double since = 0.0;   ///< [s] of the telemetry: first evidence
+    double until = 0.0;   ///< [s] stands up to that time without more evidence
+    double amount = 0.0;  ///< see describe()
+    double way = 0.0;     ///< [m] of Stuck: driven meanwhile
+    bool operator==(const SensorSuspicion&) const = default;
+};
+
+/// One sentence that names the sensor and the kind:
+///   "pitch has not changed for 12 s while the robot drove 0.6 m: stuck?"
+std::string describe(const SensorSuspicion& suspicion);
+
+}  // namespace terratact

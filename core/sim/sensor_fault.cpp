@@ -1,0 +1,300 @@
+#include "core/sim/sensor_fault.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace terratact {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDelay = 0.5;          // [s]
+constexpr double kLongestDelay = 10.0;  // [s]
+constexpr double kMinute = 60.0;        // [s]
+constexpr double kSpikeShare = 0.25;    // of the lines
+
+struct NamedKind {
+    std::string_view name;
+    FaultKind kind;
+};
+constexpr std::array kKinds{NamedKind{"stuck", FaultKind::Stuck},
+                            NamedKind{"stuck-at-scene", FaultKind::StuckAtScene},
+                            NamedKind{"zero", FaultKind::Zero},
+                            NamedKind{"offset", FaultKind::Offset},
+                            NamedKind{"drift", FaultKind::Drift},
+                            NamedKind{"spikes", FaultKind::Spikes},
+                            NamedKind{"scatter", FaultKind::Scatter},
+                            NamedKind{"flipped", FaultKind::Flipped},
+                            NamedKind{"swapped", FaultKind::Swapped},
+                            NamedKind{"swapped-axles", FaultKind::SwappedAxles},
+                            NamedKind{"late", FaultKind::Late},
+                            NamedKind{"out-of-range", FaultKind::OutOfRange},
+                            NamedKind{"full-scale", FaultKind::FullScale}};
+
+struct NamedSensors {
+    std::string_view name;
+    Sensor first, last;
+};
+constexpr std::array kSensorNames{
+    NamedSensors{"pitch", Sensor::Pitch, Sensor::Pitch},
+    NamedSensors{"roll", Sensor::Roll, Sensor::Roll},
+    NamedSensors{"attitude", Sensor::Pitch, Sensor::Roll},
+    NamedSensors{"front", Sensor::FrontLeft, Sensor::FrontRight},
+    NamedSensors{"rear", Sensor::RearLeft, Sensor::RearRight},
+    NamedSensors{"angles", Sensor::FrontLeft, Sensor::RearRight},
+    NamedSensors{"front-left", Sensor::FrontLeft, Sensor::FrontLeft},
+    NamedSensors{"front-right", Sensor::FrontRight, Sensor::FrontRight},
+    NamedSensors{"rear-left", Sensor::RearLeft, Sensor::RearLeft},
+    NamedSensors{"rear-right", Sensor::RearRight, Sensor::RearRight},
+    NamedSensors{"front-current", Sensor::FrontLeftCurrent, Sensor::FrontRightCurrent},
+    NamedSensors{"rear-current", Sensor::RearLeftCurrent, Sensor::RearRightCurrent},
+    NamedSensors{"currents", Sensor::FrontLeftCurrent, Sensor::RearRightCurrent},
+    NamedSensors{"front-left-current", Sensor::FrontLeftCurrent, Sensor::FrontLeftCurrent},
+    NamedSensors{"front-right-current", Sensor::FrontRightCurrent, Sensor::FrontRightCurrent},
+    NamedSensors{"rear-left-current", Sensor::RearLeftCurrent, Sensor::RearLeftCurrent},
+    NamedSensors{"rear-right-current", Sensor::RearRightCurrent, Sensor::RearRightCurrent},
+    NamedSensors{"forces", Sensor::Force1, Sensor::Force6},
+    NamedSensors{"force-1", Sensor::Force1, Sensor::Force1},
+    NamedSensors{"force-2", Sensor::Force2, Sensor::Force2},
+    NamedSensors{"force-3", Sensor::Force3, Sensor::Force3},
+    NamedSensors{"force-4", Sensor::Force4, Sensor::Force4},
+    NamedSensors{"force-5", Sensor::Force5, Sensor::Force5},
+    NamedSensors{"force-6", Sensor::Force6, Sensor::Force6},
+    NamedSensors{"odometry", Sensor::Travelled, Sensor::Travelled},
+    NamedSensors{"all", Sensor::Pitch, Sensor::Travelled}};
+
+template <class Named, std::size_t n>
+const Named* find(std::string_view text, const std::array<Named, n>& all)
+{
+    const auto found =
+        std::find_if(all.begin(), all.end(), [text](const Named& one) { return one.name == text; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+double usualAmount(FaultKind kind, Sensor sensor)
+{
+    if (kind == FaultKind::Late) return kDelay;
+    const double factor = kind == FaultKind::Drift ? 0.1 : 1.0;
+    switch (kindOf(sensor)) {
+    case SensorKind::Attitude:
+    case SensorKind::Angle: return 10.0 * kDegree * factor;
+    case SensorKind::Current: return 1.0 * factor;
+    case SensorKind::Force: return 3.0 * factor;
+    case SensorKind::Way: return 1.0 * factor;
+    }
+    return factor;
+}
+
+std::optional<double> numberIn(std::string_view text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// The same sensor of the other side; a force: counted from the other end.
+Sensor opposite(Sensor sensor)
+{
+    const std::size_t i = indexOf(sensor);
+    const std::size_t angle = indexOf(Sensor::FrontLeft);
+    if (sensor >= Sensor::FrontLeft && sensor <= Sensor::RearRightCurrent)
+        return sensorAt(angle + ((i - angle) ^ 1U));
+    if (kindOf(sensor) == SensorKind::Force)
+        return sensorAt(indexOf(Sensor::Force1) + indexOf(Sensor::Force6) - i);
+    return sensor;
+}
+
+/// The same sensor of the other axle.
+Sensor ofOtherAxle(Sensor sensor)
+{
+    const std::size_t angle = indexOf(Sensor::FrontLeft);
+    if (sensor < Sensor::FrontLeft || sensor > Sensor::RearRightCurrent) return sensor;
+    return sensorAt(angle + ((indexOf(sensor) - angle) ^ 2U));
+}
+
+Measurement lineOf(const Proprioception& s, double time)
+{
+    Measurement m;
+    m.time = time;
+    m.pitch = s.pitch;
+    m.frontLeft = m.frontRight = s.front;
+    m.rearLeft = m.rearRight = s.rear;
+    m.frontLeftCurrent = m.frontRightCurrent = s.frontCurrent.value_or(0.0);
+    m.rearLeftCurrent = m.rearRightCurrent = s.rearCurrent.value_or(0.0);
+    for (std::size_t e = 0; e < m.force.size(); ++e) m.force[e] = s.force[e].value_or(0.0);
+    m.activity = RobotActivity::Pressed;
+    return m;
+}
+
+}  // namespace
+
+std::optional<SensorFault> sensorFaultFrom(std::string_view text)
+{
+    const std::size_t first = text.find(':');
+    if (first == std::string_view::npos) return std::nullopt;
+    const std::size_t second = text.find(':', first + 1);
+    const auto* kind = find(text.substr(0, first), kKinds);
+    const auto* sensors =
+        find(text.substr(first + 1, second == std::string_view::npos ? second : second - first - 1),
+             kSensorNames);
+    if (!kind || !sensors) return std::nullopt;
+    SensorFault fault{.kind = kind->kind, .sensors = {}, .amount = 0.0};
+    for (std::size_t i = indexOf(sensors->first); i <= indexOf(sensors->last); ++i)
+        fault.sensors.push_back(sensorAt(i));
+    fault.amount = usualAmount(fault.kind, sensors->first);
+    if (second == std::string_view::npos) return fault;
+    const auto amount = numberIn(text.substr(second + 1));
+    if (!amount || std::abs(*amount) > 1000.0) return std::nullopt;
+    if (fault.kind == FaultKind::Late && !(*amount >= 0.0 && *amount <= kLongestDelay))
+        return std::nullopt;
+    fault.amount = *amount;
+    return fault;
+}
+
+std::string sensorFaultSyntax()
+{
+    std::string text = "KIND:SENSORS or KIND:SENSORS:AMOUNT, KIND one of";
+    for (const NamedKind& kind : kKinds) text += ' ' + std::string(kind.name);
+    text += ", SENSORS one of";
+    for (const NamedSensors& sensors : kSensorNames) text += ' ' + std::string(sensors.name);
+    return text;
+}
+
+FaultySensors::FaultySensors(SensorFault fault, const RobotModel& robot, std::uint64_t seed)
+    : fault_(std::move(fault)), forceSaturation_(robot.forceSaturation),
+      currentLimit_(robot.maxFlipperTorque / robot.torquePerAmpere), rng_(seed)
+{
+}
+
+double FaultySensors::limitOf(Sensor sensor) const
+{
+    switch (kindOf(sensor)) {
+    case SensorKind::Attitude: return std::numbers::pi / 4.0;
+    case SensorKind::Angle: return std::numbers::pi / 2.0;
+    case SensorKind::Current: return currentLimit_;
+    case SensorKind::Force: return forceSaturation_;
+    case SensorKind::Way: return 500.0;
+    }
+    return 0.0;
+}
+
+void FaultySensors::keepScene(const Measurement& truth)
+{
+    const bool isPressed =
+        truth.activity == RobotActivity::Pressed || truth.activity == RobotActivity::Probing;
+    const bool wasPressed = before_ == RobotActivity::Pressed || before_ == RobotActivity::Probing;
+    if (isPressed && !wasPressed) nextScene_ = truth;
+    if (!isPressed && wasPressed) atScene_ = nextScene_;
+    before_ = truth.activity;
+}
+
+double FaultySensors::late(Sensor sensor, double value) const
+{
+    const double until = past_.back().time - fault_.amount + 1e-9;
+    for (auto line = past_.rbegin(); line != past_.rend(); ++line) {
+        value = readingsOf(*line)[indexOf(sensor)].value_or(value);
+        if (line->time <= until) break;
+    }
+    return value;
+}
+
+double FaultySensors::faulty(Sensor sensor, double value, const Measurement& truth)
+{
+    const auto of = [sensor](const Measurement& m, double otherwise) {
+        return readingsOf(m)[indexOf(sensor)].value_or(otherwise);
+    };
+    const auto eitherWay = [this] {
+        return std::uniform_int_distribution<int>(0, 1)(rng_) ? fault_.amount : -fault_.amount;
+    };
+    switch (fault_.kind) {
+    case FaultKind::Stuck: return of(*first_, value);
+    case FaultKind::StuckAtScene: return atScene_ ? of(*atScene_, value) : value;
+    case FaultKind::Zero: return 0.0;
+    case FaultKind::Offset: return value + fault_.amount;
+    case FaultKind::Drift: return value + fault_.amount * (truth.time - first_->time) / kMinute;
+    case FaultKind::Spikes:
+        if (std::uniform_real_distribution<double>(0.0, 1.0)(rng_) >= kSpikeShare) return value;
+        return value + eitherWay();
+    case FaultKind::Scatter: return value + eitherWay();
+    case FaultKind::Flipped: return -value;
+    case FaultKind::Swapped: return of(truth, value);
+    case FaultKind::SwappedAxles: return of(truth, value);
+    case FaultKind::Late: return late(sensor, value);
+    case FaultKind::OutOfRange: return 2.0 * limitOf(sensor);
+    case FaultKind::FullScale: return limitOf(sensor);
+    }
+    return value;
+}
+
+void FaultySensors::swap(Measurement& m, const Measurement& truth) const
+{
+    const SensorReadings from = readingsOf(truth);
+    for (const Sensor sensor : fault_.sensors) {
+        const Sensor other =
+            fault_.kind == FaultKind::Swapped ? opposite(sensor) : ofOtherAxle(sensor);
+        if (const auto value = from[indexOf(other)]) setReading(m, sensor, *value);
+        if (const auto value = from[indexOf(sensor)]) setReading(m, other, *value);
+    }
+}
+
+Measurement FaultySensors::take(const Measurement& truth)
+{
+    if (!first_) first_ = truth;
+    keepScene(truth);
+    if (fault_.kind == FaultKind::Late) {
+        past_.push_back(truth);
+        while (past_.front().time < truth.time - kLongestDelay) past_.pop_front();
+    }
+    Measurement m = truth;
+    if (fault_.kind == FaultKind::Swapped || fault_.kind == FaultKind::SwappedAxles) {
+        swap(m, truth);
+        return m;
+    }
+    const SensorReadings readings = readingsOf(truth);
+    for (const Sensor sensor : fault_.sensors) {
+        const auto value = readings[indexOf(sensor)];
+        if (!value) continue;
+        double wrong = faulty(sensor, *value, truth);
+        if (kindOf(sensor) == SensorKind::Force) wrong = std::clamp(wrong, 0.0, forceSaturation_);
+        setReading(m, sensor, wrong);
+    }
+    return m;
+}
+
+FaultyScenes::FaultyScenes(SensorFault fault, const RobotModel& robot, std::uint64_t seed)
+    : fault_(std::move(fault)), flipperSpeed_(robot.flipperSpeed), sensors_(fault_, robot, seed)
+{
+}
+
+Proprioception FaultyScenes::take(const Proprioception& scene, double time)
+{
+    Proprioception s = scene;
+    if (fault_.kind == FaultKind::Late) {
+        const auto& sensors = fault_.sensors;
+        if (std::find(sensors.begin(), sensors.end(), Sensor::FrontLeft) != sensors.end())
+            s.front += flipperSpeed_ * fault_.amount;
+        return s;
+    }
+    Measurement line = lineOf(scene, time);
+    if (fault_.kind == FaultKind::StuckAtScene) {
+        Measurement between = line;  // the way there, so that the next press counts as one
+        between.activity = RobotActivity::Driving;
+        sensors_.take(between);
+    }
+    const Measurement wrong = sensors_.take(line);
+    const Proprioception read = proprioception(wrong);
+    s.pitch = read.pitch;
+    s.front = read.front;
+    s.rear = read.rear;
+    if (s.frontCurrent) s.frontCurrent = read.frontCurrent;
+    if (s.rearCurrent) s.rearCurrent = read.rearCurrent;
+    for (std::size_t e = 0; e < s.force.size(); ++e)
+        if (s.force[e]) s.force[e] = read.force[e];
+    return s;
+}
+
+}  // namespace terratact

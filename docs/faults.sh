@@ -1,0 +1,36 @@
+#!/bin/sh
+# Writes docs/faults.md: which sensors that lie are noticed, and what they cost.  About three minutes on two cores.
+# Usage: docs/faults.sh path/to/terratact
+set -eu
+terratact=$(realpath "$1")
+cd "$(dirname "$0")"
+page=$(mktemp)
+trap 'rm -f "$page"' EXIT
+cat >"$page" <<'EOF'
+# Sensors that lie
+
+The console watches every line of telemetry for readings that cannot be true (`core/robot/sensor_watch.h`). While one is suspected, no
+verdict is given, and an alarm names the sensor and the kind. The table was printed by the command above it, and this page by
+`docs/faults.sh`. A fault begins with the drive and lasts.
+
+- *mean mm*, *in 80*: mean |error| and share of the truth in the 80 % bands of all scenes, method `local`.
+- *suspect*: scenes [%] that the watch suspects. *doubt*: scenes [%] with any doubt, this one or another: their verdict is withheld.
+- *drives*: drives [%] in which the watch suspects something. *after s*, *scenes*: the median time and scenes until then.
+- *left mm*, *in 80*: error and cover of the scenes without a doubt.
+
+A fault harms where it adds more than 5 mm to the mean error or takes more than 10 points from the cover; it counts as noticed where 90 %
+of the scenes are in doubt, or 90 % of the drives suspected.
+
+To practise: `terratact-console --fault stuck:pitch@20`. To record scenes: `terratact simulate --disturb late:front`. Every kind and sensor:
+FAULTS in `man terratact`.
+
+    terratact faults --drives 40 --seed 1
+
+EOF
+{
+  echo '```'
+  "$terratact" faults --drives 40 --seed 1 2>/dev/null
+  echo '```'
+} >>"$page"
+mv "$page" faults.md
+chmod 644 faults.md

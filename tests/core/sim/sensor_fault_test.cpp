@@ -1,0 +1,135 @@
+#include "core/sim/sensor_fault.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+namespace {
+
+RobotModel absolem()
+{
+    return *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
+}
+
+Measurement line(double time, double pitch)
+{
+    Measurement m;
+    m.time = time;
+    m.pitch = pitch;
+    m.frontLeft = 0.3;
+    m.frontRight = 0.4;
+    m.rearLeft = -0.1;
+    m.rearRight = -0.2;
+    m.force = {1, 2, 3, 4, 5, 6};
+    m.travelled = 2.0;
+    return m;
+}
+
+FaultySensors with(std::string_view text)
+{
+    return {*sensorFaultFrom(text), absolem(), 1};
+}
+
+TEST(SensorFault, ReadsKindSensorsAndAmount)
+{
+    const auto fault = sensorFaultFrom("offset:front:0.17");
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->kind, FaultKind::Offset);
+    EXPECT_EQ(fault->sensors, (std::vector{Sensor::FrontLeft, Sensor::FrontRight}));
+    EXPECT_DOUBLE_EQ(fault->amount, 0.17);
+    EXPECT_DOUBLE_EQ(sensorFaultFrom("late:all")->amount, 0.5);
+    for (const char* wrong : {"", "stuck", "stuck:", "stuck:nose", "stick:pitch", "offset:pitch:",
+                              "offset:pitch:x", "offset:pitch:nan", "late:all:-1", "late:all:11"})
+        EXPECT_FALSE(sensorFaultFrom(wrong)) << wrong;
+}
+
+TEST(SensorFault, SticksAtTheFirstLine)
+{
+    FaultySensors faulty = with("stuck:pitch");
+    EXPECT_EQ(faulty.take(line(0.0, 0.1)).pitch, 0.1);
+    const Measurement second = faulty.take(line(1.0, 0.2));
+    EXPECT_EQ(second.pitch, 0.1);
+    EXPECT_EQ(second.frontLeft, 0.3);
+}
+
+TEST(SensorFault, ShowsTheLastSceneUntilTheNextPress)
+{
+    FaultySensors faulty = with("stuck-at-scene:pitch");
+    const auto take = [&](double time, double pitch, RobotActivity activity) {
+        Measurement m = line(time, pitch);
+        m.activity = activity;
+        return faulty.take(m).pitch;
+    };
+    EXPECT_EQ(take(0.0, 0.1, RobotActivity::Pressed), 0.1);
+    EXPECT_EQ(take(0.1, 0.11, RobotActivity::Pressed), 0.11);
+    EXPECT_EQ(take(1.0, 0.2, RobotActivity::Driving), 0.1);
+    EXPECT_EQ(take(2.0, 0.3, RobotActivity::Pressed), 0.1);
+    EXPECT_EQ(take(3.0, 0.4, RobotActivity::Driving), 0.3);
+}
+
+TEST(SensorFault, DriftsByItsAmountInAMinute)
+{
+    FaultySensors faulty = with("drift:pitch:0.1");
+    faulty.take(line(0.0, 0.0));
+    EXPECT_NEAR(faulty.take(line(30.0, 0.0)).pitch, 0.05, 1e-12);
+}
+
+TEST(SensorFault, IsLateByItsAmount)
+{
+    FaultySensors faulty = with("late:pitch:0.5");
+    for (int k = 0; k <= 20; ++k) {
+        const double late = faulty.take(line(0.1 * k, k)).pitch;
+        EXPECT_EQ(late, std::max(0, k - 5));
+    }
+}
+
+TEST(SensorFault, SwapsSidesAxlesAndTheOrderOfForces)
+{
+    const Measurement sides = with("swapped:front").take(line(0.0, 0.0));
+    EXPECT_EQ(sides.frontLeft, 0.4);
+    EXPECT_EQ(sides.frontRight, 0.3);
+    const Measurement axles = with("swapped-axles:angles").take(line(0.0, 0.0));
+    EXPECT_EQ(axles.frontLeft, -0.1);
+    EXPECT_EQ(axles.rearRight, 0.4);
+    const Measurement forces = with("swapped:forces").take(line(0.0, 0.0));
+    EXPECT_EQ(forces.force, (std::array<double, 6>{6, 5, 4, 3, 2, 1}));
+}
+
+TEST(SensorFault, KeepsForcesWithinTheirRange)
+{
+    const Measurement m = with("offset:forces:-3").take(line(0.0, 0.0));
+    EXPECT_EQ(m.force[0], 0.0);
+    EXPECT_EQ(m.force[5], 3.0);
+    EXPECT_EQ(with("full-scale:force-6").take(line(0.0, 0.0)).force[5], absolem().forceSaturation);
+}
+
+TEST(SensorFault, MakesScenesOfASensorThatIsStuckSinceTheLast)
+{
+    FaultyScenes faulty(*sensorFaultFrom("stuck-at-scene:pitch"), absolem(), 1);
+    Proprioception s;
+    s.pitch = 0.1;
+    EXPECT_EQ(faulty.take(s, 0.0).pitch, 0.1);
+    s.pitch = 0.2;
+    EXPECT_EQ(faulty.take(s, 10.0).pitch, 0.1);
+    s.pitch = 0.3;
+    EXPECT_EQ(faulty.take(s, 20.0).pitch, 0.2);
+}
+
+TEST(SensorFault, LeavesWhatASceneDidNotMeasure)
+{
+    FaultyScenes faulty(*sensorFaultFrom("zero:all"), absolem(), 1);
+    Proprioception s;
+    s.front = 0.5;
+    s.force[2] = 4.0;
+    const Proprioception read = faulty.take(s, 0.0);
+    EXPECT_FALSE(read.frontCurrent);
+    EXPECT_FALSE(read.force[0]);
+    EXPECT_EQ(read.force[2], 0.0);
+    EXPECT_EQ(read.front, 0.0);
+}
+
+}  // namespace
+}  // namespace terratact

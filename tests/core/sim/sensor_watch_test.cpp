@@ -1,0 +1,152 @@
+#include "core/robot/sensor_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/robot/robot_model.h"
+#include "core/sim/fault_trial.h"
+#include "core/sim/random_terrain.h"
+#include "core/sim/sensor_fault.h"
+#include "core/sim/watched_drive.h"
+
+namespace terratact {
+namespace {
+
+RobotModel absolem()
+{
+    return *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
+}
+
+/// Three drives of different ground and style, made once.
+const std::vector<std::vector<WatchedLine>>& drives()
+{
+    static const auto made = [] {
+        std::vector<std::vector<WatchedLine>> drives;
+        for (const unsigned seed : {3U, 4U, 8U}) {
+            std::mt19937_64 rng(seed);
+            const TerrainProfile ground = randomVariedTerrain(rng);
+            WatchedStyle style;
+            style.flippers = randomDriveStyle(rng);
+            style.period = 0.1;
+            drives.push_back(driveWithTelemetry(absolem(), ground, style, seed));
+        }
+        return drives;
+    }();
+    return made;
+}
+
+int noticedOn(std::string_view fault)
+{
+    int noticed = 0;
+    for (std::size_t k = 0; k < drives().size(); ++k)
+        noticed += watchFault(drives()[k], absolem(), fault, k).noticed ? 1 : 0;
+    return noticed;
+}
+
+class TriedFaults : public testing::TestWithParam<TriedFault> {};
+
+TEST_P(TriedFaults, AreNoticedOrNamedInTheLimits)
+{
+    const TriedFault& tried = GetParam();
+    if (tried.fault.empty() || !tried.limit.empty()) return;
+    EXPECT_EQ(noticedOn(tried.fault), static_cast<int>(drives().size())) << tried.words;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TriedFaults,
+                         testing::ValuesIn(triedFaults().begin(), triedFaults().end()));
+
+TEST(SensorWatch, IsSilentOnHealthyDrives)
+{
+    EXPECT_EQ(noticedOn(""), 0);
+}
+
+TEST(SensorWatch, IsSilentForAnHourOfHealthyTelemetry)
+{
+    double seconds = 0.0;
+    SensorWatch watch(absolem());
+    double from = 0.0;
+    std::mt19937_64 rng(21);
+    while (seconds < 3600.0) {
+        WatchedStyle style;
+        style.flippers = randomDriveStyle(rng);
+        style.standing = 20.0;  // with a probe now and then
+        style.period = 0.1;
+        const auto lines = driveWithTelemetry(absolem(), randomVariedTerrain(rng), style, rng());
+        for (const WatchedLine& line : lines) {
+            Measurement m = line.measurement;
+            m.time += from;
+            watch.take(m);
+            ASSERT_TRUE(watch.standing().empty())
+                << describe(watch.standing().front()) << " at " << m.time;
+        }
+        seconds += lines.back().measurement.time;
+        from += lines.back().measurement.time + 2.0;  // another robot, another ground
+    }
+}
+
+TEST(SensorWatch, NamesTheSensorAndTheKind)
+{
+    const WatchedFault watched = watchFault(drives()[0], absolem(), "stuck:pitch", 0);
+    ASSERT_FALSE(watched.first.empty());
+    EXPECT_EQ(watched.first.front().sensor, Sensor::Pitch);
+    EXPECT_EQ(watched.first.front().trouble, SensorTrouble::Stuck);
+    SensorSuspicion later = watched.first.front();
+    later.amount = 12.0;
+    later.way = 0.6;
+    EXPECT_EQ(describe(later),
+              "pitch has not changed for 12 s while the robot drove 0.6 m: stuck?");
+}
+
+TEST(SensorWatch, ForgetsWhatHasMended)
+{
+    SensorWatch watch(absolem());
+    const auto& lines = drives()[0];
+    FaultySensors faulty(*sensorFaultFrom("stuck:pitch"), absolem(), 1);
+    const double mended = 10.0;
+    bool stood = false;
+    for (const WatchedLine& line : lines) {
+        const bool isFaulty = line.measurement.time < mended;
+        watch.take(isFaulty ? faulty.take(line.measurement) : line.measurement);
+        stood = stood || !watch.standing().empty();
+        if (line.measurement.time > mended + StuckWatch::kHold + 5.0) break;
+    }
+    EXPECT_TRUE(stood);
+    EXPECT_TRUE(watch.standing().empty());
+}
+
+TEST(SensorWatch, BeginsAnewWhenTimeGoesBack)
+{
+    SensorWatch watch(absolem());
+    FaultySensors faulty(*sensorFaultFrom("stuck:pitch"), absolem(), 1);
+    for (const WatchedLine& line : drives()[0]) watch.take(faulty.take(line.measurement));
+    ASSERT_FALSE(watch.standing().empty());
+    Measurement early = drives()[0].front().measurement;
+    early.time = -5.0;
+    watch.take(early);
+    EXPECT_TRUE(watch.standing().empty());
+}
+
+TEST(SensorWatch, DoesNotCallAMissingRollStuck)
+{
+    SensorWatch watch(absolem());
+    for (const WatchedLine& line : drives()[0]) {
+        Measurement m = line.measurement;
+        m.roll = 0.0;
+        watch.take(m);
+        ASSERT_TRUE(watch.standing().empty());
+    }
+}
+
+TEST(SensorWatch, RefusesATimeThatIsNotFinite)
+{
+    SensorWatch watch(absolem());
+    Measurement m;
+    m.time = NAN;
+    EXPECT_THROW(watch.take(m), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact
