@@ -172,15 +172,21 @@ void Exploration::halt()
 
 void Exploration::stop()
 {
+    stopFrom({});
+}
+
+void Exploration::stopFrom(const QString& where)
+{
     if (following()) {
         emit stoppedNothing(following_->why());
         return;  // nothing is stopped, so nothing must look so
     }
-    emit decided("stop", {});
+    emit decided("stop", where);
     if (stopSight().state != StopSight::State::Sent
         && stopSight().state != StopSight::State::NotSent)
         stopBegan_ = now_;
-    stopConfirmed_ = false;
+    // Pressed again, what the robot has confirmed already is not to be confirmed anew.
+    stopConfirmed_ = stopConfirmed_ && linkAlive_ && !releasing_;
     sendStop();
     pending_.stop = true;
     releasing_ = false;

@@ -62,6 +62,7 @@ public:
     void halt();                ///< ends drive(); does nothing when not driving
     /// Goes out at once and again until the robot confirms it; over a link that takes no commands it only says so.
     void stop();
+    void stopFrom(const QString& where);  ///< likewise, with a word about who pressed it
     void releaseStop();
     void setSettings(const Settings& settings);  ///< of the estimates from now on; the seed stays
     void leave();  ///< the window closes: halts what was set in motion from here

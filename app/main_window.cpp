@@ -380,6 +380,9 @@ void MainWindow::connectWorker()
 void MainWindow::connectStop()
 {
     connect(sharedStop_.get(), &SharedStop::happened, this, &MainWindow::tell);
+    connect(sharedStop_.get(), &SharedStop::taken, this, [this](const QString& text) {
+        events()->tell(text, Weight::Note, QTime::currentTime());
+    });
     connect(sharedStop_.get(), &SharedStop::said, this,
             [this](const QString& text) { notice_->say(text, steadyNow()); });
     sharedStop_->listen();

@@ -29,8 +29,9 @@ void SharedStop::listen()
 void SharedStop::look()
 {
     if (!line_ || !line_->take()) return;
-    emit happened(tr("STOP was pressed in a window that was opened from here"), Weight::Note);
-    exploration_.stop();
+    const QString where = tr("STOP was pressed in a window that was opened from here");
+    emit taken(where);
+    exploration_.stopFrom(where);
 }
 
 std::string SharedStop::line() const

@@ -29,6 +29,8 @@ public:
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
+    void taken(
+        const QString& text);  ///< STOP was pressed elsewhere; Exploration::decided() tells it, too
     void said(const QString& text);  ///< so that nobody overlooks it
 
 private:

@@ -32,6 +32,12 @@ EventList::EventList(QWidget* parent) : QListWidget(parent)
 
 void EventList::add(const QString& text, Weight weight, QTime at)
 {
+    tell(text, weight, at);
+    emit added(text, weight);
+}
+
+void EventList::tell(const QString& text, Weight weight, QTime at)
+{
     constexpr int kMost = 500;
     static const QString kMarks[]{QString(), QStringLiteral("! "), QStringLiteral("✘ ")};
     const auto level = static_cast<std::size_t>(weight);
@@ -41,7 +47,6 @@ void EventList::add(const QString& text, Weight weight, QTime at)
     item->setForeground(colourOf(weight));
     insertItem(0, item);
     while (count() > kMost) delete takeItem(count() - 1);
-    emit added(text, weight);
 }
 
 void EventList::changeEvent(QEvent* event)

@@ -17,6 +17,8 @@ public:
     QSize sizeHint() const override { return {300, 110}; }
     QSize minimumSizeHint() const override { return {scaled(150), 80}; }
     void add(const QString& text, Weight weight, QTime at);
+    /// The same of what is recorded by itself: without added().
+    void tell(const QString& text, Weight weight, QTime at);
 
 signals:
     void added(const QString& text, terratact::Weight weight);
