@@ -25,6 +25,18 @@ void addOfFiles(CLI::App& session, Job& job, const std::string& name, const std:
     c->callback([files, run, &job] { job = [files, run] { return run(*files); }; });
 }
 
+void addSessionRecover(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("recover", "Close sessions whose program died; of damaged "
+                                                "ones, save what is whole");
+    const auto o = std::make_shared<RecoverOptions>();
+    addSessionFiles(*c, o->files);
+    c->add_option("--out", o->out,
+                  "Session to write where the file is damaged or cannot be written; without it "
+                  "NAME-recovered.tts beside it");
+    c->callback([o, &job] { job = [o] { return recoverSessions(*o); }; });
+}
+
 void addSessionVerify(CLI::App& session, Job& job)
 {
     auto* c = session.add_subcommand("verify", "Check every hash; exit code 0: all is as it was "
@@ -145,7 +157,7 @@ void addSessions(CLI::App& app, Job& job)
     session->require_subcommand(1);
     addOfFiles(*session, job, "info", "What is in them, and whether it holds", showSessions);
     addSessionVerify(*session, job);
-    addOfFiles(*session, job, "recover", "Close sessions whose program died", recoverSessions);
+    addSessionRecover(*session, job);
     addSessionExport(*session, job);
     addSessionScenes(*session, job);
     addSessionReport(*session, job);

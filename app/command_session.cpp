@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "app/payload_signals.h"
+#include "app/say.h"
 #include "app/session_commands.h"
 #include "app/session_text.h"
 #include "app/what_if.h"
 #include "core/file_read.h"
 #include "core/infer/measured_bins.h"
 #include "core/learn/scene_file.h"
-#include "core/log/session_writer.h"
+#include "core/log/session_reader.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/text.h"
 
@@ -35,7 +36,7 @@ double framesMissing(const SessionReader& session)
 
 void line(std::string_view what, const std::string& text)
 {
-    fmt::print("  {:<10} {}\n", what, text);
+    say("  {:<10} {}\n", what, text);
 }
 
 void printDamage(const SessionReader& session, const SessionVerification& found)
@@ -51,7 +52,7 @@ void print(SessionReader& session)
     const SessionVerification found = session.verify();
     const SessionStart& start = session.start();
     const double duration = secondsOf(session.end() - session.begin());
-    fmt::print("{}\n", session.path());
+    say("{}\n", session.path());
     line("begins", fmt::format("{}, {}", utcText(wallTimeOf(start, session.begin())),
                                localText(wallTimeOf(start, session.begin()))));
     line("lasts", fmt::format("{:.3f} s", duration));
@@ -75,7 +76,9 @@ void print(SessionReader& session)
                              framesMissing(session)));
     printDamage(session, found);
     line("holds", found.damage.empty() && !found.broken ? "yes" : "NO");
-    line("closed", session.sealed() ? "yes" : "no: still being recorded, or its program died");
+    line("closed", session.sealed()         ? "yes"
+                   : session.lacksJournal() ? "no, and its journal is not beside it"
+                                            : "no: still being recorded, or its program died");
     line("last link", found.chain);
 }
 
@@ -85,9 +88,9 @@ bool verify(SessionReader& session, const std::string& link)
     const SessionVerification found = session.verify();
     const bool linked = link.empty() || link == found.chain;
     const bool holds = !found.broken && found.damage.empty() && linked;
-    fmt::print("{}: {}; {} batches, {} frames, {} events{}; last link {}\n", session.path(),
-               holds ? "holds" : "DOES NOT HOLD", found.batches, found.frames, found.events,
-               session.sealed() ? "" : ", not closed", found.chain);
+    say("{}: {}; {} batches, {} frames, {} events{}; last link {}\n", session.path(),
+        holds ? "holds" : "DOES NOT HOLD", found.batches, found.frames, found.events,
+        session.sealed() ? "" : ", not closed", found.chain);
     const auto& batches = session.batches();
     if (found.broken) {
         const auto at = std::find_if(batches.begin(), batches.end(), [&](const SessionBatch& b) {
@@ -138,8 +141,7 @@ Status addScenes(const std::string& path, bool measured, std::vector<Scene>& sce
         scenes.push_back(std::move(scene));
     }
     for (const SessionDamage& damage : session->damage())
-        fmt::print(stderr, "terratact: {}: left out: {}\n", path,
-                   damageText(session->start(), damage));
+        say(stderr, "terratact: {}: left out: {}\n", path, damageText(session->start(), damage));
     return Done{};
 }
 
@@ -163,7 +165,7 @@ Status verifySessions(const VerifyOptions& options)
     for (const std::string& file : options.files) {
         auto session = SessionReader::open(file);
         if (!session) {
-            fmt::print("{}\n", session.error().text);
+            say("{}\n", session.error().text);
             ++bad;
         } else if (!verify(*session, options.link)) {
             ++bad;
@@ -171,20 +173,6 @@ Status verifySessions(const VerifyOptions& options)
     }
     if (bad == 0) return Done{};
     return Error{fmt::format("{} of {} sessions do not hold", bad, options.files.size())};
-}
-
-Status recoverSessions(const std::vector<std::string>& files)
-{
-    for (const std::string& file : files) {
-        const auto recovery = recoverSession(file);
-        if (!recovery) return recovery.error();
-        if (*recovery == SessionRecovery::InUse)
-            return Error{file + ": somebody has it open, most likely who records it"};
-        fmt::print("{}: {}\n", file,
-                   *recovery == SessionRecovery::Recovered ? "recovered and closed"
-                                                           : "was closed already");
-    }
-    return Done{};
 }
 
 Status exportScenes(const SessionScenesOptions& options)
@@ -199,8 +187,7 @@ Status exportScenes(const SessionScenesOptions& options)
         heights += static_cast<std::size_t>(
             std::count_if(scene.truth.begin(), scene.truth.end(),
                           [](const auto& height) { return height.has_value(); }));
-    fmt::print("{} scenes with {} known heights written to {}\n", scenes.size(), heights,
-               options.out);
+    say("{} scenes with {} known heights written to {}\n", scenes.size(), heights, options.out);
     return Done{};
 }
 
@@ -218,24 +205,23 @@ Status exportSession(const SessionExportOptions& options)
                                       "do");
     const auto book = readDbcBook(CanProtocol::Terratact, options.dbc);
     if (!book) return book.error();
-    for (const std::string& remark : remarksOf(*book))
-        fmt::print(stderr, "terratact: {}\n", remark);
+    for (const std::string& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark);
     ExportSelection selection = options.selection;
     selection.book = *book;
     const auto counts = writeExport(*session, options.out, *format, selection);
     if (!counts) return counts.error();
     if (counts->withoutColumns > 0)
-        fmt::print(stderr,
-                   "terratact: {}: {} messages of --dbc are left out: their signals and "
-                   "those before are more than {}\n",
-                   options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
-    fmt::print("{} written\n", options.out);
+        say(stderr,
+            "terratact: {}: {} messages of --dbc are left out: their signals and "
+            "those before are more than {}\n",
+            options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
+    say("{} written\n", options.out);
     if (counts->leftOut > 0)
-        fmt::print(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",
-                   options.out, counts->leftOut);
+        say(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",
+            options.out, counts->leftOut);
     for (const SessionDamage& damage : session->damage())
-        fmt::print(stderr, "terratact: {}: left out: {}\n", options.file,
-                   damageText(session->start(), damage));
+        say(stderr, "terratact: {}: left out: {}\n", options.file,
+            damageText(session->start(), damage));
     return Done{};
 }
 

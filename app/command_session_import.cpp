@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/say.h"
 #include "app/session_commands.h"
 #include "core/file_read.h"
 #include "core/learn/sha256.h"
@@ -45,8 +46,8 @@ public:
         if (!writer_) return fileError(options_.log, "holds no frame" + ofInterface());
         if (Status told = tellEnd(log); !told) return told;
         if (Status sealed = writer_->seal(); !sealed) return sealed;
-        fmt::print("{} frames of {} written to {}; last link {}\n", writer_->frames(), interface_,
-                   options_.out, writer_->chain());
+        say("{} frames of {} written to {}; last link {}\n", writer_->frames(), interface_,
+            options_.out, writer_->chain());
         return Done{};
     }
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/say.h"
 #include "app/session_commands.h"
 #include "app/session_report.h"
 
@@ -12,7 +13,7 @@ Status reportSession(const SessionReportOptions& options)
     const auto report = reportOf(*session, options.scene);
     if (!report) return report.error();
     if (Status written = writeReport(options.out, *report); !written) return written;
-    fmt::print("{} written to {}\n", report->title, options.out);
+    say("{} written to {}\n", report->title, options.out);
     return Done{};
 }
 

@@ -8,7 +8,10 @@
 #include <memory>
 
 #include "app/csv_field.h"
+#include "app/interrupt.h"
 #include "app/parallel.h"
+#include "app/progress.h"
+#include "app/say.h"
 #include "app/scene_estimates.h"
 #include "app/session_commands.h"
 #include "app/session_text.h"
@@ -83,11 +86,11 @@ public:
         sessions_.push_back(std::make_unique<SessionReader>(std::move(*session)));
         SessionReader& reader = *sessions_.back();
         for (const SessionDamage& damage : reader.damage())
-            fmt::print(stderr, "terratact: {}: left out: {}\n", file,
-                       damageText(reader.start(), damage));
+            say(stderr, "terratact: {}: left out: {}\n", file, damageText(reader.start(), damage));
         bool any = false;
         for (const EstimateRow& row : reader.estimates()) {
             if (options_.estimate != 0 && row.id != options_.estimate) continue;
+            if (interrupt_.came()) throw Cancelled{};
             any = true;
             if (Status done = repeat(reader, row); !done) return done;
         }
@@ -154,6 +157,9 @@ private:
         if (!before) return before.error();
         Watch watch;
         lendProcessors(watch);
+        Progress progress(fmt::format("estimate {}: percent", row.id), 100);
+        watch.progress = [&](double share) { progress.reach(static_cast<int>(100.0 * share)); };
+        watch.cancelled = [this] { return interrupt_.came(); };
         const Settings settings = changed(row.estimate.settings, options_);
         auto again = estimateAgain(session, row, (*toolbox)->models, settings, watch);
         if (!again) return again.error();
@@ -175,39 +181,38 @@ private:
     static void print(const Rerun& r)
     {
         const Differences& d = r.differences;
-        fmt::print("{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
-                   r.row.scene, momentText(r.row.time), name(r.row.estimate.settings.method));
+        say("{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id, r.row.scene,
+            momentText(r.row.time), name(r.row.estimate.settings.method));
         const bool identical = d.likeness == Likeness::Identical;
         if (r.asRecorded && identical) {
-            fmt::print("reproduced bit for bit\n");
+            say("reproduced bit for bit\n");
             return;
         }
         if (r.asRecorded && d.likeness == Likeness::LastBits) {
-            fmt::print("reproduced but for the last bits of another processor or version, "
-                       "heights within {:.1g} m\n",
-                       d.largest());
+            say("reproduced but for the last bits of another processor or version, "
+                "heights within {:.1g} m\n",
+                d.largest());
             return;
         }
         if (r.asRecorded && endedByTime(r))
-            fmt::print("its sampling was ended by time, which nothing repeats\n");
+            say("its sampling was ended by time, which nothing repeats\n");
         else if (r.asRecorded)
-            fmt::print("NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
+            say("NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
         else
-            fmt::print("now {}{}\n", name(r.again.settings.method),
-                       identical ? ", the same bit for bit" : "");
+            say("now {}{}\n", name(r.again.settings.method),
+                identical ? ", the same bit for bit" : "");
         if (identical) return;
-        fmt::print("   bin   height [m]           sd [mm]      80 % band [m]\n"
-                   "   [m]   then     now  moved  then  now   then              now\n");
+        say("   bin   height [m]           sd [mm]      80 % band [m]\n"
+            "   [m]   then     now  moved  then  now   then              now\n");
         for (std::size_t i = 0; i < kBins; ++i) {
             const TerrainEstimate &a = r.row.estimate, &b = r.again;
-            fmt::print("  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
-                       "{:+.3f} … {:+.3f}\n",
-                       binCentre(static_cast<int>(i)), a.height[i], b.height[i],
-                       1000.0 * d.bin[i].height, 1000.0 * a.sd[i], 1000.0 * b.sd[i], a.q10[i],
-                       a.q90[i], b.q10[i], b.q90[i]);
+            say("  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
+                "{:+.3f} … {:+.3f}\n",
+                binCentre(static_cast<int>(i)), a.height[i], b.height[i], 1000.0 * d.bin[i].height,
+                1000.0 * a.sd[i], 1000.0 * b.sd[i], a.q10[i], a.q90[i], b.q10[i], b.q90[i]);
         }
-        fmt::print("  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n",
-                   binCentre(d.largestBin), 1000.0 * d.largest(), words(d.before), words(d.after));
+        say("  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n", binCentre(d.largestBin),
+            1000.0 * d.largest(), words(d.before), words(d.after));
     }
 
     void summarise() const
@@ -221,17 +226,17 @@ private:
             moved.push_back(r.differences.largest());
         }
         std::sort(moved.begin(), moved.end());
-        fmt::print("\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
-                   "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
-                   "median estimate, {:.0f} mm in the worst\n",
-                   reruns_.size(), sessions_.size(), same, lastBits, other,
-                   1000.0 * moved[moved.size() / 2], 1000.0 * moved.back());
+        say("\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
+            "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
+            "median estimate, {:.0f} mm in the worst\n",
+            reruns_.size(), sessions_.size(), same, lastBits, other,
+            1000.0 * moved[moved.size() / 2], 1000.0 * moved.back());
     }
 
     static void printRow(std::string_view label, const ErrorStatistics& s)
     {
-        fmt::print("  {:<5} {:6} {:13.1f} {:10.1f} {:14.0f}\n", label, s.n, 1000.0 * s.median,
-                   1000.0 * s.crps, 100.0 * s.coverage);
+        say("  {:<5} {:6} {:13.1f} {:10.1f} {:14.0f}\n", label, s.n, 1000.0 * s.median,
+            1000.0 * s.crps, 100.0 * s.coverage);
     }
 
     /// Against the truth, where a simulated source knew it.
@@ -245,8 +250,8 @@ private:
             for (const BinError& e : binErrors(k, scene, "now", reruns_[k].again)) now.push_back(e);
         }
         if (then.empty()) return;
-        fmt::print("\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
-                   "[mm]  in 80 % band\n");
+        say("\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
+            "[mm]  in 80 % band\n");
         printRow("then", statistics(then));
         printRow("now", statistics(now));
     }
@@ -321,12 +326,12 @@ private:
             all.now.add(ledgers.now);
             ++sessions;
             lines += ledgerLines(ledgers, ", " + utcText(session->start().wallTime) + ", "
-                                              + session->path());
+                                              + printable(session->path()));
         }
         if (sessions == 0) return;
-        fmt::print("\n{}\n         times  in 50 %  in 80 %  in 95 %  rms z  bands\n{}", title,
-                   sessions > 1 ? lines : std::string());
-        fmt::print("{}", ledgerLines(all, sessions > 1 ? ", all" : ""));
+        say("\n{}\n         times  in 50 %  in 80 %  in 95 %  rms z  bands\n{}", title,
+            Lines(sessions > 1 ? lines : std::string()));
+        say("{}", Lines(ledgerLines(all, sessions > 1 ? ", all" : "")));
     }
 
     static std::string ledgerLines(const Ledgers& ledgers, const std::string& where)
@@ -364,6 +369,7 @@ private:
     }
 
     const WhatIfOptions& options_;
+    Interrupt interrupt_;
     Toolboxes toolboxes_;
     std::vector<std::unique_ptr<SessionReader>> sessions_;
     std::vector<Rerun> reruns_;
@@ -386,9 +392,13 @@ std::vector<std::string> sessionsAt(const std::string& path)
 Status whatIf(const WhatIfOptions& options)
 {
     WhatIf again(options);
-    for (const std::string& path : options.files)
-        for (const std::string& file : sessionsAt(path))
-            if (Status done = again.run(file); !done) return done;
+    try {
+        for (const std::string& path : options.files)
+            for (const std::string& file : sessionsAt(path))
+                if (Status done = again.run(file); !done) return done;
+    } catch (const Cancelled&) {
+        return Error{"what-if was cancelled (Ctrl+C): nothing is compared and nothing is written"};
+    }
     return again.conclude();
 }
 

@@ -21,6 +21,8 @@ constexpr std::int64_t kUserVersion = 2;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30U;
 constexpr std::int64_t kMostCount = 10'000'000;
 constexpr double kMostNumber = 1e9;
+constexpr std::size_t kMostText = 10'000;  // bytes, of what an evaluation says of itself
+constexpr std::size_t kMostLabel = 200;    // which every row of a run gets a copy of
 
 /// Sorted by name.
 std::span<const SqliteTable> tables()
@@ -264,9 +266,11 @@ public:
         addTo(bytes_, value);
         return value;
     }
-    std::string text()
+    std::string text(std::size_t longest = kMostText)
     {
         std::string value = statement_->text(column_++);
+        require(value.size() <= longest && printable(value) == value,
+                "a text is too long or no line in its table " + table_);
         addTo(bytes_, value);
         return value;
     }
@@ -344,7 +348,7 @@ void readShared(Reader& reader, Findings& f)
             "does not hold the scenes of its part");
     reader.read("method_run", [&] {
         MethodRun& run = f.runs.emplace_back();
-        run.label = reader.text();
+        run.label = reader.text(kMostLabel);
         run.scenes = reader.count(f.scenes.size());
         run.converged = reader.count(f.scenes.size());
         run.endedBySweeps = reader.count(f.scenes.size());
@@ -398,7 +402,7 @@ void readProbes(Reader& reader, Findings& f)
 {
     reader.read("probe_run", [&] {
         ProbeRun& run = f.probes.emplace_back();
-        run.label = reader.text();
+        run.label = reader.text(kMostLabel);
         run.rule = reader.text();
     });
     reader.read("probe_trial", [&] {

@@ -1,4 +1,5 @@
 #include "app/progress.h"
+#include "app/say.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -17,13 +18,23 @@ Progress::Progress(std::string what, int total)
 
 Progress::~Progress()
 {
-    if (printed_) fmt::print(stderr, "\r\033[K");
+    if (printed_) say(stderr, "\r\033[K");
 }
 
 void Progress::tick()
 {
-    const int done = ++done_;
-    if (!terminal_) return;
+    show(++done_);
+}
+
+void Progress::reach(int done)
+{
+    done_ = done;
+    show(done);
+}
+
+void Progress::show(int done)
+{
+    if (!terminal_ || done <= 0) return;
     const std::scoped_lock lock(mutex_);
     const auto now = steady_clock::now();
     if (now - start_ < std::chrono::seconds(1) || now - shown_ < std::chrono::milliseconds(200))
@@ -31,8 +42,8 @@ void Progress::tick()
     shown_ = now;
     printed_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    fmt::print(stderr, "\r\033[K{} {} of {}, about {:.0f} s left", what_, done, total_,
-               elapsed * (total_ - done) / done);
+    say(stderr, "\r\033[K{} {} of {}, about {:.0f} s left", what_, done, total_,
+        elapsed * (total_ - done) / done);
     std::fflush(stderr);
 }
 

@@ -17,8 +17,12 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void tick();
+    /// So many of the total are done.
+    void reach(int done);
 
 private:
+    void show(int done);
+
     std::string what_;
     int total_;
     bool terminal_;

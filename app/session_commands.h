@@ -24,8 +24,13 @@ struct VerifyOptions {
 /// Reads everything and checks every hash.  An Error where anything does not hold.
 Status verifySessions(const VerifyOptions& options);
 
-/// Closes sessions whose program died.
-Status recoverSessions(const std::vector<std::string>& files);
+struct RecoverOptions {
+    std::vector<std::string> files;
+    std::string out;  ///< what a damaged one becomes; empty: NAME-recovered.tts beside it
+};
+/// Closes sessions whose program died.  Of one that is damaged, lacks its journal or cannot be written, what is whole
+/// goes into a new session; the old file stays as it is.  An Error where nothing could be saved.
+Status recoverSessions(const RecoverOptions& options);
 
 struct SessionScenesOptions {
     std::vector<std::string> files;

@@ -84,6 +84,19 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
     return estimate;
 }
 
+Status requireModest(const Settings& settings)
+{
+    if (settings.chains > kMostChainsAgain)
+        return Error{fmt::format("its settings ask for {} chains, and at most {} are computed",
+                                 settings.chains, kMostChainsAgain)};
+    const std::int64_t thrownAway = std::int64_t{settings.chains} * settings.burnIn;
+    if (thrownAway + settings.draws > kMostSweepsAgain)
+        return Error{fmt::format("its settings ask for {} sweeps to be kept and {} to be thrown "
+                                 "away, and at most {} are computed",
+                                 settings.draws, thrownAway, kMostSweepsAgain)};
+    return Done{};
+}
+
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                       const Models& models, const Settings& settings,
                                       const Watch& watch)
@@ -94,6 +107,9 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
     if (!scene)
         return fileError(session.path(),
                          fmt::format("estimate {}: its scene is not there", row.id));
+    if (const Status modest = requireModest(settings); !modest)
+        return fileError(session.path(),
+                         fmt::format("estimate {}: {}", row.id, modest.error().text));
     try {
         TerrainEstimate estimate = estimateTerrain(proprioception(scene->measurement), row.readings,
                                                    *robot, models, settings, watch);

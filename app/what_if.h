@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -26,10 +27,18 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
 /// own model and settings that is the recorded one, bit for bit, unless time had ended its sampling
 /// (Ending::Time), with the same version on a machine with the same vector instructions and with BLAS in one thread, as
 /// our programs have it; else Likeness::LastBits may be left.
-/// models: for that robot.  Errors name the session's file.  Throws Cancelled.
+/// models: for that robot.  Errors name the session's file: among others settings that are not modest.  Throws
+/// Cancelled.
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                       const Models& models, const Settings& settings,
                                       const Watch& watch = {});
+
+/// Whether these settings may be computed: a file can ask for days of computing.  Far more than the console has ever
+/// recorded is refused with a sentence that names the setting.
+Status requireModest(const Settings& settings);
+inline constexpr int kMostChainsAgain = 4096;
+inline constexpr std::int64_t kMostSweepsAgain =
+    2'000'000;  ///< kept and thrown away, of all chains
 
 /// How far one bin moved, after − before [m].
 struct BinDifference {

@@ -84,7 +84,7 @@ void WhatIfPage::resizeToFont()
     form_->setFixedWidth(scaled(360));
     fitRows(*table_, fontMetrics());
     for (QWidget* field :
-         std::initializer_list<QWidget*>{method_, quality_, threshold_, seed_, model_})
+         std::initializer_list<QWidget*>{method_, quality_, threshold_, seed_, model_, cancel_})
         field->setMinimumHeight(scaled(kTarget));
 }
 
@@ -144,6 +144,11 @@ QWidget* WhatIfPage::form()
     progress_->setAccessibleName(tr("Progress of the estimate"));
     progress_->setVisible(false);
     rows->addRow(progress_);
+    cancel_ = new QPushButton(tr("Cancel the estimate"), form);
+    cancel_->setFocusPolicy(Qt::TabFocus);
+    cancel_->setVisible(false);
+    rows->addRow(cancel_);
+    connect(cancel_, &QPushButton::clicked, this, &WhatIfPage::drop);
     connect(asRecorded_, &QPushButton::clicked, this, &WhatIfPage::asRecorded);
     connect(estimate_, &QPushButton::clicked, this, &WhatIfPage::estimate);
     return form;
@@ -257,6 +262,8 @@ void WhatIfPage::estimate()
     if (!recorded_ || !scene_) return;
     const QString path = model_->currentData().toString();
     if (path.isEmpty()) return say(tr("No model is chosen"), Tone::Bad);
+    if (const Status modest = requireModest(settings()); !modest)
+        return say(tr("No estimate: %1").arg(words::sentence(modest.error().text)), Tone::Bad);
     useModel(path);
     asked_ = settings();
     EstimateRequest request{scene_->measurement, recorded_->readings, *asked_};
@@ -355,6 +362,7 @@ void WhatIfPage::say(const QString& text, Tone tone)
 void WhatIfPage::refresh(double /*now*/)
 {
     progress_->setVisible(job_ != 0);
+    cancel_->setVisible(job_ != 0);
     if (job_ != 0 && worker_)
         progress_->setValue(static_cast<int>(100.0 * worker_->progress().value_or(0.0)));
 }

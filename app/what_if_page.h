@@ -48,6 +48,7 @@ public:
     QDoubleSpinBox* threshold() const { return threshold_; }
     QLineEdit* seed() const { return seed_; }
     QPushButton* estimateButton() const { return estimate_; }
+    QPushButton* cancelButton() const { return cancel_; }
     QLabel* result() const { return result_; }
     QTableWidget* table() const { return table_; }
 
@@ -90,6 +91,7 @@ private:
     QPushButton* asRecorded_ = nullptr;
     QPushButton* estimate_ = nullptr;
     QProgressBar* progress_ = nullptr;
+    QPushButton* cancel_ = nullptr;
     QLabel* what_ = nullptr;
     QLabel* result_ = nullptr;
     QTableWidget* table_ = nullptr;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace terratact {
 namespace {
@@ -144,9 +145,17 @@ void NewFile::discard() noexcept
     temporary_.clear();
 }
 
-Status makeDirectory(const std::string& path)
+Status makeDirectory(const std::string& path, FolderAccess access)
 {
     std::error_code failed;
+    if (access == FolderAccess::Owner) {
+        std::vector<std::string> missing;
+        for (std::filesystem::path at = path; !at.empty() && !std::filesystem::exists(at, failed);
+             at = at.parent_path())
+            missing.push_back(at.string());
+        for (auto at = missing.rbegin(); at != missing.rend(); ++at)
+            (void)::mkdir(at->c_str(), S_IRWXU);  // where it fails, so does what follows
+    }
     std::filesystem::create_directories(path, failed);
     if (failed)
         return Error{path + ": the directory cannot be made: " + failed.message(), failed.value()};

@@ -39,8 +39,11 @@ private:
     std::string temporary_;  ///< empty once committed
 };
 
+enum class FolderAccess { Everybody, Owner };
+
 /// Makes a directory and those above it; none of that where it exists.  Errors name it.
-Status makeDirectory(const std::string& path);
+/// access: to those that are made; Everybody: as far as the umask says.
+Status makeDirectory(const std::string& path, FolderAccess access = FolderAccess::Everybody);
 
 /// Puts `content` at `path` as NewFile does.
 Status writeFileAtomically(const std::string& path, std::string_view content);

@@ -1,6 +1,8 @@
 #include "core/sqlite.h"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -50,6 +52,11 @@ constexpr std::string_view kMagic("SQLite format 3\0", 16);
 using Header = std::array<char, 100>;
 Header headerOf(const std::string& path)
 {
+    std::error_code none;
+    const auto status = std::filesystem::status(path, none);
+    if (std::filesystem::is_directory(status)) throw SqliteError("is a directory");
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw SqliteError("it is not a regular file");
     Header header{};
     errno = 0;
     std::ifstream in(path, std::ios::binary);
@@ -65,7 +72,6 @@ Header headerOf(const std::string& path)
 void checkSize(const std::string& path, std::uintmax_t most)
 {
     std::error_code none;
-    if (std::filesystem::is_directory(path, none)) throw SqliteError("is a directory");
     const Header header = headerOf(path);
     const std::uint64_t page = bigEndian(&header[16], 2);
     const std::uint64_t expected = (page == 1 ? 65536 : page) * bigEndian(&header[28], 4);
@@ -125,9 +131,21 @@ void SqliteStatement::bindBlob(int parameter, std::string_view bytes)
           sqlite3_db_handle(statement_.get()));
 }
 
+/// No cell of a page takes less room than this (sqlite.org/fileformat2.html §1.6).
+constexpr std::int64_t kLeastCell = 6;
+
+void SqliteStatement::take(std::int64_t bytes) const
+{
+    if (!bytesLeft_) return;
+    *bytesLeft_ -= bytes;
+    if (*bytesLeft_ < 0)
+        throw SqliteError("its rows hold more bytes than the file has: they share pages");
+}
+
 bool SqliteStatement::step()
 {
     const int code = sqlite3_step(statement_.get());
+    if (code == SQLITE_ROW) take(kLeastCell);
     if (code == SQLITE_ROW) return true;
     if (code != SQLITE_DONE) throw SqliteError(sqlite3_errmsg(sqlite3_db_handle(statement_.get())));
     return false;
@@ -164,6 +182,7 @@ std::string SqliteStatement::bytes(int column) const
     const auto* const begin =
         static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
     const int size = sqlite3_column_bytes(statement_.get(), column);
+    take(size);
     return begin ? std::string(begin, static_cast<std::size_t>(size)) : std::string();
 }
 
@@ -223,23 +242,79 @@ bool SqliteFile::isJournaled(const std::string& path)
     return headerOf(path)[18] == 2;  // the file format's write version
 }
 
+bool SqliteFile::lacksJournal(const std::string& path)
+{
+    std::error_code none;
+    return isJournaled(path) && !std::filesystem::exists(path + "-wal", none);
+}
+
+/// False where SQLite lacks the right to make or to write what it wants beside the file.  Throws what else fails.
+bool SqliteFile::isReadable()
+{
+    try {
+        static_cast<void>(integer("PRAGMA schema_version"));
+        return true;
+    } catch (const SqliteError&) {
+        const int code = sqlite3_errcode(file_.get()) & 0xFF;
+        if (code != SQLITE_CANTOPEN && code != SQLITE_READONLY && code != SQLITE_IOERR) throw;
+        return false;
+    }
+}
+
 SqliteFile SqliteFile::openLog(const std::string& path, int longest)
 {
     const bool journaled = isJournaled(path);
     if (!journaled) checkSize(path, std::numeric_limits<std::uintmax_t>::max());
-    SqliteFile file(uriOf(path, journaled ? "mode=ro" : "mode=ro&immutable=1"),
-                    SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
-    file.harden();
-    sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
-    sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] a checkpoint of the writer's
-    return file;
+    const auto open = [&](std::string_view options) {
+        SqliteFile file(uriOf(path, options), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+        file.path_ = path;
+        file.harden();
+        sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
+        sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] a checkpoint of the writer's
+        file.bytesLeft_ = std::make_unique<std::int64_t>(0);
+        file.grantBytes(1);
+        return file;
+    };
+    if (!journaled || lacksJournal(path)) return open("mode=ro&immutable=1");
+    SqliteFile file = open("mode=ro");
+    if (file.isReadable()) return file;
+    // The index of a journal is made beside it, which cannot be done here.  With nobody to share it with it can be
+    // held in memory, which takes a lock that needs the right to write: so without locks.
+    SqliteFile alone = open("mode=ro&vfs=unix-none");
+    check(sqlite3_db_config(alone.file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
+          alone.file_.get());
+    alone.run("PRAGMA locking_mode = EXCLUSIVE");
+    static_cast<void>(alone.integer("PRAGMA schema_version"));
+    return alone;
+}
+
+void SqliteFile::grantBytes(int times)
+{
+    if (!bytesLeft_) return;
+    size_ = 0;
+    for (const char* const end : {"", "-wal"}) {
+        std::error_code none;
+        const std::uintmax_t size = std::filesystem::file_size(path_ + end, none);
+        if (!none) size_ += static_cast<std::int64_t>(size);
+    }
+    *bytesLeft_ = times * size_;
+}
+
+void SqliteFile::makeEmpty(const std::string& path)
+{
+    const int made =
+        ::open(path.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (made < 0)
+        throw SqliteError(errno == EEXIST
+                              ? "is there already"
+                              : "cannot be created: " + std::generic_category().message(errno));
+    ::close(made);
 }
 
 SqliteFile SqliteFile::createLog(const std::string& path)
 {
-    std::error_code none;
-    if (std::filesystem::exists(path, none)) throw SqliteError("is there already");
-    SqliteFile file(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    makeEmpty(path);
+    SqliteFile file(path, SQLITE_OPEN_READWRITE);
     file.run("PRAGMA page_size = 8192");
     file.journal();
     return file;
@@ -253,13 +328,22 @@ SqliteFile SqliteFile::reopenLog(const std::string& path)
     return file;
 }
 
+void SqliteFile::checkpoint()
+{
+    run("PRAGMA wal_checkpoint(PASSIVE)");
+}
+
 void SqliteFile::journal()
 {
     SqliteStatement mode = prepare("PRAGMA journal_mode = WAL");
     if (!mode.step() || mode.text(0) != "wal")
         throw SqliteError("its file system keeps no write-ahead journal");
     run("PRAGMA synchronous = FULL");
+    // A file in WAL mode without its journal beside it is then one whose journal was taken away.
+    check(sqlite3_db_config(file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
+          file_.get());
     run("PRAGMA journal_size_limit = 67108864");
+    run("PRAGMA wal_autocheckpoint = 0");  // its failure would look like that of a commit: checkpoint()
 }
 
 bool SqliteFile::leaveJournal()
@@ -301,14 +385,21 @@ void SqliteFile::harden()
     run("PRAGMA mmap_size = 0");
 }
 
-void SqliteFile::checkStructure()
+std::string SqliteFile::structureFault()
 {
+    if (callsLeft_) *callsLeft_ = kCalls + static_cast<int>(size_ / kStepsPerCall);
     SqliteStatement statement = prepare("PRAGMA integrity_check(1)");
     if (!statement.step()) throw SqliteError("its structure cannot be checked");
     std::string finding = statement.text(0);
-    if (finding == "ok") return;
+    if (finding == "ok") return {};
     std::replace(finding.begin(), finding.end(), '\n', ' ');
-    throw SqliteError("its structure is damaged: " + finding);
+    return finding;
+}
+
+void SqliteFile::checkStructure()
+{
+    if (const std::string fault = structureFault(); !fault.empty())
+        throw SqliteError("its structure is damaged: " + fault);
 }
 
 SqliteFile SqliteFile::fill(const std::string& path)
@@ -325,7 +416,7 @@ SqliteStatement SqliteFile::prepare(std::string_view sql)
     check(sqlite3_prepare_v2(file_.get(), sql.data(), static_cast<int>(sql.size()), &statement,
                              nullptr),
           file_.get());
-    return SqliteStatement(statement);
+    return SqliteStatement(statement, bytesLeft_.get());
 }
 
 std::int64_t SqliteFile::integer(std::string_view sql)

@@ -48,11 +48,16 @@ private:
     struct Finalise {
         void operator()(sqlite3_stmt* statement) const;
     };
-    explicit SqliteStatement(sqlite3_stmt* statement) : statement_(statement) {}
+    SqliteStatement(sqlite3_stmt* statement, std::int64_t* bytesLeft)
+        : statement_(statement), bytesLeft_(bytesLeft)
+    {
+    }
     void expect(int column, int type) const;
+    void take(std::int64_t bytes) const;
     std::string bytes(int column) const;
 
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;
+    std::int64_t* bytesLeft_;  ///< of the file's, see SqliteFile::grantBytes(); null: no bound
 };
 
 /// An SQLite file.  Every failure is a SqliteError.  Not to be shared between threads.
@@ -64,20 +69,31 @@ public:
     /// Refuses a file of more than `most` bytes.
     static SqliteFile openUntrusted(const std::string& path, std::uintmax_t most);
 
-    /// Likewise, but of any size, for a format that checks its rows itself: the structure is not checked as a
-    /// whole, which takes minutes for gigabytes.  A file in WAL mode, which somebody still writes or whose
-    /// writer died, is read with the journal beside it.  Texts and blobs are at most `longest` bytes.
+    /// Opens a file of any size, for a format that checks its rows itself: its structure is checked when
+    /// structureFault() is asked.  A file in WAL mode, which somebody still writes or whose writer died, is read
+    /// with the journal beside it, also where neither the file nor its folder can be written; without one, as it
+    /// is.  Texts and blobs are at most `longest` bytes, and all values together are bounded: grantBytes().
     static SqliteFile openLog(const std::string& path, int longest);
 
     /// Whether the file is in WAL mode: not closed by its writer.  Throws as openLog where it is no SQLite file.
     static bool isJournaled(const std::string& path);
 
+    /// Whether the journal that belongs to a file in WAL mode is not beside it.
+    static bool lacksJournal(const std::string& path);
+
     /// Creates a file, which must not exist, to be written by one connection while others read it: with a
-    /// write-ahead journal (WAL), flushed to the disk with every commit.
+    /// write-ahead journal (WAL), flushed to the disk with every commit.  Only its owner can read it (mode 0600).
     static SqliteFile createLog(const std::string& path);
 
     /// Opens such a file whose writer died to go on with it; its journal is played back.
     static SqliteFile reopenLog(const std::string& path);
+
+    /// Moves what the journal holds into the file, as far as no reader still needs the older state.
+    void checkpoint();
+
+    /// What is wrong with the structure: pages that two rows share, lost pages, broken cells.  Empty: nothing.
+    /// Takes 4 s for a gigabyte.
+    std::string structureFault();
 
     /// Moves the journal into the file and leaves WAL mode; false, and nothing happens, while somebody else has it
     /// open.
@@ -85,6 +101,16 @@ public:
 
     /// Statements of an untrusted file may take as many steps again from now on.
     void grantSteps();
+
+    /// From now on a log's rows may yield `times` as many bytes of values as the file and its journal have.  Rows
+    /// that share pages can hold far more than the file; then a SqliteError says so.
+    void grantBytes(int times);
+
+    /// Bytes of a log and its journal when grantBytes() was last called.
+    std::int64_t size() const { return size_; }
+
+    /// Creates an empty file, which must not exist, for its owner alone to read and write (mode 0600).
+    static void makeEmpty(const std::string& path);
 
     /// Opens an empty file to be filled and then renamed (core/file_write.h): no journal, no flushing.
     static SqliteFile fill(const std::string& path);
@@ -106,8 +132,12 @@ private:
     void harden();
     void checkStructure();
     void journal();
+    bool isReadable();
 
-    std::unique_ptr<int> callsLeft_;  ///< of the progress handler
+    std::string path_;                         ///< of a log that is read
+    std::int64_t size_ = 0;                    ///< likewise [bytes]
+    std::unique_ptr<int> callsLeft_;           ///< of the progress handler
+    std::unique_ptr<std::int64_t> bytesLeft_;  ///< that rows may yield; null: no bound
     std::unique_ptr<sqlite3, Close> file_;
 };
 

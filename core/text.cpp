@@ -94,4 +94,45 @@ std::string shown(std::string_view text)
     return line;
 }
 
+namespace {
+
+std::string printableBut(std::string_view text, char32_t kept)
+{
+    std::string line;
+    line.reserve(text.size());
+    while (!text.empty()) {
+        const std::string_view before = text;
+        const auto next = nextCharacter(text);
+        if (!next) text.remove_prefix(1);
+        if (next && (!hidesOrMoves(*next) || (*next == kept && kept != 0)))
+            line += before.substr(0, before.size() - text.size());
+        else
+            line += '?';
+    }
+    return line;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text)
+{
+    return printableBut(text, 0);
+}
+
+std::string printableLines(std::string_view text)
+{
+    return printableBut(text, U'\n');
+}
+
+std::string_view beginningOf(std::string_view text, std::size_t most)
+{
+    if (text.size() <= most) return text;
+    const auto continues = [text](std::size_t at) {
+        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80;
+    };
+    std::size_t end = most;
+    while (end > 0 && most - end < 4 && continues(end)) --end;
+    return text.substr(0, continues(end) ? most : end);
+}
+
 }  // namespace terratact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,5 +53,15 @@ bool isReadableName(std::string_view text);
 
 /// A piece of somebody's file for a message: in quotes, cut after 40 characters, unprintable ones as '?'.
 std::string shown(std::string_view text);
+
+/// A whole text of somebody's file for a terminal: one line that moves no cursor, changes no colour and hides nothing.
+/// As '?': what isReadableName() refuses in a name, and bytes that are not UTF-8.
+std::string printable(std::string_view text);
+
+/// Likewise of a text of several lines, whose line ends stay.
+std::string printableLines(std::string_view text);
+
+/// The first bytes of a text, at most `most`, and no half character of UTF-8.
+std::string_view beginningOf(std::string_view text, std::size_t most);
 
 }  // namespace terratact

@@ -7,6 +7,7 @@
 
 #include "core/learn/sha256.h"
 #include "core/log/session_rows.h"
+#include "core/log/session_schema.h"
 #include "core/sqlite.h"
 
 namespace terratact {
@@ -54,7 +55,12 @@ public:
     }
     bool isNone() const { return statement_.isNull(at_); }
     void skip(int columns) { at_ += columns; }
-    std::string text() { return statement_.text(at_++); }
+    std::string text()
+    {
+        std::string value = statement_.text(at_++);
+        require(value.size() <= kMostTextBytes, "a text is too long");
+        return value;
+    }
     std::string blob() { return statement_.blob(at_++); }
     std::string hash()
     {

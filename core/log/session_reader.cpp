@@ -17,11 +17,19 @@
 namespace terratact {
 namespace {
 
-constexpr int kLongest = 64 << 20;           // bytes of one value: draws
-constexpr std::size_t kMostRows = 500'000;   // of one table but the frames
-constexpr std::size_t kMostDamage = 10'000;  // places that are told one by one
+constexpr int kLongest = 64 << 20;          // bytes of one value: draws
+constexpr std::size_t kMostRows = 500'000;  // of one table but the frames
+constexpr int kPasses = 3;  // over the rows: their hash, their values, and the one that ends a part
+constexpr std::size_t kMostScenes = 100'000;  // and estimates, whose rows are large in memory
+constexpr std::size_t kMostDamage = 10'000;   // places that are told one by one
 
 using Hash = std::array<char, Sha256::kBytes>;
+
+/// The name without its folder.
+std::string nameOf(const std::string& path)
+{
+    return path.substr(path.find_last_of('/') + 1);
+}
 
 }  // namespace
 
@@ -51,11 +59,16 @@ struct SessionReader::Impl {
         return byId(batches, batch) && !std::binary_search(unsound.begin(), unsound.end(), batch);
     }
     std::vector<FrameRow> frames(std::size_t batch);
+    std::vector<Heights> draws(std::int64_t estimate);
     void countStrayFrames();
+    void checkStructure();
+    void missJournal();
 
     std::string path;
     SqliteFile file;
     bool sealed;
+    bool lacksJournal = false, structureChecked = false;
+    bool chainCounts = true;  ///< a batch must follow the one before
     std::size_t atATime;
     StoredStart stored;
     std::vector<SessionBatch> batches;
@@ -69,7 +82,29 @@ struct SessionReader::Impl {
     SessionRows rows;
     std::array<std::int64_t, kSessionRowTables.size()> lastRow;  ///< that was read of each table
     std::array<std::size_t, kSessionRowTables.size()> rowCount{};
+    std::map<std::int64_t, std::int64_t>
+        drawn;  ///< estimates whose draws were read, and their bytes
+    std::int64_t drawnBytes = 0;
 };
+
+/// What is wrong with the file's structure is damage of no time in particular: what the hashes prove is shown all the
+/// same.
+void SessionReader::Impl::checkStructure()
+{
+    structureChecked = true;
+    const std::string fault = file.structureFault();
+    file.grantSteps();
+    if (!fault.empty()) damage.push_back({begin, end, "its structure is damaged: " + fault});
+}
+
+void SessionReader::Impl::missJournal()
+{
+    lacksJournal = true;
+    damage.push_back({end, end,
+                      "its journal " + nameOf(path)
+                          + "-wal is not beside it: what was recorded "
+                            "after that is in there; both files belong together"});
+}
 
 void SessionReader::Impl::addDamage(const SessionBatch& batch, const std::string& why)
 {
@@ -101,6 +136,9 @@ SessionReader::Impl::Part SessionReader::Impl::nextPart()
         require(batches.size() + part.batches.size() < static_cast<std::size_t>(kMostBatches),
                 "has more batches than a session can have");
         part.batches.push_back(batchFrom(select));
+        const auto& all = part.batches;
+        require(all.size() < 2 || all.rbegin()[1].batch.id < all.back().batch.id,
+                "the batches are not in the order of their numbers");
     }
     return part;
 }
@@ -115,7 +153,7 @@ void SessionReader::Impl::judge(const Part& part)
         batches.empty() ? 1 : batches.back().frameFirst + batches.back().frameCount;
     for (const auto& [batch, expected, link] : part.batches) {
         const bool follows = batch.id == id && batch.frameFirst == frame;
-        const bool linked = follows && chained(chain, batch, expected) == link;
+        const bool linked = !chainCounts || (follows && chained(chain, batch, expected) == link);
         if (!linked && !broken)
             broken = SessionDamage{batch.first, batch.last, "the chain of hashes is broken here"};
         if (!linked) addDamage(batch, "the chain of hashes is broken here");
@@ -146,7 +184,9 @@ std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, T
         if (count % 1024 == 0) file.grantSteps();
         const std::int64_t batch = select.integer(1);
         if (batch > part.to) break;
-        last = select.integer(0);
+        const std::int64_t id = select.integer(0);
+        require(id > last, "the rows of a table are not in the order of their numbers");
+        last = id;
         take(select, batch);
     }
     return last;
@@ -207,21 +247,23 @@ std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(const Part& p
 
 void SessionReader::Impl::readRows(const Part& part)
 {
-    for (std::size_t table = 0; table < kSessionRowTables.size(); ++table)
-        lastRow.at(table) =
-            forRows(table, part, [&](const SqliteStatement& select, std::int64_t batch) {
-                require(++rowCount.at(table) <= kMostRows,
-                        "a table has more rows than a session can have");
-                if (batch < part.from || !isSound(batch)) return;
-                try {
-                    rows.take(table, select);
-                } catch (const RefusedRow& refused) {
-                    addDamage(*byId(batches, batch), std::string("a row of its table ")
-                                                         .append(kSessionRowTables.at(table))
-                                                         .append(": ")
-                                                         .append(refused.cause));
-                }
-            });
+    for (std::size_t table = 0; table < kSessionRowTables.size(); ++table) {
+        const std::string_view name = kSessionRowTables.at(table);
+        const std::size_t most = name == "scene" || name == "estimate" ? kMostScenes : kMostRows;
+        lastRow.at(
+            table) = forRows(table, part, [&](const SqliteStatement& select, std::int64_t batch) {
+            require(++rowCount.at(table) <= most, "a table has more rows than a session can have");
+            if (batch < part.from || !isSound(batch)) return;
+            try {
+                rows.take(table, select);
+            } catch (const RefusedRow& refused) {
+                addDamage(*byId(batches, batch), std::string("a row of its table ")
+                                                     .append(name)
+                                                     .append(": ")
+                                                     .append(refused.cause));
+            }
+        });
+    }
 }
 
 /// Where its frames begin: before them a file that goes on after another repeats what that said.
@@ -236,6 +278,7 @@ bool SessionReader::Impl::readMore()
 {
     const std::size_t before = batches.size();
     file.grantSteps();
+    file.grantBytes(kPasses);
     file.run("BEGIN");
     for (Part part = nextPart(); !part.batches.empty(); part = nextPart()) {
         judge(part);
@@ -263,6 +306,7 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
 {
     const SessionBatch& batch = batches[index];
     file.grantSteps();
+    file.grantBytes(2);  // for the hash, and for the frame
     SqliteStatement select =
         file.prepare("SELECT * FROM can_frame WHERE seq >= ? AND seq < ? ORDER BY seq");
     select.bind(0, batch.frameFirst);
@@ -271,10 +315,12 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
     Sha256 hash;
     RowBytes bytes;
     while (select.step()) {
+        require(select.integer(0) == batch.frameFirst + static_cast<std::int64_t>(found.size()),
+                "frames were changed, lost or added");
+        found.push_back(frameFrom(select));
         bytes.clear();
         bytes.addRow(select, select.columns());
         hash.add(bytes.bytes());
-        found.push_back(frameFrom(select));
         if (found.size() % 1024 == 0) file.grantSteps();
     }
     const Hash& expected = frameHashes[index];
@@ -290,14 +336,29 @@ SessionReader::~SessionReader() = default;
 
 Result<SessionReader> SessionReader::open(const std::string& path, std::size_t atATime)
 {
+    return open(path, atATime, true);
+}
+
+Result<SessionReader> SessionReader::openFragments(const std::string& path)
+{
+    return open(path, kAtATime, false);
+}
+
+Result<SessionReader> SessionReader::open(const std::string& path, std::size_t atATime,
+                                          bool chainCounts)
+{
     try {
         const bool sealed = !SqliteFile::isJournaled(path);
+        const bool lacksJournal = SqliteFile::lacksJournal(path);
         auto impl = std::make_unique<Impl>(path, SqliteFile::openLog(path, kLongest), sealed,
                                            std::max<std::size_t>(atATime, 1));
-        requireSessionSchema(impl->file);
+        requireSessionSchema(impl->file, lacksJournal ? nameOf(path) : std::string());
         impl->stored = readSessionStart(impl->file);
         impl->chain = impl->proven = impl->stored.hash;
+        impl->chainCounts = chainCounts;
         static_cast<void>(impl->readMore());
+        if (impl->file.size() <= kMostChecked) impl->checkStructure();
+        if (lacksJournal) impl->missJournal();
         return SessionReader(std::move(impl));
     } catch (const SqliteError& error) {
         return fileError(path, error.what());
@@ -336,6 +397,10 @@ const SessionStart& SessionReader::start() const
 bool SessionReader::sealed() const
 {
     return impl_->sealed;
+}
+bool SessionReader::lacksJournal() const
+{
+    return impl_->lacksJournal;
 }
 SessionTime SessionReader::begin() const
 {
@@ -421,21 +486,29 @@ std::vector<FrameRow> SessionReader::frames(std::size_t batch)
     return {};
 }
 
+std::vector<Heights> SessionReader::Impl::draws(std::int64_t estimate)
+{
+    file.grantSteps();
+    file.grantBytes(2);
+    SqliteStatement select = file.prepare("SELECT d.draws, e.draws_sha256 FROM estimate_draws d "
+                                          "JOIN estimate e ON e.id = d.id WHERE d.id = ?");
+    select.bind(0, estimate);
+    if (!select.step()) throw SqliteError("the draws of an estimate are missing");
+    const std::string bytes = select.blob(0);
+    const auto size = static_cast<std::int64_t>(bytes.size());
+    if (drawn.emplace(estimate, size).second) drawnBytes += size;
+    if (drawnBytes > file.size())
+        throw SqliteError("its rows hold more bytes than the file has: they share pages");
+    Sha256 hash;
+    hash.add(bytes);
+    if (hash.take() != select.blob(1)) throw SqliteError("the draws of an estimate were changed");
+    return drawsFrom(bytes);
+}
+
 Result<std::vector<Heights>> SessionReader::draws(std::int64_t estimate)
 {
     try {
-        impl_->file.grantSteps();
-        SqliteStatement select =
-            impl_->file.prepare("SELECT d.draws, e.draws_sha256 FROM estimate_draws d "
-                                "JOIN estimate e ON e.id = d.id WHERE d.id = ?");
-        select.bind(0, estimate);
-        if (!select.step()) return fileError(impl_->path, "the draws of an estimate are missing");
-        const std::string bytes = select.blob(0);
-        Sha256 hash;
-        hash.add(bytes);
-        if (hash.take() != select.blob(1))
-            return fileError(impl_->path, "the draws of an estimate were changed");
-        return drawsFrom(bytes);
+        return impl_->draws(estimate);
     } catch (const SqliteError& error) {
         return fileError(impl_->path, error.what());
     }
@@ -452,6 +525,7 @@ SessionVerification SessionReader::verify(const std::function<bool(double)>& pro
         ++found.batches;
     }
     try {
+        if (!impl_->structureChecked) impl_->checkStructure();
         impl_->countStrayFrames();
     } catch (const SqliteError& error) {
         impl_->damage.push_back({0, 0, error.what()});

@@ -31,15 +31,26 @@ struct SessionVerification {
 /// Reads a session file that may come from anyone (docs/sessions.md): read-only, nothing in it is executed,
 /// every value is checked.  A row is handed out only if its batch's hash holds, so that what is shown is a part
 /// of what was recorded; what is not is damage().  Memory does not grow with the frames but with the batches, of
-/// which there are at most kMostBatches.
+/// which there are at most kMostBatches.  All values that are read in one go are together at most as large as the
+/// file, whatever rows share.
+///
+/// A session that nobody closed is read with its journal, also where its folder cannot be written.  Where the journal
+/// is not there, what the file alone holds is read, and damage() says what is missing.
 ///
 /// A file that is still written can be read at the same time: refresh().  Not to be shared between threads.
 class SessionReader {
 public:
-    /// Errors name the file: no session, of another version, truncated, damaged in its structure.
+    static constexpr std::int64_t kMostChecked = std::int64_t{64} << 20U;  ///< bytes: 0.3 s
+
+    /// Errors name the file: no session, of another version, truncated, damaged where its tables are.  Damage of the
+    /// structure elsewhere is damage(); it is looked for in files of at most kMostChecked bytes, and by verify().
     /// atATime: batches whose rows are judged together; what is held of them meanwhile comes on top of 72 bytes
     /// for every batch of the file.
-    static Result<SessionReader> open(const std::string& path, std::size_t atATime = 65'536);
+    static Result<SessionReader> open(const std::string& path, std::size_t atATime = kAtATime);
+
+    /// The same of rows that were brought out of a damaged file: every batch whose rows are what was recorded, also
+    /// where the chain does not lead to it.
+    static Result<SessionReader> openFragments(const std::string& path);
 
     SessionReader(SessionReader&&) noexcept;
     SessionReader& operator=(SessionReader&&) noexcept;
@@ -70,6 +81,9 @@ public:
     /// What is known to be damaged so far: rows from open() on, frames once they were asked for.
     const std::vector<SessionDamage>& damage() const;
 
+    /// Nobody has closed it, and the journal that belongs to it is not beside it.
+    bool lacksJournal() const;
+
     /// The first batch that ends at `time` or later; batches().size() where none does.
     std::size_t batchAt(SessionTime time) const;
 
@@ -88,6 +102,9 @@ public:
 
 private:
     struct Impl;
+    static constexpr std::size_t kAtATime = 65'536;
+    static Result<SessionReader> open(const std::string& path, std::size_t atATime,
+                                      bool chainCounts);
     explicit SessionReader(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

@@ -48,15 +48,18 @@ std::string hashOf(const SessionStart& start)
 std::int64_t wallTimeFrom(const std::string& text)
 {
     const auto value = writtenIntegerFrom<std::int64_t>(text);
-    constexpr std::int64_t kMost = std::int64_t{1} << 62U;  // the year 2116; times are added to it
-    require(value && *value >= 0 && *value <= kMost, "its start is no time: " + shown(text));
+    require(value && *value >= 0 && *value <= kMostWallTime,
+            "its start is no time: " + shown(text));
     return *value;
 }
 
 }  // namespace
 
-void requireSessionSchema(SqliteFile& file)
+void requireSessionSchema(SqliteFile& file, const std::string& lonely)
 {
+    if (!lonely.empty() && file.integer("SELECT count(*) FROM sqlite_schema") == 0)
+        throw SqliteError("holds nothing without its journal " + lonely
+                          + "-wal, which is not beside it: both files belong together, copy both");
     require(file.integer("PRAGMA application_id") == kSessionApplicationId,
             "is an SQLite file of another application, not a session");
     const std::int64_t version = file.integer("PRAGMA user_version");
@@ -94,6 +97,8 @@ StoredStart readSessionStart(SqliteFile& file)
         require(select.step() && select.text(0) == keys[i].first,
                 std::string("does not say its ") + keys[i].first);
         values[i] = select.text(1);
+        require(values[i].size() <= kMostMetaBytes,
+                std::string("says too much of its ") + keys[i].first);
     }
     require(!select.step(), "says more of its start than a session does");
     require(values[5] == "yes" || values[5] == "no", "does not say whether it could transmit");

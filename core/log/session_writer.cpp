@@ -14,6 +14,7 @@
 #include "core/log/session_schema.h"
 #include "core/log/session_tables.h"
 #include "core/sqlite.h"
+#include "core/text.h"
 
 namespace terratact {
 namespace {
@@ -57,7 +58,10 @@ private:
         insert_.bind(column, value);
         bytes_.add(value);
     }
-    void put(int column, const std::string& value) { put(column, std::string_view(value)); }
+    void put(int column, const std::string& value)
+    {
+        put(column, beginningOf(value, kMostTextBytes));
+    }
     template <class Value>
     void put(int column, const std::optional<Value>& value)
     {
@@ -75,6 +79,8 @@ private:
     std::size_t index_ = 0;
     RowBytes bytes_;
 };
+
+constexpr std::size_t kFrameBytes = 30;  // in the file, about
 
 std::string joined(const std::vector<std::string>& lines)
 {
@@ -107,6 +113,19 @@ struct SessionWriter::Impl {
     {
     }
 
+    /// Moves the journal into the file where enough has come together.  A failure is no loss: what was committed is
+    /// in the journal, and the next commit tells what is wrong with the disk.
+    void checkpoint()
+    {
+        if (++journaledBatches < kCheckpointBatches && journaledBytes < kCheckpointBytes) return;
+        journaledBatches = 0;
+        journaledBytes = 0;
+        try {
+            file.checkpoint();
+        } catch (const SqliteError&) {
+        }
+    }
+
     void start(SessionTime time)
     {
         if (!open) {
@@ -120,7 +139,9 @@ struct SessionWriter::Impl {
     template <class... Values>
     void row(Table& table, const Values&... values)
     {
-        rows.add(table.index(), table.insert(values...));
+        const std::string& bytes = table.insert(values...);
+        journaledBytes += bytes.size();
+        rows.add(table.index(), bytes);
     }
     std::int64_t settingsId(const Settings& settings);
     void addScene(const SceneRow& row);
@@ -135,7 +156,9 @@ struct SessionWriter::Impl {
         readingTable, proposalTable, offerTable, eventTable;
     SqliteStatement drawsInsert, batchInsert, begin, end;
 
-    bool open = false;  ///< a transaction is
+    int journaledBatches = 0;        ///< since the last checkpoint
+    std::size_t journaledBytes = 0;  ///< likewise, about
+    bool open = false;               ///< a transaction is
     bool broken = false;
     bool ended = false;  ///< of a file that was opened again: its program had ended it
     SessionBatch batch{.id = 1, .frameFirst = 1};
@@ -188,6 +211,7 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
     drawsInsert.bind(0, r.id);
     drawsInsert.bindBlob(1, draws);
     drawsInsert.run();
+    journaledBytes += draws.size();
     for (const ArmReading& reading : r.readings)
         row(readingTable, ++readingCount, batch.id, r.id, reading.bin, reading.height, reading.sd);
     for (int bin = 0; bin < kBins; ++bin) {
@@ -224,7 +248,9 @@ void SessionWriter::Impl::commit()
     end.run();
     open = false;
     chain = std::move(next);
+    journaledBytes += kFrameBytes * static_cast<std::size_t>(batch.frameCount);
     batch = {.id = batch.id + 1, .frameFirst = batch.frameFirst + batch.frameCount};
+    checkpoint();
 }
 
 SessionWriter::SessionWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -265,6 +291,9 @@ void requireKnown(std::int64_t id, std::int64_t last, bool mayBeNone)
 
 Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionStart& start)
 {
+    if (printable(start.bus) != start.bus)
+        return fileError(path, "is not made: the name of the bus " + shown(start.bus)
+                                   + " has control characters");
     bool made = false;
     try {
         SqliteFile file = SqliteFile::createLog(path);
@@ -275,6 +304,7 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
         for (const SchemaEntry& entry : kSessionSchema) file.run(entry.sql);
         const std::string genesis = writeSessionStart(file, start);
         file.run("COMMIT");
+        file.checkpoint();
         auto impl = std::make_unique<Impl>(path, std::move(file));
         impl->chain = genesis;
         return SessionWriter(std::move(impl));
@@ -436,6 +466,16 @@ const std::string& SessionWriter::path() const
     return impl_->path;
 }
 
+namespace {
+
+bool isLink(const std::string& path)
+{
+    std::error_code none;
+    return std::filesystem::is_symlink(path, none);
+}
+
+}  // namespace
+
 void SessionWriter::Impl::goOn()
 {
     chain = readSessionStart(file).hash;
@@ -458,10 +498,18 @@ void SessionWriter::Impl::goOn()
     ended = last.step() && last.text(0) == name(EventKind::Session) && last.text(1) == "ended";
 }
 
-Result<SessionRecovery> recoverSession(const std::string& path)
+Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone)
 {
+    const bool linked = isLink(path) || isLink(path + "-wal") || isLink(path + "-shm");
+    if (linked)
+        return fileError(path,
+                         isLink(path) ? "is a symbolic link: name the file itself"
+                                      : "its journal is a symbolic link, which is not followed",
+                         kNotFollowed);
     try {
         if (!SqliteFile::isJournaled(path)) return SessionRecovery::NotNeeded;
+        if (!evenAlone && SqliteFile::lacksJournal(path))
+            return fileError(path, "its journal is not beside it: both files belong together");
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);
         if (!file.leaveJournal()) return SessionRecovery::InUse;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cerrno>
 #include <memory>
 #include <string>
 
@@ -19,14 +20,21 @@ enum class SessionRecovery : std::uint8_t;
 /// are lost and the writer is of no use any more: what was committed is in the file.
 class SessionWriter {
 public:
-    /// Creates the file, which must not exist, in a directory that must.  Errors name it.
+    /// Creates the file, which must not exist, in a directory that must, for its owner alone to read (mode 0600).
+    /// The file itself says at once what it is and what `start` says; of what follows it has all but the last
+    /// kCheckpointBatches batches and kCheckpointBytes, which are in the journal beside it until seal().  Errors
+    /// name it, or say that the bus has no name that can be recorded: one with control characters, which would
+    /// move the cursor of every terminal that shows it.
     static Result<SessionWriter> create(const std::string& path, const SessionStart& start);
 
     SessionWriter(SessionWriter&&) noexcept;
     SessionWriter& operator=(SessionWriter&&) noexcept;
     ~SessionWriter();
 
-    // The id of a model, scene, estimate or proposal is larger than any before of its kind, and what they refer to
+    static constexpr int kCheckpointBatches = 25;  ///< 5 s of a console
+    static constexpr std::size_t kCheckpointBytes = 1'000'000;
+
+    // Texts of rows are cut after kMostTextBytes.  The id of a model, scene, estimate or proposal is larger than any before of its kind, and what they refer to
     // has been added, and every number is finite; throw std::invalid_argument otherwise, and nothing has happened.
     // Events are numbered here.
     Status add(const FrameRow& row);
@@ -50,7 +58,7 @@ public:
     const std::string& path() const;
 
 private:
-    friend Result<SessionRecovery> recoverSession(const std::string& path);
+    friend Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone);
     struct Impl;
     static Result<SessionRecovery> finish(const std::string& path, SqliteFile file);
     explicit SessionWriter(std::unique_ptr<Impl> impl);
@@ -63,8 +71,13 @@ enum class SessionRecovery : std::uint8_t {
     Recovered,
 };
 
+/// Error::code where a file, or its journal, is a symbolic link.
+inline constexpr int kNotFollowed = ELOOP;
+
 /// Closes a session whose writer died: plays its journal back, says so in an event at its end and seals it.
-/// Errors name the file: it is no session, or damaged.
-Result<SessionRecovery> recoverSession(const std::string& path);
+/// evenAlone: also one without its journal beside it, which for that must not come back.
+/// Errors name the file: it is no session, damaged, a symbolic link (kNotFollowed), its journal is not beside it, or it
+/// cannot be written; it is then as it was.
+Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone = false);
 
 }  // namespace terratact

@@ -110,6 +110,7 @@ _terratact_options() {
     "can monitor") echo --seconds --bitrate --interface --speed --protocol --dbc ;;
     "session verify") echo --link ;;
     "session export") echo --out --format --what --from --to --dbc ;;
+    "session recover") echo --out ;;
     "session scenes") echo --out --measured ;;
     "session report") echo --scene --out ;;
     "session merge") echo --out ;;

@@ -107,5 +107,34 @@ TEST(Text, aNameIsAtMostHundredPlainCharacters)
         EXPECT_FALSE(isReadableName(bad)) << shown(bad);
 }
 
+TEST(Printable, isOneLineThatMovesNoCursor)
+{
+    EXPECT_EQ(printable("Absolem \xc2\xb1 5\xc2\xb0 \xe2\x9c\x98 \xf0\x9f\x9a\x9c"),
+              "Absolem \xc2\xb1 5\xc2\xb0 \xe2\x9c\x98 \xf0\x9f\x9a\x9c");
+    EXPECT_EQ(printable("a\nb\r\x1b[2Kholds yes\x7f\t"), "a?b??[2Kholds yes??");
+    EXPECT_EQ(printable("\xc2\x9b"
+                        "31m"),
+              "?31m")
+        << "an escape of one character";
+    EXPECT_EQ(printable("a\xe2\x80\xae"
+                        "b\xe2\x81\xa6"
+                        "c\xe2\x80\xa8"
+                        "d"),
+              "a?b?c?d")
+        << "turned writing, a line separator";
+    EXPECT_EQ(printable("\x80 \xc0\xaf \xed\xa0\x80 \xe2\x9c"), "? ?? ??? ??");
+    EXPECT_EQ(printable(std::string_view("\0", 1)), "?");
+    EXPECT_EQ(printableLines("a\nb\x1b[2K\r\n"), "a\nb?[2K?\n");
+}
+
+TEST(BeginningOf, endsWithAWholeCharacter)
+{
+    EXPECT_EQ(beginningOf("abc", 3), "abc");
+    EXPECT_EQ(beginningOf("abcd", 3), "abc");
+    EXPECT_EQ(beginningOf("ab\xc3\xa4", 3), "ab");
+    EXPECT_EQ(beginningOf("a\xe2\x9c\x98", 3), "a");
+    EXPECT_EQ(beginningOf("\x80\x80\x80\x80\x80\x80", 5).size(), 5U) << "no UTF-8 at all";
+}
+
 }  // namespace
 }  // namespace terratact

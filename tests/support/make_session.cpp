@@ -5,6 +5,7 @@
 //   later  the same drive, a minute later
 //   lie    the same drive, every height recorded 1 mm too high
 //   open   like rows, as a program leaves it that died
+//   long   likewise, of 6000 frames
 #include <cblas.h>
 #include <unistd.h>
 
@@ -24,9 +25,9 @@ void make(const std::string& kind, const std::string& path)
     if (kind == "moves") return recordShortMoves(path);
     if (kind == "later") return recordDrive(path, {.later = 60});
     if (kind == "lie") return recordDrive(path, {.lie = 0.001});
-    auto writer = someSession(path, 500);
+    auto writer = someSession(path, kind == "long" ? 6000 : 500);
     if (!writer) throw std::runtime_error(writer.error().text);
-    if (kind == "open") _exit(0);  // without closing anything
+    if (kind == "open" || kind == "long") _exit(0);  // without closing anything
     if (const Status sealed = writer->seal(); !sealed)
         throw std::runtime_error(sealed.error().text);
 }

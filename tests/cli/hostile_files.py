@@ -1,0 +1,362 @@
+"""Session files that attack whoever opens them: each is small, and asks for far more memory or time than its size, or
+prints what is to fool an operator. As a program it makes them and prints the time and the peak memory of each command:
+
+    tests/hostile/run.sh [BUILD]
+"""
+
+import hashlib
+import os
+import pathlib
+import shutil
+import sqlite3
+import struct
+import subprocess
+import sys
+import tempfile
+
+ROW_TABLES = ("settings", "model", "scene", "scene_truth", "estimate", "reading", "estimate_bin", "proposal",
+              "proposal_offer", "event")
+ESCAPE = "\x1b[2K\rholds      yes\x1b[8m"
+
+
+# -- what a forger can do who knows docs/sessions.md: every hash anew --------------------------------------------------
+
+def canonical(value):
+    """A value as the chain of hashes has it."""
+    if value is None:
+        return struct.pack("<Q", 5)
+    if isinstance(value, int):
+        return struct.pack("<QQ", 1, value & (2**64 - 1))
+    if isinstance(value, float):
+        return struct.pack("<Qd", 2, value + 0.0)
+    kind, data = (3, value.encode()) if isinstance(value, str) else (4, value)
+    return struct.pack("<QQ", kind, len(data)) + data
+
+
+def rows_hash(file, batch):
+    tables = b""
+    for table in ROW_TABLES:
+        digest = hashlib.sha256()
+        for row in file.execute(f"SELECT * FROM {table} WHERE batch = ? ORDER BY id", (batch,)):
+            digest.update(b"".join(map(canonical, row)))
+        tables += digest.digest()
+    return hashlib.sha256(tables).digest()
+
+
+def forge(file, known=None):
+    """Puts hashes and chain in that hold. known: rows_hash of batches that need not be computed."""
+    meta = b"".join(canonical(key) + canonical(value)
+                    for key, value in file.execute("SELECT key, value FROM meta ORDER BY key"))
+    chain = hashlib.sha256(meta).digest()
+    for row in file.execute("SELECT * FROM batch ORDER BY id").fetchall():
+        number, first, last, frame, count = row[:5]
+        frames = hashlib.sha256()
+        for values in file.execute("SELECT * FROM can_frame WHERE seq >= ? AND seq < ? ORDER BY seq",
+                                   (frame, frame + count)):
+            frames.update(b"".join(map(canonical, values)))
+        rows = (known or {}).get(number) or rows_hash(file, number)
+        link = b"".join(map(canonical, (chain, number, first, last, frame, count, frames.digest(), rows)))
+        chain = hashlib.sha256(link).digest()
+        file.execute("UPDATE batch SET frames_hash = ?, rows_hash = ?, chain = ? WHERE id = ?",
+                     (frames.digest(), rows, chain, number))
+    file.commit()
+
+
+def changed(base, path, *statements):
+    """A copy of a session in which statements were executed, and every hash computed anew."""
+    shutil.copy(base, path)
+    file = sqlite3.connect(path)
+    for sql, *values in statements:
+        file.execute(sql, values)
+    forge(file)
+    file.close()
+    return path
+
+
+# -- pages that SQLite would not write ---------------------------------------------------------------------------------
+
+def varint(value):
+    out = [value & 0x7F]
+    while value := value >> 7:
+        out.append(value & 0x7F | 0x80)
+    return bytes(reversed(out))
+
+
+def record(values):
+    header, body = b"", b""
+    for value in values:
+        if value is None:
+            header += varint(0)
+        elif isinstance(value, int):
+            header, body = header + varint(6), body + struct.pack(">q", value)
+        elif isinstance(value, float):
+            header, body = header + varint(7), body + struct.pack(">d", value)
+        else:
+            data = value.encode() if isinstance(value, str) else value
+            header, body = header + varint(12 + 2 * len(data) + isinstance(value, str)), body + data
+    return varint(len(header) + 1) + header + body
+
+
+class Pages:
+    """The pages of an SQLite file, to be changed."""
+
+    def __init__(self, path):
+        self.path = path
+        data = path.read_bytes()
+        self.size = struct.unpack(">H", data[16:18])[0]
+        self.pages = [bytearray(data[i:i + self.size]) for i in range(0, len(data), self.size)]
+
+    def add(self, page):
+        self.pages.append(bytearray(page.ljust(self.size, b"\0")))
+        return len(self.pages)
+
+    def write(self):
+        self.pages[0][28:32] = struct.pack(">I", len(self.pages))
+        self.pages[0][24:28] = self.pages[0][92:96] = struct.pack(">I", 77)
+        self.path.write_bytes(b"".join(self.pages))
+
+    def leaf(self, cells):
+        page = bytearray(self.size)
+        end = self.size
+        for i, cell in enumerate(cells):
+            end -= len(cell)
+            page[end:end + len(cell)] = cell
+            page[8 + 2 * i:10 + 2 * i] = struct.pack(">H", end)
+        page[0:8] = struct.pack(">BHHHB", 13, 0, len(cells), end, 0)
+        return page
+
+    def inner(self, children):
+        """children: (page, largest rowid)."""
+        page = bytearray(self.size)
+        end = self.size
+        for i, (child, row) in enumerate(children[:-1]):
+            cell = struct.pack(">I", child) + varint(row)
+            end -= len(cell)
+            page[end:end + len(cell)] = cell
+            page[12 + 2 * i:14 + 2 * i] = struct.pack(">H", end)
+        page[0:12] = struct.pack(">BHHHBI", 5, 0, len(children) - 1, end, 0, children[-1][0])
+        return page
+
+    def overflow(self, data):
+        """A chain of overflow pages; the first one's number."""
+        room = self.size - 4
+        chunks = [data[i:i + room] for i in range(0, len(data), room)]
+        first = len(self.pages) + 1
+        for i, chunk in enumerate(chunks):
+            self.add(struct.pack(">I", first + i + 1 if i + 1 < len(chunks) else 0) + chunk)
+        return first
+
+    def local(self, size):
+        """Bytes of a payload that stand in the cell."""
+        most, least = self.size - 35, (self.size - 12) * 32 // 255 - 23
+        if size <= most:
+            return size
+        there = least + (size - least) % (self.size - 4)
+        return there if there <= most else least
+
+    def put_tree(self, root, cells):
+        """cells: (rowid, bytes), ascending; in leaves under the root."""
+        level, leaf, room = [], [], self.size - 16
+        for row, cell in cells + [(None, None)]:
+            if leaf and (cell is None or sum(len(c) + 2 for _, c in leaf) + len(cell) + 2 > room):
+                level.append((self.add(self.leaf([c for _, c in leaf])), leaf[-1][0]))
+                leaf = []
+            if cell is not None:
+                leaf.append((row, cell))
+        fan = (self.size - 16) // 16
+        while len(level) > fan:
+            level = [(self.add(self.inner(level[i:i + fan])), level[min(i + fan, len(level)) - 1][1])
+                     for i in range(0, len(level), fan)]
+        self.pages[root - 1][:] = self.inner(level + [level[-1]] if len(level) == 1 else level)
+
+
+def small_pages(base, path, size=1024):
+    """The session with small pages: many cells with a long way on."""
+    shutil.copy(base, path)
+    file = sqlite3.connect(path)
+    file.execute(f"PRAGMA page_size = {size}")
+    file.execute("VACUUM")
+    file.close()
+    return path
+
+
+def root_of(path, table):
+    file = sqlite3.connect(path)
+    root = file.execute("SELECT rootpage FROM sqlite_schema WHERE name = ?", (table,)).fetchone()[0]
+    file.close()
+    return root
+
+
+def last_batch(path):
+    file = sqlite3.connect(path)
+    row = file.execute("SELECT id, t_last FROM batch ORDER BY id DESC LIMIT 1").fetchone()
+    file.close()
+    return row
+
+
+def shared_texts(base, path, rows, length):
+    """Events of which each has the same long text: all rows' cells go on in one chain of pages. Every hash holds."""
+    small_pages(base, path)
+    text = "x" * length
+    number, when = last_batch(path)
+    file = sqlite3.connect(path)
+    first_row = file.execute("SELECT max(id) FROM event").fetchone()[0] + 1
+    before = [(row[0], row) for row in file.execute("SELECT * FROM event ORDER BY id")]
+    new = [(first_row + i, (first_row + i, number, when, "word", "", text, None, 0, 0, "")) for i in range(rows)]
+    digest = hashlib.sha256()
+    for row in [row for _, row in before if row[1] == number]:
+        digest.update(b"".join(map(canonical, row)))
+    prefix = {i: b"".join(map(canonical, row)) for i, row in new}
+    for i, _ in new:
+        digest.update(prefix[i])
+    tables = b""
+    for table in ROW_TABLES[:-1]:
+        one = hashlib.sha256()
+        for row in file.execute(f"SELECT * FROM {table} WHERE batch = ? ORDER BY id", (number,)):
+            one.update(b"".join(map(canonical, row)))
+        tables += one.digest()
+    forge(file, {number: hashlib.sha256(tables + digest.digest()).digest()})
+    file.close()
+
+    pages = Pages(path)
+    cells, chain = [], None
+    for row, values in before + new:
+        payload = record((None,) + values[1:])
+        local = pages.local(len(payload))
+        cell = varint(len(payload)) + varint(row) + payload[:local]
+        if local < len(payload):
+            chain = chain or pages.overflow(payload[local:])
+            cell += struct.pack(">I", chain)
+        cells.append((row, cell))
+    pages.put_tree(root_of(path, "event"), cells)
+    pages.write()
+    return path
+
+
+def shared_draws(base, path, count):
+    """Estimates of which each has the same draws: their rows go on in one chain of pages. Every hash holds."""
+    small_pages(base, path)
+    number, _ = last_batch(path)
+    file = sqlite3.connect(path)
+    columns = [name for _, name, *_ in file.execute("PRAGMA table_info(estimate)")]
+    others = ", ".join(columns[2:])
+    bins = ", ".join([name for _, name, *_ in file.execute("PRAGMA table_info(estimate_bin)")][3:])
+    source, draws = file.execute("SELECT id, draws FROM estimate_draws ORDER BY length(draws) DESC LIMIT 1").fetchone()
+    first = file.execute("SELECT max(id) FROM estimate").fetchone()[0] + 1
+    for i in range(first, first + count):
+        file.execute(f"INSERT INTO estimate SELECT {i}, {number}, {others} FROM estimate WHERE id = {source}")
+        file.execute(f"INSERT INTO estimate_bin SELECT NULL, {number}, {i}, {bins} FROM estimate_bin "
+                     f"WHERE estimate = {source}")
+    stored = file.execute("SELECT id, draws FROM estimate_draws ORDER BY id").fetchall()
+    forge(file)
+    file.close()
+    pages = Pages(path)
+    cells, chains = [], {}
+    for row, data in stored + [(i, draws) for i in range(first, first + count)]:
+        payload = record((None, data))
+        local = pages.local(len(payload))
+        if payload not in chains:
+            chains[payload] = pages.overflow(payload[local:])
+        cells.append((row, varint(len(payload)) + varint(row) + payload[:local] + struct.pack(">I", chains[payload])))
+    pages.put_tree(root_of(path, "estimate_draws"), cells)
+    pages.write()
+    return path
+
+
+def shared_leaves(base, path, table, depth=6):
+    """A tree whose inner pages all have one child, again and again: more rows than there are atoms."""
+    shutil.copy(base, path)
+    pages = Pages(path)
+    root = root_of(path, table)
+    child = pages.add(pages.leaf([]) if pages.pages[root - 1][0] != 13 else bytes(pages.pages[root - 1]))
+    fan = (pages.size - 16) // 16
+    for _ in range(depth):
+        child = pages.add(pages.inner([(child, 1 + i) for i in range(fan)]))
+    pages.pages[root - 1][:] = pages.pages[child - 1]
+    pages.write()
+    return path
+
+
+def many_rows(base, path, count):
+    """As many small rows as fit: what the largest values in memory cost."""
+    shutil.copy(base, path)
+    file = sqlite3.connect(path)
+    number, when = last_batch(path)
+    file.executemany("INSERT INTO event VALUES(NULL, ?, ?, 'word', '', '', NULL, 0, 0, '')", [(number, when)] * count)
+    forge(file)
+    file.close()
+    return path
+
+
+def make_all(folder, rows, drive, large):
+    """(name, file, commands) of each."""
+    factor = 10 if large else 1
+    escape = changed(rows, folder / "escapes.tts",
+                     ("UPDATE meta SET value = ? WHERE key IN ('source', 'program', 'bus')", ESCAPE),
+                     ("UPDATE model SET name = ?", ESCAPE))
+    changed(drive, folder / "what-if.tts", ("UPDATE settings SET chains = 100000, burn_in = 10000000, method = 'pafc'",))
+    shutil.copy(rows, folder / "cut.tts")
+    os.truncate(folder / "cut.tts", os.path.getsize(rows) * 2 // 3)
+    os.mkfifo(folder / "fifo.tts")
+    every = ("info", "verify", "export", "what-if", "recover")
+    return [
+        ("texts that share pages", shared_texts(rows, folder / "texts.tts", 400 * factor, 500_000), every),
+        ("short texts that share pages", shared_texts(rows, folder / "short.tts", 400 * factor, 60_000), every),
+        ("draws that share pages", shared_draws(drive, folder / "draws.tts", 300 * factor), every),
+        ("a tree of shared leaves: events", shared_leaves(rows, folder / "events.tts", "event"), every),
+        ("a tree of shared leaves: frames", shared_leaves(rows, folder / "frames.tts", "can_frame"), every),
+        ("a tree of shared leaves: batches", shared_leaves(rows, folder / "batches.tts", "batch"), every),
+        ("many small rows", many_rows(rows, folder / "many.tts", 20_000 * factor), ("info", "verify", "recover")),
+        ("settings for days of computing", folder / "what-if.tts", ("what-if",)),
+        ("escapes for the terminal", escape, ("info", "verify", "export", "recover")),
+        ("a cut file", folder / "cut.tts", ("info", "recover")),
+        ("a pipe", folder / "fifo.tts", ("info", "recover")),
+        ("an endless device", pathlib.Path("/dev/zero"), ("info", "recover")),
+    ]
+
+
+# Linux counts the memory of whoever starts a program as the program's own: so this small one does.
+STARTER = """import os, sys, time
+began = time.monotonic()
+program = os.posix_spawnp(sys.argv[2], sys.argv[2:], os.environ)
+_, status, usage = os.wait4(program, 0)
+with open(sys.argv[1], "w") as out:
+    print(os.waitstatus_to_exitcode(status), time.monotonic() - began, usage.ru_maxrss / 1024, file=out)
+"""
+
+
+class Run:
+    """A command: its exit status (137: it was ended after most_seconds), what it said, seconds and peak megabytes."""
+
+    def __init__(self, program, command, file, out, most_seconds=120):
+        arguments = ["timeout", "-s", "KILL", str(most_seconds), program, "session", command, str(file)]
+        if command in ("export", "recover"):
+            arguments += ["--out", str(out)]
+        with tempfile.NamedTemporaryFile() as facts:
+            self.said = subprocess.run([sys.executable, "-S", "-c", STARTER, facts.name, *arguments], check=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL).stdout
+            code, seconds, megabytes = pathlib.Path(facts.name).read_text().split()
+        self.code, self.seconds, self.megabytes = int(code), float(seconds), float(megabytes)
+
+
+def main():
+    program, make = sys.argv[1:3]
+    large = "--large" in sys.argv
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for kind in ("rows", "drive"):
+            subprocess.run([make, kind, folder / f"{kind}.tts"], check=True)
+        files = make_all(folder, folder / "rows.tts", folder / "drive.tts", large)
+        print(f"{'file':<34} {'bytes':>9} {'command':<8} {'status':>6} {'time [s]':>8} {'peak [MB]':>9}  last words")
+        for title, file, commands in files:
+            for command in commands:
+                out = folder / ("out.csv" if command == "export" else "out.tts")
+                out.unlink(missing_ok=True)
+                run = Run(program, command, file, out)
+                last = run.said.decode(errors="replace").splitlines()[-1:] or [""]
+                print(f"{title:<34} {file.stat().st_size:>9} {command:<8} {run.code:>6} {run.seconds:>8.2f} "
+                      f"{run.megabytes:>9.0f}  {ascii(last[0].replace(name + '/', ''))[1:-1][:90]}", flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
