@@ -3,7 +3,6 @@
 #include <QFileInfo>
 
 #include "app/resources.h"
-#include "core/robot/robot_model.h"
 
 namespace terratact {
 
@@ -30,14 +29,14 @@ Preferences inForce(Preferences preferences, const ConsoleOptions& options)
     return preferences;
 }
 
-std::string usableRobot(const QString& preferred, std::vector<LateSentence>& troubles)
+Result<RobotFile> usableRobot(const QString& preferred, std::vector<LateSentence>& troubles)
 {
     if (!preferred.isEmpty()) {
-        const auto robot = readRobotModel(preferred.toStdString());
-        if (robot) return preferred.toStdString();
+        auto robot = readRobotFile(preferred.toStdString());
+        if (robot) return robot;
         troubles.push_back(robotNotUsed(robot.error()));
     }
-    return resourcePath("robots/absolem.toml");
+    return readRobotFile(resourcePath("robots/absolem.toml"));
 }
 
 std::string usableModel(const QString& preferred, std::vector<LateSentence>& troubles)
@@ -50,10 +49,10 @@ std::string usableModel(const QString& preferred, std::vector<LateSentence>& tro
     return resourcePath("models/default.ttm");
 }
 
-std::string robotFor(const ConsoleOptions& options, LoadedPreferences& loaded)
+Result<RobotFile> robotFor(const ConsoleOptions& options, LoadedPreferences& loaded)
 {
     return options.robot.empty() ? usableRobot(loaded.preferences.robot, loaded.troubles)
-                                 : options.robot;
+                                 : readRobotFile(options.robot);
 }
 
 std::string modelFor(const ConsoleOptions& options, LoadedPreferences& loaded)

@@ -6,6 +6,7 @@
 
 #include "app/console_options.h"
 #include "app/preferences.h"
+#include "app/robot_file.h"
 
 namespace terratact {
 
@@ -17,12 +18,13 @@ LoadedPreferences preferencesFor(const ConsoleOptions& options);
 /// The preferences with what the command line says.
 Preferences inForce(Preferences preferences, const ConsoleOptions& options);
 
-/// The preferred file, or where that cannot be used the shipped one, and a sentence more among the troubles.
-std::string usableRobot(const QString& preferred, std::vector<LateSentence>& troubles);
+/// The preferred file, or where that cannot be used the shipped one, and a sentence more among the troubles.  Errors:
+/// the shipped one cannot be used.
+Result<RobotFile> usableRobot(const QString& preferred, std::vector<LateSentence>& troubles);
 std::string usableModel(const QString& preferred, std::vector<LateSentence>& troubles);
 
 /// The file that the command line names, else the usable one.
-std::string robotFor(const ConsoleOptions& options, LoadedPreferences& loaded);
+Result<RobotFile> robotFor(const ConsoleOptions& options, LoadedPreferences& loaded);
 std::string modelFor(const ConsoleOptions& options, LoadedPreferences& loaded);
 
 }  // namespace terratact

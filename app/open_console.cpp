@@ -13,15 +13,13 @@
 #include "app/main_window.h"
 #include "app/resources.h"
 #include "app/robot_connection.h"
+#include "app/say.h"
 #include "app/session_housekeeping.h"
-#include "core/file_read.h"
-#include "core/learn/sha256.h"
 
 namespace terratact {
 namespace {
 
-constexpr int kReopen = 1000;                      // never an exit code
-constexpr std::size_t kMostRobotFile = 1U << 20U;  // bytes
+constexpr int kReopen = 1000;  // never an exit code
 
 /// What outlives a window that is opened anew.
 struct Lasting {
@@ -32,15 +30,18 @@ struct Lasting {
 struct Chosen {
     LoadedPreferences loaded;
     Preferences inForce;
-    std::string robot, model;  ///< files
+    RobotFile robot;
+    std::string model;  ///< file
 };
 
-Chosen choose(const ConsoleOptions& options, const std::optional<Preferences>& before)
+Result<Chosen> choose(const ConsoleOptions& options, const std::optional<Preferences>& before)
 {
     Chosen chosen;
     chosen.loaded = preferencesFor(options);
     std::vector<LateSentence>& troubles = chosen.loaded.troubles;
-    chosen.robot = before ? usableRobot(before->robot, troubles) : robotFor(options, chosen.loaded);
+    auto robot = before ? usableRobot(before->robot, troubles) : robotFor(options, chosen.loaded);
+    if (!robot) return robot.error();
+    chosen.robot = std::move(*robot);
     chosen.model = before ? usableModel(before->model, troubles) : modelFor(options, chosen.loaded);
     chosen.inForce = before ? *before : inForce(chosen.loaded.preferences, options);
     return chosen;
@@ -54,8 +55,6 @@ std::string sessionsOf(const ConsoleOptions& options)
 std::shared_ptr<SessionRecorder> recorderFor(const ConsoleOptions& options, const Chosen& chosen)
 {
     const bool simulated = options.can.empty();
-    const auto content = readFile(chosen.robot, kMostRobotFile);
-    const std::string robot = content ? *content : std::string();
     SessionRecorder::Options recording;
     recording.folder = sessionsOf(options);
     recording.on = chosen.inForce.record;
@@ -63,8 +62,8 @@ std::shared_ptr<SessionRecorder> recorderFor(const ConsoleOptions& options, cons
                        .source = simulated ? "SIMULATED ROBOT" : options.can,
                        .bus = simulated ? "sim0" : options.can,
                        .transmits = simulated || options.transmit,
-                       .robot = robot,
-                       .robotHash = sha256Hex(robot)};
+                       .robot = chosen.robot.text,
+                       .robotHash = chosen.robot.hash};
     return std::make_shared<SessionRecorder>(std::move(recording));
 }
 
@@ -72,20 +71,18 @@ std::shared_ptr<SessionRecorder> recorderFor(const ConsoleOptions& options, cons
 PresetTable shippedPresets()
 {
     auto presets = readPresets(resourcePath("models/default.presets.csv"));
-    if (!presets) std::fprintf(stderr, "terratact-console: %s\n", presets.error().text.c_str());
+    if (!presets) say(stderr, "terratact-console: {}\n", presets.error().text);
     return presets ? *presets : PresetTable{};
 }
 
 /// "Absolem: robots/absolem.toml\nfile of 2026-01-31, 1234 bytes; content 0123456789abcdef"
-QString fileDetails(const std::string& path, const RobotModel& robot)
+QString fileDetails(const RobotFile& robot)
 {
-    const auto content = readFile(path, kMostRobotFile);
-    const std::string hash = content ? sha256Hex(*content).substr(0, 16) : content.error().text;
-    const QFileInfo file(QString::fromStdString(path));
+    const QFileInfo file(QString::fromStdString(robot.path));
     return QCoreApplication::translate("RobotCard", "%1: %2\nfile of %3, %4 bytes; content %5")
-        .arg(QString::fromStdString(robot.name), QString::fromStdString(path),
-             file.lastModified().toUTC().date().toString(Qt::ISODate), QString::number(file.size()),
-             QString::fromStdString(hash));
+        .arg(QString::fromStdString(robot.model.name), QString::fromStdString(robot.path),
+             file.lastModified().toUTC().date().toString(Qt::ISODate),
+             QString::number(robot.text.size()), QString::fromStdString(robot.hash.substr(0, 16)));
 }
 
 Exploration::Options explorationFor(const ConsoleOptions& options, const Preferences& preferences)
@@ -102,12 +99,12 @@ Exploration::Options explorationFor(const ConsoleOptions& options, const Prefere
 }
 
 /// All but the connection.
-MainWindow::Options windowOptions(const ConsoleOptions& options, const RobotModel& robot,
-                                  Chosen chosen)
+MainWindow::Options windowOptions(const ConsoleOptions& options, Chosen chosen)
 {
+    const RobotModel& robot = chosen.robot.model;
     MainWindow::Options window;
     window.robot = robot;
-    window.robotDetails = fileDetails(chosen.robot, robot);
+    window.robotDetails = fileDetails(chosen.robot);
     window.modelPath = chosen.model;
     window.model = modelFileLoader(chosen.model, robot);
     window.exploration = explorationFor(options, chosen.inForce);
@@ -121,7 +118,8 @@ MainWindow::Options windowOptions(const ConsoleOptions& options, const RobotMode
 SessionRetention retentionOf(const Preferences& preferences)
 {
     return {.days = static_cast<double>(preferences.keepDays),
-            .gigabytes = static_cast<double>(preferences.keepGigabytes)};
+            .gigabytes = static_cast<double>(preferences.keepGigabytes),
+            .confirmed = preferences.mayDelete};
 }
 
 /// Looks after the earlier recordings, once there is a window to tell of it.
@@ -147,23 +145,22 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
 /// kReopen: it is to be opened anew.
 Result<int> openOnce(Application& application, const ConsoleOptions& options, Lasting& lasting)
 {
-    Chosen chosen = choose(options, lasting.inForce);
-    const auto robot = readRobotModel(chosen.robot);
-    if (!robot) return robot.error();
+    auto chosen = choose(options, lasting.inForce);
+    if (!chosen) return chosen.error();
     std::vector<std::string> earlier;
     std::shared_ptr<SessionRecorder> recorder;
     if (options.records()) {
         earlier = sessionsIn(sessionsOf(options));  // before there is one of this run
-        recorder = recorderFor(options, chosen);
+        recorder = recorderFor(options, *chosen);
     }
-    auto connection = connectRobot(*robot, options, recorder);  // outlives the window
+    auto connection = connectRobot(chosen->robot.model, options, recorder);  // outlives the window
     if (!connection) return connection.error();
     auto panel = openPanel(options);
     if (!panel) return panel.error();
-    if (const Status ready = application.start(chosen.inForce, options.isPicture()); !ready)
+    if (const Status ready = application.start(chosen->inForce, options.isPicture()); !ready)
         return ready.error();
 
-    MainWindow::Options parts = windowOptions(options, *robot, std::move(chosen));
+    MainWindow::Options parts = windowOptions(options, std::move(*chosen));
     parts.link = connection->source.get();
     parts.source = std::move(connection->source);
     parts.panel = std::move(*panel);

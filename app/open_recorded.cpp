@@ -73,7 +73,7 @@ Result<int> openScenes(Application& application, const ConsoleOptions& options)
     if (!file) return file.error();
     if (file->scenes.empty()) return Error{options.replay + ": has no scenes"};
     LoadedPreferences loaded = preferencesFor(options);
-    const auto robot = readRobotModel(robotFor(options, loaded));
+    const auto robot = robotFor(options, loaded);
     if (!robot) return robot.error();
     const Preferences preferences = inForce(loaded.preferences, options);
     if (const Status ready = application.start(preferences, options.isPicture()); !ready)
@@ -82,8 +82,8 @@ Result<int> openScenes(Application& application, const ConsoleOptions& options)
     settings.seed = options.seed;
     ScenesWindow window({.path = QString::fromStdString(options.replay),
                          .scenes = std::move(file->scenes),
-                         .robot = *robot,
-                         .model = modelFileLoader(modelFor(options, loaded), *robot),
+                         .robot = robot->model,
+                         .model = modelFileLoader(modelFor(options, loaded), robot->model),
                          .settings = settings,
                          .stepLimit = preferences.obstacleLimit});
     return untilClosed(window, options, [&window] { return window.estimate().has_value(); });

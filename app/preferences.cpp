@@ -174,6 +174,7 @@ void visit(Visitor visitor, Values& p)
     visitor.flag("record", p.record);
     visitor.number("keep-days", p.keepDays, 0, kMostDays);
     visitor.number("keep-gigabytes", p.keepGigabytes, 0, kMostGigabytes);
+    visitor.flag("may-delete", p.mayDelete);
     visitor.path("model", p.model);
     visitor.path("robot", p.robot);
     visitor.paths("dbc", p.dbc);

@@ -37,6 +37,7 @@ struct Preferences {
     QStringList dbc;                                    ///< files, at most kMostDbcFiles
     bool record = true;                                 ///< what happens at the console
     int keepDays = 0, keepGigabytes = 0;  ///< of recordings; 0: nothing is ever deleted
+    bool mayDelete = false;               ///< recordings beyond them; else they are only told of
     QByteArray window;                    ///< QWidget::saveGeometry(); empty: none yet
     bool operator==(const Preferences&) const = default;
 };

@@ -43,7 +43,8 @@ void SessionHousekeeping::setLimits(const SessionRetention& limits)
     {
         const std::scoped_lock lock(mutex_);
         now = {.days = looser(limits_.days, wanted_.days),
-               .gigabytes = looser(limits_.gigabytes, wanted_.gigabytes)};
+               .gigabytes = looser(limits_.gigabytes, wanted_.gigabytes),
+               .confirmed = limits_.confirmed && wanted_.confirmed};
     }
     apply(now);
     if (now == wanted_)
@@ -96,7 +97,7 @@ void SessionHousekeeping::run(const std::stop_token& stop)
             due_ = false;
             limits = limits_;
         }
-        tell(applyRetention(sessionsIn(folder_), limits,
+        tell(applyRetention(sessionsIn(folder_), limits, wallNow(),
                             [&] { return !stop.stop_requested() && inForce(limits); }));
     }
 }

@@ -1,7 +1,10 @@
 #include "app/session_recorder.h"
 
 #include <fmt/format.h>
+#include <pwd.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/session_text.h"
 #include "app/steady_now.h"
 #include "core/file_write.h"
 #include "core/log/session_reader.h"
@@ -19,13 +23,6 @@ namespace {
 
 constexpr double kTryAgain = 1.0;  // [s]
 constexpr const char* kSuffix = ".tts";
-
-std::int64_t wallNow()
-{
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::system_clock::now().time_since_epoch())
-        .count();
-}
 
 /// "2026-11-22T031502.123Z", of the calendar and UTC, so that names sort by time.
 std::string stamp(std::int64_t wallTime)
@@ -55,6 +52,13 @@ std::int64_t sizeOf(const std::string& path)
 }
 
 }  // namespace
+
+std::int64_t wallNow()
+{
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
 
 SessionRecorder::SessionRecorder(Options options)
     : options_(std::move(options)), began_(steadyNow()), on_(options_.on),
@@ -256,7 +260,9 @@ bool SessionRecorder::open()
 
 Status SessionRecorder::begin()
 {
-    if (Status made = makeDirectory(options_.folder); !made) return made;
+    if (options_.folder.empty())
+        return Error{"there is no home folder to record in: --sessions names another"};
+    if (Status made = makeDirectory(options_.folder, FolderAccess::Owner); !made) return made;
     if (const auto left = freeBytes(options_.folder); left && *left < options_.leastFree)
         return Error{options_.folder + ": the disk is full: only " + std::to_string(*left >> 20U)
                      + " MB are free, " + std::to_string(options_.leastFree >> 20U)
@@ -370,8 +376,11 @@ std::string sessionFolder()
 {
     const char* const state = std::getenv("XDG_STATE_HOME");
     if (state && *state == '/') return std::string(state) + "/terratact/sessions";
-    const char* const home = std::getenv("HOME");
-    return std::string(home ? home : ".") + "/.local/state/terratact/sessions";
+    const char* home = std::getenv("HOME");
+    if (const passwd* const user = ::getpwuid(::getuid()); user && !(home && *home == '/'))
+        home = user->pw_dir;
+    return home && *home == '/' ? std::string(home) + "/.local/state/terratact/sessions"
+                                : std::string();
 }
 
 std::optional<std::uint64_t> freeBytes(const std::string& folder)
@@ -386,7 +395,8 @@ std::vector<std::string> sessionsIn(const std::string& folder)
     std::vector<std::string> paths;
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-        if (entry.path().extension() == kSuffix && entry.is_regular_file(none))
+        if (entry.path().extension() == kSuffix && !entry.is_symlink(none)
+            && entry.is_regular_file(none))
             paths.push_back(entry.path().string());
     std::sort(paths.begin(), paths.end());
     return paths;
@@ -396,7 +406,7 @@ std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& pat
 {
     std::vector<std::string> told;
     for (const std::string& path : paths) {
-        const auto recovery = recoverSession(path);
+        const auto recovery = recoverSession(path, true);  // this folder is where it was recorded
         if (!recovery)
             told.push_back("session not recovered: " + recovery.error().text);
         else if (*recovery == SessionRecovery::Recovered)
@@ -406,41 +416,101 @@ std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& pat
     return told;
 }
 
-std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
-                                        const SessionRetention& limits,
-                                        const std::function<bool()>& goesOn)
+namespace {
+
+constexpr std::int64_t kDay = std::int64_t{86'400} * 1'000'000'000;  // [ns]
+constexpr std::int64_t kYear2020 = std::int64_t{1'577'836'800} * 1'000'000'000;
+
+bool canBeTrue(std::int64_t time, std::int64_t now)
 {
-    struct Closed {
-        const std::string& path;
-        double bytes, age;  // [s]
-    };
-    std::vector<std::string> told;
-    if (limits.days <= 0.0 && limits.gigabytes <= 0.0) return told;
-    std::vector<Closed> sessions;
-    double total = 0.0;
+    return time >= kYear2020 && time <= now + kDay;
+}
+
+/// [ns] since 1970; 0 where that cannot be told.
+std::int64_t writtenAt(const std::string& path)
+{
+    struct stat file {};
+    if (::stat(path.c_str(), &file) != 0) return 0;
+    return std::int64_t{file.st_mtim.tv_sec} * 1'000'000'000 + file.st_mtim.tv_nsec;
+}
+
+struct ClosedSession {
+    std::string path;
+    double bytes;
+    std::int64_t ended;   ///< [ns] since 1970
+    bool mayBeDeleted;    ///< its times can be true
+    bool tooOld = false;  ///< else all together are too large
+};
+
+/// The closed ones, the oldest first; empty where goesOn() ended it.
+std::vector<ClosedSession> closedOnes(const std::vector<std::string>& paths, std::int64_t now,
+                                      const std::function<bool()>& goesOn)
+{
+    std::vector<ClosedSession> sessions;
     for (const std::string& path : paths) {
-        if (!goesOn()) return told;
+        if (!goesOn()) return {};
         // One that is being written, by this process too, has a journal and is not even opened: to close any
         // descriptor of it would drop the locks that this process holds on it.
-        if (std::filesystem::exists(path + "-wal")) continue;
+        std::error_code none;
+        if (std::filesystem::exists(path + "-wal", none)) continue;
+        if (std::filesystem::is_symlink(path, none)) continue;
         const auto session = SessionReader::open(path);
         if (!session || !session->sealed()) continue;
-        sessions.push_back(
-            {path, static_cast<double>(sizeOf(path)),
-             1e-9 * static_cast<double>(wallNow() - session->start().wallTime - session->end())});
-        total += sessions.back().bytes;
+        const std::int64_t recorded = wallTimeOf(session->start(), session->end());
+        const std::int64_t written = writtenAt(path);
+        sessions.push_back({.path = path,
+                            .bytes = static_cast<double>(sizeOf(path)),
+                            .ended = std::max(recorded, written),
+                            .mayBeDeleted = canBeTrue(recorded, now) && canBeTrue(written, now)});
     }
-    for (const auto& [path, bytes, age] : sessions) {
-        const bool tooOld = limits.days > 0.0 && age > limits.days * 86'400.0;
+    std::stable_sort(
+        sessions.begin(), sessions.end(),
+        [](const ClosedSession& a, const ClosedSession& b) { return a.ended < b.ended; });
+    return sessions;
+}
+
+/// Those beyond the limits, in their order.
+std::vector<ClosedSession> beyond(const std::vector<ClosedSession>& sessions,
+                                  const SessionRetention& limits, std::int64_t now)
+{
+    double total = 0.0;
+    for (const ClosedSession& session : sessions) total += session.bytes;
+    std::vector<ClosedSession> found;
+    for (ClosedSession session : sessions) {
+        const double age = static_cast<double>(now - session.ended) / static_cast<double>(kDay);
+        session.tooOld = limits.days > 0.0 && age > limits.days;
         const bool tooMuch = limits.gigabytes > 0.0 && total > limits.gigabytes * 1e9;
-        if (!tooOld && !tooMuch) continue;
+        if (!session.mayBeDeleted || (!session.tooOld && !tooMuch)) continue;
+        total -= session.bytes;
+        found.push_back(session);
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
+                                        const SessionRetention& limits, std::int64_t now,
+                                        const std::function<bool()>& goesOn)
+{
+    if ((limits.days <= 0.0 && limits.gigabytes <= 0.0) || now < kYear2020) return {};
+    const std::vector<ClosedSession> surplus = beyond(closedOnes(paths, now, goesOn), limits, now);
+    if (!limits.confirmed) {
+        if (surplus.empty()) return {};
+        double bytes = 0.0;
+        for (const ClosedSession& session : surplus) bytes += session.bytes;
+        return {fmt::format("{} sessions of {:.1f} MB are beyond the limits that you have set; "
+                            "none is deleted until the page of the settings says that they may be",
+                            surplus.size(), 1e-6 * bytes)};
+    }
+    std::vector<std::string> told;
+    for (const ClosedSession& session : surplus) {
         if (!goesOn()) break;
-        total -= bytes;
         std::error_code none;
-        if (std::filesystem::remove(path, none))
+        if (std::filesystem::remove(session.path, none))
             told.push_back(std::string("session deleted, since ")
-                           + (tooOld ? "it is older" : "all together are larger")
-                           + " than you have set: " + path);
+                           + (session.tooOld ? "it is older" : "all together are larger")
+                           + " than you have set: " + session.path);
     }
     return told;
 }

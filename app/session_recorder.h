@@ -39,7 +39,8 @@ struct RecordingState {
 class SessionRecorder {
 public:
     struct Options {
-        std::string folder;
+        std::string
+            folder;  ///< made for its owner alone (mode 0700) where it is not there; empty: there is none
         SessionStart start;                    ///< wallTime is set here
         bool on = true;                        ///< see setOn()
         std::size_t mostFrames = 18'018;       ///< that wait: two seconds of a full bus of 1 Mbit/s
@@ -122,13 +123,15 @@ private:
     std::jthread thread_;  // last: it starts when all else stands
 };
 
-/// The folder of this user's sessions: terratact/sessions in XDG_STATE_HOME, or in ~/.local/state.
+/// The folder of this user's sessions: terratact/sessions in XDG_STATE_HOME, or in .local/state of the home folder, which
+/// HOME or else the system's list of users names; both count only where they begin with '/'.  Empty: there is none.
 std::string sessionFolder();
 
 /// What is on a disk besides; empty where that cannot be told.
 std::optional<std::uint64_t> freeBytes(const std::string& folder);
 
-/// The files of a folder's sessions, closed or not, the oldest first.
+/// The files of a folder's sessions, closed or not, in the order of their names.  Symbolic links are none: whoever
+/// rewrites or deletes a session does so in this folder.
 std::vector<std::string> sessionsIn(const std::string& folder);
 
 /// Closes those sessions whose program died (recoverSession); one sentence for each that was, or could not be.
@@ -139,14 +142,23 @@ std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& pat
 struct SessionRetention {
     double days = 0.0;
     double gigabytes = 0.0;  ///< of all closed sessions together
+    bool confirmed = false;  ///< the user has said once that what is beyond them may be deleted
     bool operator==(const SessionRetention&) const = default;
 };
 
 /// Deletes the oldest closed ones of these sessions, the oldest first, beyond the limits; one sentence for each.
-/// Deletes nothing without a limit, and never what is not a session; one that is not closed does not count either.
-/// goesOn: asked before each file; false ends it.
+/// Unless that is confirmed, deletes nothing, and says in one sentence how much it would.
+///
+/// A session ends when it says or when its file was last written, whatever is later: the clock of a computer whose
+/// battery is flat says 1970.  One of which either time cannot be true, before 2020 or more than a day from now, is
+/// never deleted; nor is anything while `now` itself is before 2020.  Without a limit nothing is deleted, and never
+/// what is not a session, not closed, or reached through a symbolic link.
+/// now: [ns] since 1970.  goesOn: asked before each file; false ends it.
 std::vector<std::string> applyRetention(
-    const std::vector<std::string>& paths, const SessionRetention& limits,
+    const std::vector<std::string>& paths, const SessionRetention& limits, std::int64_t now,
     const std::function<bool()>& goesOn = [] { return true; });
+
+/// [ns] since 1970, by this computer's clock.
+std::int64_t wallNow();
 
 }  // namespace terratact

@@ -277,6 +277,9 @@ void SettingsPage::buildRecording(QFormLayout* form)
           tr("Of all closed sessions together, once it has stood for ten seconds"),
           &Preferences::keepGigabytes)
         ->setSpecialValueText(tr("never"));
+    flag(form, tr("Sessions beyond these limits may be deleted"),
+         tr("Until this is ticked, the console only tells what it would delete"),
+         &Preferences::mayDelete);
 }
 
 QWidget* SettingsPage::buildFiles()

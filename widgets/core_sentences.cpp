@@ -215,6 +215,10 @@ namespace {
     QT_TRANSLATE_NOOP("core", "session not recovered"),
     QT_TRANSLATE_NOOP("core", "session deleted, since it is older than you have set"),
     QT_TRANSLATE_NOOP("core", "session deleted, since all together are larger than you have set"),
+    QT_TRANSLATE_NOOP("core",
+                      "%1 sessions of %2 MB are beyond the limits that you have set; none is "
+                      "deleted until the page of the settings says that they may be"),
+    QT_TRANSLATE_NOOP("core", "there is no home folder to record in: --sessions names another"),
     QT_TRANSLATE_NOOP("core", "no telemetry yet"),
     QT_TRANSLATE_NOOP("core", "link is up"),
     QT_TRANSLATE_NOOP("core", "link lost"),

@@ -3074,6 +3074,66 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>is %1; expected a log as text: can_logconvert of python-can makes one</source>
         <translation>je %1; očekává se záznam jako text: can_logconvert z python-can jej vytvoří</translation>
     </message>
+    <message>
+        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until the page of the settings says that they may be</source>
+        <translation>%1 relací o %2 MB překračuje meze, které jste nastavili; žádná se nesmaže, dokud to stránka nastavení nedovolí</translation>
+    </message>
+    <message>
+        <source>there is no home folder to record in: --sessions names another</source>
+        <translation>není domovská složka, do níž by se nahrávalo: --sessions určí jinou</translation>
+    </message>
+    <message>
+        <source>a text is too long</source>
+        <translation>text je příliš dlouhý</translation>
+    </message>
+    <message>
+        <source>its rows hold more bytes than the file has: they share pages</source>
+        <translation>její řádky mají více bajtů než soubor: sdílejí stránky</translation>
+    </message>
+    <message>
+        <source>the batches are not in the order of their numbers</source>
+        <translation>dávky nejsou v pořadí svých čísel</translation>
+    </message>
+    <message>
+        <source>the rows of a table are not in the order of their numbers</source>
+        <translation>řádky tabulky nejsou v pořadí svých čísel</translation>
+    </message>
+    <message>
+        <source>is a symbolic link: name the file itself</source>
+        <translation>je symbolický odkaz: zadejte přímo soubor</translation>
+    </message>
+    <message>
+        <source>its journal is a symbolic link, which is not followed</source>
+        <translation>její žurnál je symbolický odkaz, který se nesleduje</translation>
+    </message>
+    <message>
+        <source>its journal is not beside it: both files belong together</source>
+        <translation>její žurnál není vedle ní: oba soubory patří k sobě</translation>
+    </message>
+    <message>
+        <source>its settings ask for %1 chains, and at most %2 are computed</source>
+        <translation>její nastavení žádá %1 řetězců a počítá se jich nejvýše %2</translation>
+    </message>
+    <message>
+        <source>its settings ask for %1 sweeps to be kept and %2 to be thrown away, and at most %3 are computed</source>
+        <translation>její nastavení žádá %1 průchodů k ponechání a %2 k zahození a počítá se jich nejvýše %3</translation>
+    </message>
+    <message>
+        <source>says too much of its %1</source>
+        <translation>říká příliš mnoho o položce %1</translation>
+    </message>
+    <message>
+        <source>its journal %1 is not beside it: what was recorded after that is in there; both files belong together</source>
+        <translation>její žurnál %1 není vedle ní: co se nahrálo potom, je v něm; oba soubory patří k sobě</translation>
+    </message>
+    <message>
+        <source>holds nothing without its journal %1, which is not beside it: both files belong together, copy both</source>
+        <translation>neobsahuje nic bez svého žurnálu %1, který není vedle ní: oba soubory patří k sobě, zkopírujte oba</translation>
+    </message>
+    <message>
+        <source>is not made: the name of the bus %1 has control characters</source>
+        <translation>nevznikne: název sběrnice %1 obsahuje řídicí znaky</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6129,6 +6189,14 @@ F1</translation>
         <source>Of all closed sessions together, once it has stood for ten seconds</source>
         <translation>Všech uzavřených relací dohromady, jakmile to platí deset sekund</translation>
     </message>
+    <message>
+        <source>Sessions beyond these limits may be deleted</source>
+        <translation>Relace za těmito mezemi se smějí mazat</translation>
+    </message>
+    <message>
+        <source>Until this is ticked, the console only tells what it would delete</source>
+        <translation>Dokud není zaškrtnuto, konzole jen říká, co by smazala</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
@@ -7441,6 +7509,10 @@ vpředu</translation>
     <message>
         <source>Change what you like, then estimate again: the page Terrain (F2) draws both.</source>
         <translation>Změňte, co chcete, a odhadněte znovu: stránka Terén (F2) nakreslí oba odhady.</translation>
+    </message>
+    <message>
+        <source>Cancel the estimate</source>
+        <translation>Zrušit odhad</translation>
     </message>
 </context>
 </TS>

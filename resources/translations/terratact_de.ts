@@ -3074,6 +3074,66 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>is %1; expected a log as text: can_logconvert of python-can makes one</source>
         <translation>ist %1; erwartet wird ein Log als Text: can_logconvert von python-can macht eines daraus</translation>
     </message>
+    <message>
+        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until the page of the settings says that they may be</source>
+        <translation>%1 Sitzungen mit %2 MB liegen jenseits der eingestellten Grenzen; keine wird gelöscht, bis die Seite der Einstellungen es erlaubt</translation>
+    </message>
+    <message>
+        <source>there is no home folder to record in: --sessions names another</source>
+        <translation>es gibt keinen Home-Ordner für die Aufzeichnung: --sessions nennt einen anderen</translation>
+    </message>
+    <message>
+        <source>a text is too long</source>
+        <translation>ein Text ist zu lang</translation>
+    </message>
+    <message>
+        <source>its rows hold more bytes than the file has: they share pages</source>
+        <translation>ihre Zeilen haben mehr Bytes als die Datei: sie teilen sich Seiten</translation>
+    </message>
+    <message>
+        <source>the batches are not in the order of their numbers</source>
+        <translation>die Stapel stehen nicht in der Reihenfolge ihrer Nummern</translation>
+    </message>
+    <message>
+        <source>the rows of a table are not in the order of their numbers</source>
+        <translation>die Zeilen einer Tabelle stehen nicht in der Reihenfolge ihrer Nummern</translation>
+    </message>
+    <message>
+        <source>is a symbolic link: name the file itself</source>
+        <translation>ist ein symbolischer Link: die Datei selbst nennen</translation>
+    </message>
+    <message>
+        <source>its journal is a symbolic link, which is not followed</source>
+        <translation>ihr Journal ist ein symbolischer Link, dem nicht gefolgt wird</translation>
+    </message>
+    <message>
+        <source>its journal is not beside it: both files belong together</source>
+        <translation>ihr Journal liegt nicht daneben: beide Dateien gehören zusammen</translation>
+    </message>
+    <message>
+        <source>its settings ask for %1 chains, and at most %2 are computed</source>
+        <translation>ihre Einstellungen verlangen %1 Ketten, und höchstens %2 werden gerechnet</translation>
+    </message>
+    <message>
+        <source>its settings ask for %1 sweeps to be kept and %2 to be thrown away, and at most %3 are computed</source>
+        <translation>ihre Einstellungen verlangen %1 behaltene und %2 verworfene Durchläufe, und höchstens %3 werden gerechnet</translation>
+    </message>
+    <message>
+        <source>says too much of its %1</source>
+        <translation>sagt zu viel über %1</translation>
+    </message>
+    <message>
+        <source>its journal %1 is not beside it: what was recorded after that is in there; both files belong together</source>
+        <translation>ihr Journal %1 liegt nicht daneben: was danach aufgezeichnet wurde, steht darin; beide Dateien gehören zusammen</translation>
+    </message>
+    <message>
+        <source>holds nothing without its journal %1, which is not beside it: both files belong together, copy both</source>
+        <translation>enthält nichts ohne ihr Journal %1, das nicht daneben liegt: beide Dateien gehören zusammen, beide kopieren</translation>
+    </message>
+    <message>
+        <source>is not made: the name of the bus %1 has control characters</source>
+        <translation>wird nicht angelegt: der Name des Busses %1 enthält Steuerzeichen</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6129,6 +6189,14 @@ F1</translation>
         <source>Of all closed sessions together, once it has stood for ten seconds</source>
         <translation>Aller geschlossenen Sitzungen zusammen, sobald es zehn Sekunden gilt</translation>
     </message>
+    <message>
+        <source>Sessions beyond these limits may be deleted</source>
+        <translation>Sitzungen jenseits dieser Grenzen dürfen gelöscht werden</translation>
+    </message>
+    <message>
+        <source>Until this is ticked, the console only tells what it would delete</source>
+        <translation>Solange das nicht angekreuzt ist, sagt die Konsole nur, was sie löschen würde</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
@@ -7441,6 +7509,10 @@ voraus</translation>
     <message>
         <source>Change what you like, then estimate again: the page Terrain (F2) draws both.</source>
         <translation>Ändern, was gewünscht ist, dann neu schätzen: die Seite Gelände (F2) zeichnet beide.</translation>
+    </message>
+    <message>
+        <source>Cancel the estimate</source>
+        <translation>Die Schätzung abbrechen</translation>
     </message>
 </context>
 </TS>

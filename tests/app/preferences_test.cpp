@@ -45,6 +45,7 @@ Preferences unlikeTheDefaults()
     p.record = false;
     p.keepDays = 30;
     p.keepGigabytes = 7;
+    p.mayDelete = true;
     p.model = QString::fromUtf8("/data/žluťoučký model, 2 = @Variant(x)\\%41;#.ttm");
     p.robot = "@robot.toml";
     p.dbc = QStringList{QString::fromUtf8("/data/p\u0159\u00edklad, 1.dbc"), "b;c.dbc"};

@@ -390,7 +390,7 @@ TEST(SessionHousekeeping, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhi
     std::filesystem::create_directory(folder);
     ASSERT_TRUE(someSession(path, 300));
     ASSERT_FALSE(recoverDeadSessions({path}).empty());  // closes it
-    const SessionRetention any{}, small{.gigabytes = 1e-9};
+    const SessionRetention any{}, small{.gigabytes = 1e-9, .confirmed = true};
     SessionHousekeeping house(sessionsIn(folder), folder, any);
     house.setGrace(300);
     house.start();
@@ -418,7 +418,7 @@ TEST(SessionHousekeeping, countsAndDeletesTheSessionsOfThisRunToo)
     ASSERT_TRUE(closed && closed->seal());
     const auto open = someSession(folder + "/under-way.tts", 300);
     ASSERT_TRUE(open);
-    house.setLimits({.gigabytes = 1e-9});
+    house.setLimits({.gigabytes = 1e-9, .confirmed = true});
     EXPECT_TRUE(eventually([&] { return !std::filesystem::exists(folder + "/of-this-run.tts"); }));
     EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts"));
     // Whoever only looked at it must not have dropped the lock that this process holds on it.
@@ -435,8 +435,8 @@ TEST(SessionHousekeeping, aLimitThatIsTakenBackDeletesNothingFromThenOn)
     std::filesystem::create_directory(folder);
     auto session = someSession(path, 300);
     ASSERT_TRUE(session && session->seal());
-    SessionHousekeeping house(sessionsIn(folder), folder, {.gigabytes = 1e-9});
-    house.setLimits({.days = 1.0});  // of the two, this one is stricter
+    SessionHousekeeping house(sessionsIn(folder), folder, {.gigabytes = 1e-9, .confirmed = true});
+    house.setLimits({.days = 1.0, .confirmed = true});  // of the two, this one is stricter
     house.start();
     QTest::qWait(500);
     EXPECT_TRUE(std::filesystem::exists(path)) << "although the grace has hardly begun";
