@@ -3,8 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <sstream>
 
 #include "app/cli_subcommands.h"
+#include "app/say.h"
 
 namespace terratact {
 
@@ -28,10 +30,14 @@ int realMain(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kDone : kWrongArguments;
+        std::ostringstream out, complaint;  // which may quote a file's name
+        const int code = app.exit(error, out, complaint);
+        say("{}", Lines(out.str()));
+        say(stderr, "{}", Lines(complaint.str()));
+        return code == 0 ? kDone : kWrongArguments;
     }
     if (const Status done = job(); !done) {
-        fmt::print(stderr, "terratact: {}\n", done.error().text);
+        say(stderr, "terratact: {}\n", done.error().text);
         return kFailed;
     }
     return kDone;
@@ -46,7 +52,7 @@ int main(int argc, char** argv)
     try {
         return terratact::realMain(argc, argv);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "terratact: {}\n", error.what());
+        terratact::say(stderr, "terratact: {}\n", error.what());
         return 1;
     }
 }

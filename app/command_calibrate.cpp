@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "app/commands.h"
+#include "app/say.h"
 #include "core/learn/csv.h"
 #include "core/robot/force_calibration.h"
 #include "core/robot/robot_model.h"
@@ -61,15 +62,14 @@ Result<std::vector<ForceReading>> readRecording(const std::string& path)
 
 void print(const ForceCalibration& c)
 {
-    fmt::print("\nfor the robot file:\n[force_calibration]\nsupply_v = {}\nreference_ohm = {}\n",
-               c.supply, c.reference);
-    fmt::print("curve_n_ohm = [");
+    say("\nfor the robot file:\n[force_calibration]\nsupply_v = {}\nreference_ohm = {}\n", c.supply,
+        c.reference);
+    say("curve_n_ohm = [");
     for (std::size_t i = 0; i < c.curve.size(); ++i)
-        fmt::print("{}[{:.4f}, {:.1f}]", i == 0 ? "" : ", ", c.curve[i].force,
-                   c.curve[i].resistance);
-    fmt::print("]\nbias_left_n = [{:.4f}]\nbias_right_n = [{:.4f}]\n", fmt::join(c.biasLeft, ", "),
-               fmt::join(c.biasRight, ", "));
-    fmt::print("open_below_v = {}\nshort_above_v = {}\n", c.openBelow, c.shortAbove);
+        say("{}[{:.4f}, {:.1f}]", i == 0 ? "" : ", ", c.curve[i].force, c.curve[i].resistance);
+    say("]\nbias_left_n = [{:.4f}]\nbias_right_n = [{:.4f}]\n", fmt::join(c.biasLeft, ", "),
+        fmt::join(c.biasRight, ", "));
+    say("open_below_v = {}\nshort_above_v = {}\n", c.openBelow, c.shortAbove);
 }
 
 }  // namespace
@@ -82,9 +82,9 @@ Status calibrateForces(const CalibrateOptions& options)
     if (!readings) return readings.error();
     const auto fitted = calibrate(*readings, robot->forceCalibration, robot->forceArrays);
     if (!fitted) return Error{options.data + ": " + fitted.error().text, 0};
-    fmt::print("{} readings\n", readings->size());
-    fmt::print("force read less force applied: median {:.3f} N, worst {:.3f} N\n",
-               fitted->medianError, fitted->worstError);
+    say("{} readings\n", readings->size());
+    say("force read less force applied: median {:.3f} N, worst {:.3f} N\n", fitted->medianError,
+        fitted->worstError);
     print(fitted->calibration);
     return Done{};
 }

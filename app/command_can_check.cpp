@@ -6,6 +6,7 @@
 
 #include "app/can_check.h"
 #include "app/can_commands.h"
+#include "app/say.h"
 #include "core/file_read.h"
 #include "core/wire/log_reader.h"
 #include "drivers/can_interface.h"
@@ -26,7 +27,7 @@ const char* wordOf(CanFinding::Level level)
 
 void tell(CanFinding::Level level, const std::string& what)
 {
-    fmt::print("{:<8} {}\n", wordOf(level), what);
+    say("{:<8} {}\n", wordOf(level), what);
 }
 
 /// What a log holds, and what was wrong when it was recorded.
@@ -78,8 +79,8 @@ Status checkCan(const std::string& interface)
         facts.isCan && !facts.isVirtual ? controllerFrom(linkDetails(interface)) : CanController{};
     const std::vector<CanFinding> findings = findingsOf(facts, canSocketError(), controller);
     for (const CanFinding& finding : findings) {
-        fmt::print("{:<8} {}\n", wordOf(finding.level), finding.what);
-        if (!finding.cure.empty()) fmt::print("{:<8} → {}\n", "", finding.cure);
+        say("{:<8} {}\n", wordOf(finding.level), finding.what);
+        if (!finding.cure.empty()) say("{:<8} → {}\n", "", finding.cure);
     }
     const auto problems = std::count_if(findings.begin(), findings.end(), [](const CanFinding& f) {
         return f.level == CanFinding::Level::Problem;

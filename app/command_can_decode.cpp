@@ -9,6 +9,7 @@
 #include "app/can_commands.h"
 #include "app/csv_field.h"
 #include "app/dbc_book.h"
+#include "app/say.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/text.h"
@@ -102,8 +103,7 @@ private:
 
     void tellRemarks()
     {
-        for (const std::string& remark : log_.takeRemarks())
-            fmt::print(stderr, "terratact: {}\n", remark);
+        for (const std::string& remark : log_.takeRemarks()) say(stderr, "terratact: {}\n", remark);
     }
 
     Status ending() const
@@ -138,26 +138,26 @@ private:
         const std::string time = logged.time ? fmt::format("{:.6f}", log_.elapsed()) : "-";
         const std::string counter = words.counter ? fmt::format("#{:03d}", *words.counter) : "-";
         const std::string content = contentText(logged.frame, words);
-        fmt::print("{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
-                   idText(logged.frame), words.name.empty() ? "unknown" : words.name, counter,
-                   words.verdict, content.empty() ? "" : "; ", content);
+        say("{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
+            idText(logged.frame), words.name.empty() ? "unknown" : words.name, counter,
+            words.verdict, content.empty() ? "" : "; ", content);
     }
 
     void summarize() const
     {
         if (begin_ && !options_.summaryOnly)
-            fmt::print("\ntimes are since {:.6f} s of the log's clock\n", *begin_);
+            say("\ntimes are since {:.6f} s of the log's clock\n", *begin_);
         for (const auto& [name, bus] : buses_) {
-            fmt::print("\n{} in {}\n", name, options_.log == "-" ? "standard input" : options_.log);
-            fmt::print("{}",
-                       summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
-                                                             : std::nullopt));
+            say("\n{} in {}\n", name, options_.log == "-" ? "standard input" : options_.log);
+            say("{}",
+                Lines(summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
+                                                            : std::nullopt)));
         }
         if (log_.stepsBack() > 0)
-            fmt::print("the log's clock goes back {} times: the times above go on evenly\n",
-                       log_.stepsBack());
+            say("the log's clock goes back {} times: the times above go on evenly\n",
+                log_.stepsBack());
         if (log_.dropped() > 0)
-            fmt::print("{} frames were lost when the log was recorded\n", log_.dropped());
+            say("{} frames were lost when the log was recorded\n", log_.dropped());
     }
 
     const CanDecodeOptions& options_;
@@ -174,8 +174,7 @@ Status decodeCanLog(const CanDecodeOptions& options)
 {
     const auto book = readDbcBook(options.protocol, options.dbc);
     if (!book) return book.error();
-    for (const std::string& remark : remarksOf(*book))
-        fmt::print(stderr, "terratact: {}\n", remark);
+    for (const std::string& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark);
     Result<LogReader> log = LogReader::open(options.log);
     if (!log) return log.error();
     std::optional<CsvOutput> csv;

@@ -11,6 +11,7 @@
 #include "app/can_monitor.h"
 #include "app/dbc_book.h"
 #include "app/open_bus.h"
+#include "app/say.h"
 
 namespace terratact {
 namespace {
@@ -33,23 +34,29 @@ public:
 
     void show(const std::string& headline, const std::vector<std::string>& table) const
     {
-        if (isTerminal_) fmt::print("\x1b[H");  // to the upper left corner
+        if (isTerminal_) say("\x1b[H");  // to the upper left corner
         line(headline);
         for (const std::string& text : table) line(text);
-        fmt::print("{}", isTerminal_ ? "\x1b[J" : "\n");  // nothing left of the table before
+        if (isTerminal_)
+            say("\x1b[J");  // nothing left of the table before
+        else
+            say("\n");
         std::fflush(stdout);
     }
 
     void clear() const
     {
-        if (isTerminal_) fmt::print("\x1b[2J");
+        if (isTerminal_) say("\x1b[2J");
     }
 
 private:
     void line(std::string text) const
     {
         if (isTerminal_) text.resize(std::min(text.size(), width()));
-        fmt::print("{}{}\n", text, isTerminal_ ? "\x1b[K" : "");
+        if (isTerminal_)
+            say("{}\x1b[K\n", text);
+        else
+            say("{}\n", text);
     }
 
     static std::size_t width()
@@ -131,7 +138,7 @@ Status monitorCan(const CanMonitorOptions& options)
         remarks.insert(remarks.end(), opened->replay->remarks().begin(),
                        opened->replay->remarks().end());
     if (!screen.isRedrawn())
-        for (const std::string& remark : remarks) fmt::print(stderr, "terratact: {}\n", remark);
+        for (const std::string& remark : remarks) say(stderr, "terratact: {}\n", remark);
     screen.clear();
     const Clock::time_point begin = Clock::now();
     monitor.mark(seconds(begin));

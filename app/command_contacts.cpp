@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/say.h"
 #include "core/eval/contact_sd.h"
 #include "core/learn/scene_file.h"
 
@@ -12,16 +13,15 @@ namespace {
 
 void printRow(const std::string& where, const ResidualStatistics& s)
 {
-    fmt::print("{:>8} {:>6}", where, s.n);
-    if (s.n > 1)
-        fmt::print(" {:>+9.1f} {:>7.1f} {:>9.1f}", 1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd);
-    fmt::print("\n");
+    say("{:>8} {:>6}", where, s.n);
+    if (s.n > 1) say(" {:>+9.1f} {:>7.1f} {:>9.1f}", 1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd);
+    say("\n");
 }
 
 void printTable(ContactRule rule, const ContactSummary& summary)
 {
-    fmt::print("\ncontact rule: {}\n{:>8} {:>6} {:>9} {:>7} {:>9}\n", name(rule), "bin [m]", "n",
-               "mean [mm]", "sd [mm]", "robust sd");
+    say("\ncontact rule: {}\n{:>8} {:>6} {:>9} {:>7} {:>9}\n", name(rule), "bin [m]", "n",
+        "mean [mm]", "sd [mm]", "robust sd");
     for (int i = 0; i < kBins; ++i) {
         const ResidualStatistics& s = summary.bin[static_cast<std::size_t>(i)];
         if (s.n > 0) printRow(fmt::format("{:+.1f}", binCentre(i)), s);
@@ -37,15 +37,14 @@ Status showContacts(const ContactsOptions& options)
     if (!robot) return robot.error();
     const auto file = readScenes(options.data);
     if (!file) return file.error();
-    for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
+    for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
     const auto summaryBy = [&](ContactRule rule) {
         return summariseContacts(contactResiduals(*robot, file->scenes, options.threshold, rule));
     };
     const ContactSummary any = summaryBy(ContactRule::Any);
     if (any.all.n == 0)
         return Error{options.data + ": no contact in a bin whose height is known", 0};
-    fmt::print(
-        "true height of a bin less the height of its contact; {} scenes, contacts above {} N\n",
+    say("true height of a bin less the height of its contact; {} scenes, contacts above {} N\n",
         file->scenes.size(), options.threshold);
     printTable(ContactRule::Isolated, summaryBy(ContactRule::Isolated));
     printTable(ContactRule::Any, any);

@@ -9,6 +9,7 @@
 #include "app/estimate_csv.h"
 #include "app/parallel.h"
 #include "app/profile_figure.h"
+#include "app/say.h"
 #include "app/scene_estimates.h"
 #include "app/time_budget.h"
 #include "core/atem/arm_choice.h"
@@ -80,9 +81,9 @@ Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotM
 {
     Heights truth{};
     for (std::size_t i = 0; i < kBins; ++i) truth[i] = *scene.truth[i];
-    fmt::print("\n{}\n{}", title, profileTable(estimate, truth));
-    for (const std::string& sentence : hiddenByBands(estimate)) fmt::print("  {}\n", sentence);
-    for (const std::string& warning : estimate.warnings) fmt::print("! {}\n", warning);
+    say("\n{}\n{}", title, Lines(profileTable(estimate, truth)));
+    for (const std::string& sentence : hiddenByBands(estimate)) say("  {}\n", sentence);
+    for (const std::string& warning : estimate.warnings) say("! {}\n", warning);
     const std::string csv = estimateCsv({scene}, {{estimate, ""}});
     if (Status s = writeFileAtomically(stem.string() + ".csv", csv); !s) return s;
     FigureInput figure;
@@ -115,16 +116,16 @@ Status demo(const DemoOptions& options)
     start.startX = 1.2;
     start.seed = options.settings.seed;
     SimulatedRobot robot((*toolbox)->robot, demoTerrain(), start);
-    fmt::print("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
-               options.settings.seed);
+    say("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
+        options.settings.seed);
     if (Status s = driveToStep(robot); !s) return s;
-    fmt::print("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the "
-               "flippers\n",
-               robot.measure().time);
+    say("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the "
+        "flippers\n",
+        robot.measure().time);
     if (Status s = pressFlippers(robot); !s) return s;
     const Measurement measurement = robot.measure();
     const Scene scene = sceneOf(measurement, robot.truth());
-    fmt::print("{:6.1f} s  flippers pressed, scene captured\n", measurement.time);
+    say("{:6.1f} s  flippers pressed, scene captured\n", measurement.time);
 
     const auto estimateWith = [&](std::span<const ArmReading> arm) {
         Watch watch = endingAfter(options.seconds);
@@ -139,23 +140,22 @@ Status demo(const DemoOptions& options)
         !s)
         return s;
     if (!bin) {
-        fmt::print("\nno bin is uncertain enough to probe\n\nwritten: {}\n",
-                   (out / "first.{csv,png}").string());
+        say("\nno bin is uncertain enough to probe\n\nwritten: {}\n",
+            (out / "first.{csv,png}").string());
         return Done{};
     }
-    fmt::print("\n{:6.1f} s  probe proposed at {:+.1f} m (sd {:.0f} mm), approved\n",
-               robot.measure().time, binCentre(*bin),
-               1000.0 * first.sd[static_cast<std::size_t>(*bin)]);
+    say("\n{:6.1f} s  probe proposed at {:+.1f} m (sd {:.0f} mm), approved\n", robot.measure().time,
+        binCentre(*bin), 1000.0 * first.sd[static_cast<std::size_t>(*bin)]);
     if (Status s = probe(robot, *bin); !s) return s;
     const ArmReading reading = *robot.measure().arm;
-    fmt::print("{:6.1f} s  arm measured {:+.3f} m\n", robot.measure().time, reading.height);
+    say("{:6.1f} s  arm measured {:+.3f} m\n", robot.measure().time, reading.height);
     const TerrainEstimate second = estimateWith({&reading, 1});
     if (Status s = present(second, scene, (*toolbox)->robot, std::nullopt,
                            "Second estimate, with the probe", out / "second");
         !s)
         return s;
-    fmt::print("\nwritten: {} and {}\n", (out / "first.{csv,png}").string(),
-               (out / "second.{csv,png}").string());
+    say("\nwritten: {} and {}\n", (out / "first.{csv,png}").string(),
+        (out / "second.{csv,png}").string());
     return Done{};
 }
 

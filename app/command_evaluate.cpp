@@ -13,6 +13,7 @@
 #include "app/model_cards.h"
 #include "app/parallel.h"
 #include "app/probe_trials.h"
+#include "app/say.h"
 #include "app/scene_estimates.h"
 #include "app/stopwatch.h"
 #include "core/eval/baselines.h"
@@ -125,7 +126,7 @@ Result<std::vector<Scene>> scenesWithTruth(const std::string& path)
 {
     auto file = readScenesWithTruth(path);
     if (!file) return file.error();
-    for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
+    for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
     return std::move(file->scenes);
 }
 
@@ -195,8 +196,8 @@ Status writeShard(const EvaluateOptions& options, const std::string& modelHash, 
          / fmt::format("part_{}_of_{}.tte", findings.shard.number, findings.shard.count))
             .string();
     if (Status s = writeFindings(path, findings); !s) return s;
-    fmt::print("\n{} of {} scenes; written to {}, for `terratact merge`\n", findings.scenes.size(),
-               findings.total, path);
+    say("\n{} of {} scenes; written to {}, for `terratact merge`\n", findings.scenes.size(),
+        findings.total, path);
     return Done{};
 }
 

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/parallel.h"
 #include "app/progress.h"
+#include "app/say.h"
 #include "app/scene_estimates.h"
 #include "core/eval/evaluation.h"
 #include "core/infer/verdict.h"
@@ -129,11 +130,11 @@ void printFault(const TriedFault& fault, const FaultRow& row)
         row.trusted.empty()
             ? fmt::format("{:>8}{:>7}", "-", "-")
             : fmt::format("{:>8.1f}{:>7.1f}", 1000.0 * trusted.mean, 100.0 * trusted.coverage);
-    fmt::print("{:<38}{:>8.1f}{:>7.1f}{:>9.1f}{:>8.1f}{:>8.1f}{:>9}{:>8}{}\n", fault.words,
-               1000.0 * all.mean, 100.0 * all.coverage, percent(row.suspects, row.scenes),
-               percent(row.doubted, row.scenes), percent(row.seconds.size(), row.drives),
-               medianWords(row.seconds, row.drives, "{:.1f}"),
-               medianWords(row.until, row.drives, "{:.0f}"), left);
+    say("{:<38}{:>8.1f}{:>7.1f}{:>9.1f}{:>8.1f}{:>8.1f}{:>9}{:>8}{}\n", fault.words,
+        1000.0 * all.mean, 100.0 * all.coverage, percent(row.suspects, row.scenes),
+        percent(row.doubted, row.scenes), percent(row.seconds.size(), row.drives),
+        medianWords(row.seconds, row.drives, "{:.1f}"),
+        medianWords(row.until, row.drives, "{:.0f}"), left);
     std::fflush(stdout);
 }
 
@@ -152,10 +153,9 @@ bool isFlagged(const FaultRow& row)
 
 void printHead(const FaultsOptions& options, std::size_t drives)
 {
-    fmt::print("{} drives over {}, a scene every {:.2f} m\n", drives, options.terrain,
-               options.spacing);
-    fmt::print("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80",
-               "suspect", "doubt", "drives", "after s", "scenes", "left mm", "in 80");
+    say("{} drives over {}, a scene every {:.2f} m\n", drives, options.terrain, options.spacing);
+    say("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80", "suspect",
+        "doubt", "drives", "after s", "scenes", "left mm", "in 80");
 }
 
 }  // namespace
@@ -185,8 +185,8 @@ Status judgeFaults(const FaultsOptions& options)
             missed += fmt::format("  {}{}: {}\n", fault.words, isHarmful ? "" : " (harmless)",
                                   fault.limit.empty() ? "not in every drive" : fault.limit);
     }
-    fmt::print("\n{} of {} faults that harm are noticed; not noticed:\n{}", flagged, harmful,
-               missed);
+    say("\n{} of {} faults that harm are noticed; not noticed:\n{}", flagged, harmful,
+        Lines(missed));
     return Done{};
 }
 

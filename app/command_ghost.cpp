@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/parallel.h"
 #include "app/progress.h"
+#include "app/say.h"
 #include "app/scene_estimates.h"
 #include "core/eval/ghost_gain.h"
 #include "core/infer/ghost_track.h"
@@ -235,9 +236,9 @@ GhostFindings tryMethod(const GhostOptions& options, const Toolbox& toolbox, con
 void printRow(const std::string& what, const std::vector<BinError>& errors)
 {
     const ErrorStatistics s = statistics(errors);
-    fmt::print("{:<34}{:>7}{:>8.1f}{:>8.1f}{:>7.1f}{:>7.1f}{:>7.1f}{:>9.0f}\n", what, s.n,
-               kMillimetres * s.mean, kMillimetres * s.crps, 100.0 * s.coverage50,
-               100.0 * s.coverage, 100.0 * s.coverage95, kMillimetres * s.width);
+    say("{:<34}{:>7}{:>8.1f}{:>8.1f}{:>7.1f}{:>7.1f}{:>7.1f}{:>9.0f}\n", what, s.n,
+        kMillimetres * s.mean, kMillimetres * s.crps, 100.0 * s.coverage50, 100.0 * s.coverage,
+        100.0 * s.coverage95, kMillimetres * s.width);
 }
 
 void printGain(const std::string& where, const std::vector<BinError>& before,
@@ -245,33 +246,32 @@ void printGain(const std::string& where, const std::vector<BinError>& before,
 {
     const PairedGain gain = pairedGain(before, after, found.scenes, seed);
     if (!gain.intervals) {
-        fmt::print("  {}: not decided, fewer than {} drives\n", where, kLeastRuns);
+        say("  {}: not decided, fewer than {} drives\n", where, kLeastRuns);
         return;
     }
     const auto& i = *gain.intervals;
-    fmt::print("  {}: mean |error| {:+.1f} mm ({:+.1f} to {:+.1f}), CRPS {:+.1f} mm ({:+.1f} to "
-               "{:+.1f}), 80 % band {:+.1f} points ({:+.1f} to {:+.1f}): {}\n",
-               where, kMillimetres * (gain.after.mean - gain.before.mean),
-               kMillimetres * i.mean.low, kMillimetres * i.mean.high,
-               kMillimetres * (gain.after.crps - gain.before.crps), kMillimetres * i.crps.low,
-               kMillimetres * i.crps.high, 100.0 * (gain.after.coverage - gain.before.coverage),
-               100.0 * i.coverage.low, 100.0 * i.coverage.high,
-               gain.helps() ? "helps" : "not shown to help");
+    say("  {}: mean |error| {:+.1f} mm ({:+.1f} to {:+.1f}), CRPS {:+.1f} mm ({:+.1f} to "
+        "{:+.1f}), 80 % band {:+.1f} points ({:+.1f} to {:+.1f}): {}\n",
+        where, kMillimetres * (gain.after.mean - gain.before.mean), kMillimetres * i.mean.low,
+        kMillimetres * i.mean.high, kMillimetres * (gain.after.crps - gain.before.crps),
+        kMillimetres * i.crps.low, kMillimetres * i.crps.high,
+        100.0 * (gain.after.coverage - gain.before.coverage), 100.0 * i.coverage.low,
+        100.0 * i.coverage.high, gain.helps() ? "helps" : "not shown to help");
 }
 
 void printFindings(Method method, const GhostFindings& found, std::uint64_t seed)
 {
     const std::string label(name(method));
-    fmt::print("\n{}: {} scenes with a ghost, {} where it had ended\n", label, found.scenes.size(),
-               found.ended);
-    fmt::print("{:<34}{:>7}{:>8}{:>8}{:>7}{:>7}{:>7}{:>9}\n", "", "bins", "mean mm", "CRPS mm",
-               "in 50", "in 80", "in 95", "width mm");
+    say("\n{}: {} scenes with a ghost, {} where it had ended\n", label, found.scenes.size(),
+        found.ended);
+    say("{:<34}{:>7}{:>8}{:>8}{:>7}{:>7}{:>7}{:>9}\n", "", "bins", "mean mm", "CRPS mm", "in 50",
+        "in 80", "in 95", "width mm");
     printRow("the ghost, as it is drawn", found.ghost);
     printRow("its bins without it", found.withoutThere);
     printRow("its bins with it", found.withThere);
     printRow("all bins without it", found.without);
     printRow("all bins with it", found.with);
-    fmt::print("with minus without, 95 % intervals over drives:\n");
+    say("with minus without, 95 % intervals over drives:\n");
     printGain("its bins", found.withoutThere, found.withThere, found, seed);
     printGain("all bins", found.without, found.with, found, seed);
 }
@@ -287,8 +287,7 @@ Status judgeGhost(const GhostOptions& options)
     const Drives drives = driveAll(options, (*toolbox)->robot, *grounds);
     std::size_t scenes = 0;
     for (const auto& drive : drives) scenes += drive.size();
-    fmt::print(
-        "{} drives over {}, {} scenes every {:.2f} m; odometry's sd {:.0f} % of the way; the "
+    say("{} drives over {}, {} scenes every {:.2f} m; odometry's sd {:.0f} % of the way; the "
         "ghost's sd times {:g} as a measurement\n",
         drives.size(), options.terrain, scenes, options.spacing,
         100.0 * (*toolbox)->robot.travelledSdShare, options.sdFactor);

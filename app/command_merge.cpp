@@ -8,6 +8,7 @@
 #include "app/findings_file.h"
 #include "app/findings_report.h"
 #include "app/model_cards.h"
+#include "app/say.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/learn/model_file.h"
@@ -45,8 +46,7 @@ Status mergeTraining(const MergeOptions& options)
     if (!model) return model.error();
     if (Status written = writeModel(options.out, *model); !written) return written;
     if (Status card = writeNewCard(options.out, *model, {}); !card) return card;
-    fmt::print("{} parts; content {}; written to {}\n", parts->size(), contentHash(*model),
-               options.out);
+    say("{} parts; content {}; written to {}\n", parts->size(), contentHash(*model), options.out);
     return Done{};
 }
 

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/model_cards.h"
 #include "app/model_conditions.h"
+#include "app/say.h"
 #include "core/infer/obstacle.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
@@ -27,13 +28,13 @@ void printCsv(const ModelData& model, const BinModelData& data)
                          : std::string(inputs[static_cast<std::size_t>(d - kBins)]);
     };
     for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
-        fmt::print("{},,mean {},{}\n", name(data.set), columnName(d), data.mean[d]);
-        fmt::print("{},,sd {},{}\n", name(data.set), columnName(d), data.sd[d]);
+        say("{},,mean {},{}\n", name(data.set), columnName(d), data.mean[d]);
+        say("{},,sd {},{}\n", name(data.set), columnName(d), data.sd[d]);
     }
     for (int i = 0; i < kBins; ++i) {
         const Hyperparameters& hyper = data.bins[static_cast<std::size_t>(i)];
         const auto line = [&](std::string_view what, double value) {
-            fmt::print("{},{:+.1f},{},{}\n", name(data.set), binCentre(i), what, value);
+            say("{},{:+.1f},{},{}\n", name(data.set), binCentre(i), what, value);
         };
         Eigen::Index k = 0;
         for (Eigen::Index d = 0; d < data.mean.size(); ++d)
@@ -45,33 +46,33 @@ void printCsv(const ModelData& model, const BinModelData& data)
     if (data.set == FeatureSet::Pa) return;
     for (Eigen::Index u = 0; u < model.scannedHeights.rows(); ++u)
         for (Eigen::Index d = 0; d < data.mean.size(); ++d)
-            fmt::print("row,{},{},{}\n", u + 1, columnName(d),
-                       d < kBins ? model.scannedHeights(u, d) : model.features(u, d - kBins));
+            say("row,{},{},{}\n", u + 1, columnName(d),
+                d < kBins ? model.scannedHeights(u, d) : model.features(u, d - kBins));
 }
 
 void printTable(const BinModelData& data)
 {
-    fmt::print("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}",
-               name(data.set), "");
-    for (int i = 0; i < kBins; ++i) fmt::print(" {:>+8.1f}", binCentre(i));
-    fmt::print("\n");
+    say("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}",
+        name(data.set), "");
+    for (int i = 0; i < kBins; ++i) say(" {:>+8.1f}", binCentre(i));
+    say("\n");
     const auto inputs = featureNames(data.set);
     for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
-        fmt::print("{:>18}", d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
-                                       : std::string(inputs[static_cast<std::size_t>(d - kBins)]));
+        say("{:>18}", d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
+                                : std::string(inputs[static_cast<std::size_t>(d - kBins)]));
         for (int i = 0; i < kBins; ++i) {
             const Eigen::Index k = d < i ? d : d - 1;
             if (d == i)
-                fmt::print(" {:>8}", "-");
+                say(" {:>8}", "-");
             else
-                fmt::print(" {:>8.3g}", data.bins[static_cast<std::size_t>(i)].lengthScale[k]);
+                say(" {:>8.3g}", data.bins[static_cast<std::size_t>(i)].lengthScale[k]);
         }
-        fmt::print("\n");
+        say("\n");
     }
     const auto row = [&](std::string_view what, auto value) {
-        fmt::print("{:>18}", what);
-        for (std::size_t i = 0; i < kBins; ++i) fmt::print(" {:>8.4g}", value(i));
-        fmt::print("\n");
+        say("{:>18}", what);
+        for (std::size_t i = 0; i < kBins; ++i) say(" {:>8.4g}", value(i));
+        say("\n");
     };
     row("signal sd [m]", [&](std::size_t i) { return data.bins[i].signalSd; });
     row("noise sd [m]", [&](std::size_t i) { return data.bins[i].noiseSd; });
@@ -82,17 +83,17 @@ void printTable(const BinModelData& data)
 void printSurfaces(const ClearanceData& data, bool covered)
 {
     const auto& processes = covered ? data.covered : data.open;
-    fmt::print("\n{}; input in standard deviations; length scale per input and bin\n{:>18}",
-               covered ? "clearance under the robot, asinh((ceiling - height) / 10 mm)"
-                       : "height where nothing of the robot is above [m]",
-               "");
-    for (int i = 0; i < kBins; ++i) fmt::print(" {:>+8.1f}", binCentre(i));
-    fmt::print("\n");
+    say("\n{}; input in standard deviations; length scale per input and bin\n{:>18}",
+        covered ? "clearance under the robot, asinh((ceiling - height) / 10 mm)"
+                : "height where nothing of the robot is above [m]",
+        "");
+    for (int i = 0; i < kBins; ++i) say(" {:>+8.1f}", binCentre(i));
+    say("\n");
     const auto row = [&](std::string_view what, auto value) {
-        fmt::print("{:>18}", what);
+        say("{:>18}", what);
         for (const SurfaceProcess& p : processes)
-            fmt::print(" {:>8}", p.weights.size() == 0 ? "-" : fmt::format("{:.4g}", value(p)));
-        fmt::print("\n");
+            say(" {:>8}", p.weights.size() == 0 ? "-" : fmt::format("{:.4g}", value(p)));
+        say("\n");
     };
     const auto inputs = featureNames(FeatureSet::Paf);
     for (std::size_t d = 0; d < inputs.size(); ++d)
@@ -108,20 +109,20 @@ void printSurfaces(const ClearanceData& data, bool covered)
 void printCard(const ModelFacts& facts)
 {
     const auto known = [](const std::string& text) { return text.empty() ? "unknown" : text; };
-    fmt::print("trained  {}\nground   {}; {:.0f} % of the scenes with a step above {:.2f} m, "
-               "median relief "
-               "{:.2f} m\n",
-               known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
-               kStepLimit, facts.ground.relief);
+    say("trained  {}\nground   {}; {:.0f} % of the scenes with a step above {:.2f} m, "
+        "median relief "
+        "{:.2f} m\n",
+        known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
+        kStepLimit, facts.ground.relief);
     if (facts.card.scores.empty())
-        fmt::print("errors   unknown; `terratact evaluate --card` finds them\n");
+        say("errors   unknown; `terratact evaluate --card` finds them\n");
     for (const CardScores& s : facts.card.scores)
-        fmt::print("errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
-                   "({}), {}{}\n",
-                   s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
-                   s.dataHash.substr(0, 16), s.date,
-                   facts.learntFrom(s) ? "; the scenes it was trained on" : "");
-    if (!facts.trouble.empty()) fmt::print(stderr, "terratact: {}\n", facts.trouble);
+        say("errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
+            "({}), {}{}\n",
+            s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
+            s.dataHash.substr(0, 16), s.date,
+            facts.learntFrom(s) ? "; the scenes it was trained on" : "");
+    if (!facts.trouble.empty()) say(stderr, "terratact: {}\n", facts.trouble);
 }
 
 /// p(hᵢ | h_{J∖i}, s) of every bin with the other heights taken from the scene.
@@ -132,8 +133,8 @@ void printConditionals(const Scene& scene, const BinModels& models)
     const Eigen::VectorXd s = features(models.set(), scene.s);
     for (int i = 0; i < kBins; ++i) {
         const Normal p = models.bin(i).predict(models.input(i, h, s));
-        fmt::print("{},{},{},{:+.1f},{},{}\n", scene.run, scene.time, name(models.set()),
-                   binCentre(i), p.mean, std::sqrt(p.variance));
+        say("{},{},{},{:+.1f},{},{}\n", scene.run, scene.time, name(models.set()), binCentre(i),
+            p.mean, std::sqrt(p.variance));
     }
 }
 
@@ -147,7 +148,7 @@ Status predictConditionals(const std::string& modelPath, const std::string& data
     if (!file) return file.error();
     const BinModels pa(stored->data, FeatureSet::Pa);
     const BinModels paf(stored->data, FeatureSet::Paf);
-    fmt::print("run,t_s,set,bin_m,mean_m,sd_m\n");
+    say("run,t_s,set,bin_m,mean_m,sd_m\n");
     int leftOut = 0;
     for (const Scene& scene : file->scenes) {
         if (!isComplete(scene)) {
@@ -157,8 +158,7 @@ Status predictConditionals(const std::string& modelPath, const std::string& data
         printConditionals(scene, pa);
         printConditionals(scene, paf);
     }
-    if (leftOut > 0)
-        fmt::print(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
+    if (leftOut > 0) say(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
     return Done{};
 }
 
@@ -183,30 +183,29 @@ Status showModel(const std::string& path, bool csv)
     if (!stored) return stored.error();
     const ModelData& model = stored->data;
     if (csv) {
-        fmt::print("set,bin_m,name,value\n");
+        say("set,bin_m,name,value\n");
         printCsv(model, model.pa);
         printCsv(model, model.paf);
         return Done{};
     }
-    fmt::print("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}, {} of them for pa and "
-               "paf\ndata     {}\n",
-               path, stored->contentHash, model.command, model.seed, model.heights.rows(),
-               model.scannedHeights.rows(), model.dataHash);
+    say("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}, {} of them for pa and "
+        "paf\ndata     {}\n",
+        path, stored->contentHash, model.command, model.seed, model.heights.rows(),
+        model.scannedHeights.rows(), model.dataHash);
     if (model.inducing > 0)
-        fmt::print("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
+        say("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
     printCard(factsOf(path, *stored));
     for (const BinModelData* data : {&model.pa, &model.paf}) {
         printTable(*data);
-        fmt::print("{}", conditionsText(model, data->set));
+        say("{}", Lines(conditionsText(model, data->set)));
     }
     printSurfaces(model.clearance, true);
     printSurfaces(model.clearance, false);
-    fmt::print(
-        "\nthe two above with a jitter of {:.0e} of the signal's variance at the inducing scenes\n",
+    say("\nthe two above with a jitter of {:.0e} of the signal's variance at the inducing scenes\n",
         kProjectionJitter);
-    fmt::print("\ncontact: bias {:.1f} mm, sd {:.1f} mm; novelty scale {:.3f}\n",
-               1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd,
-               model.clearance.noveltyScale);
+    say("\ncontact: bias {:.1f} mm, sd {:.1f} mm; novelty scale {:.3f}\n",
+        1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd,
+        model.clearance.noveltyScale);
     return Done{};
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
+#include "app/say.h"
 #include "drivers/gpio_lines.h"
 #include "drivers/operator_panel.h"
 
@@ -55,12 +56,12 @@ std::string stateText(PanelContact contact, const PanelState& state)
 
 void printFound(const GpioFound& found, const PanelState& state)
 {
-    fmt::print("chip    {} [{}], {} lines, {}\n", found.chip, found.label, found.lines, found.path);
+    say("chip    {} [{}], {} lines, {}\n", found.chip, found.label, found.lines, found.path);
     for (const PanelContact c : kAllPanelContacts)
-        fmt::print("input   {:<13} {:<20} {}\n", name(c),
-                   placeText(found.inputs.at(static_cast<std::size_t>(c))), stateText(c, state));
+        say("input   {:<13} {:<20} {}\n", name(c),
+            placeText(found.inputs.at(static_cast<std::size_t>(c))), stateText(c, state));
     for (std::size_t i = 0; i < kPanelOutputs; ++i)
-        fmt::print("output  {:<13} {}\n", kPanelOutputNames[i], placeText(found.outputs.at(i)));
+        say("output  {:<13} {}\n", kPanelOutputNames[i], placeText(found.outputs.at(i)));
 }
 
 /// Each lamp for a second, once the panel's own test is over.
@@ -71,7 +72,7 @@ Status lightLamps(OperatorPanel& panel)
     for (std::size_t i = 0; i < kPanelOutputs && !interrupted; ++i) {
         lamps = {.link = i == 0, .armed = i == 1, .probing = i == 2, .buzzer = i == 3};
         (void)panel.poll(lamps, OperatorPanel::kPeriod);  // lights it
-        fmt::print("lit     {}\n", kPanelOutputNames[i]);
+        say("lit     {}\n", kPanelOutputNames[i]);
         std::fflush(stdout);
         const PanelReport report = pollFor(panel, lamps, 1.0);
         if (!(report.lamps == lamps)) return Error{report.trouble, 0};
@@ -106,7 +107,7 @@ private:
     }
     void print(const PanelReport& now, const std::string& text) const
     {
-        fmt::print("{:8.3f} s  {}\n", now.state.time - begin_, text);
+        say("{:8.3f} s  {}\n", now.state.time - begin_, text);
         std::fflush(stdout);
     }
 
@@ -120,7 +121,7 @@ Status checkPanel(const PanelCheckOptions& options)
 {
     auto config = readPanelFile(options.file);
     if (!config) return config.error();
-    fmt::print("panel   {}\n", config->name);
+    say("panel   {}\n", config->name);
     OperatorPanel panel(*std::move(config), openGpioLines);
     endOnInterrupt();
     const PanelReport report = pollFor(panel, {}, 0.1);
@@ -131,7 +132,7 @@ Status checkPanel(const PanelCheckOptions& options)
     if (options.lamps)
         if (const Status lit = lightLamps(panel); !lit) return lit.error();
     if (options.watch) {
-        fmt::print("watching; Ctrl-C ends it\n");
+        say("watching; Ctrl-C ends it\n");
         std::fflush(stdout);
         (void)pollFor(panel, {}, options.seconds, ChangePrinter(report));
         return Done{};

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/say.h"
 #include "core/eval/probe_sd.h"
 #include "core/learn/probe_file.h"
 
@@ -11,19 +12,19 @@ Status showProbes(const std::string& path)
     const auto readings = readProbeReadings(path);
     if (!readings) return readings.error();
     const ProbeAccuracy accuracy = probeAccuracy(*readings);
-    fmt::print("{} readings of {} places\n", accuracy.readings, accuracy.places);
+    say("{} readings of {} places\n", accuracy.readings, accuracy.places);
     if (const SdEstimate& s = accuracy.repeated; s.freedom > 0)
-        fmt::print("repeating a place    sd {:.1f} mm [{:.1f}, {:.1f}]\n", 1e3 * s.sd, 1e3 * s.low,
-                   1e3 * s.high);
+        say("repeating a place    sd {:.1f} mm [{:.1f}, {:.1f}]\n", 1e3 * s.sd, 1e3 * s.low,
+            1e3 * s.high);
     if (const ResidualStatistics& s = accuracy.fromTruth; s.n > 1)
-        fmt::print("truth less reading   mean {:+.1f} mm, sd {:.1f} mm, robust sd {:.1f} mm; "
-                   "{} readings\n",
-                   1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
+        say("truth less reading   mean {:+.1f} mm, sd {:.1f} mm, robust sd {:.1f} mm; "
+            "{} readings\n",
+            1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
     const double sd = readingSd(accuracy);
     if (!(sd > 0.0))
         return Error{path + ": no place is read twice and no truth is known: nothing tells the sd",
                      0};
-    fmt::print("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
+    say("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
     return Done{};
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/estimate_csv.h"
+#include "app/say.h"
 #include "app/scene_estimates.h"
 #include "core/file_write.h"
 #include "core/learn/scene_file.h"
@@ -16,7 +17,7 @@ Status reconstructScenes(const ReconstructOptions& options)
     if (!toolbox) return toolbox.error();
     const auto file = readScenes(options.data);
     if (!file) return file.error();
-    for (const std::string& notice : file->notices) fmt::print(stderr, "terratact: {}\n", notice);
+    for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
 
     const auto estimates =
         estimateScenes(file->scenes, **toolbox, options.settings, options.seconds);
@@ -24,8 +25,7 @@ Status reconstructScenes(const ReconstructOptions& options)
     if (Status written = writeFileAtomically(options.out, csv); !written) return written;
     const auto noted = std::count_if(estimates.begin(), estimates.end(),
                                      [](const auto& e) { return !e.note.empty(); });
-    fmt::print("{} scenes written to {}; {} of them with a note\n", estimates.size(), options.out,
-               noted);
+    say("{} scenes written to {}; {} of them with a note\n", estimates.size(), options.out, noted);
     return Done{};
 }
 

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/robot_service.h"
 #include "app/robot_setup.h"
+#include "app/say.h"
 #include "app/steady_now.h"
 #include "drivers/socketcan.h"
 
@@ -44,12 +45,12 @@ Status runRobot(const RobotOptions& options)
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
     const double end = options.seconds > 0.0 ? steadyNow() + options.seconds : HUGE_VAL;
-    fmt::print("simulated robot on {}; Ctrl+C ends it\n", options.can);
+    say("simulated robot on {}; Ctrl+C ends it\n", options.can);
     const double began = steadyNow();
     return serveRobot(
         **bus, robot, [&] { return !interrupted && steadyNow() < end; },
         [&](const std::string& what) {
-            fmt::print("{:8.2f} s  {}\n", steadyNow() - began, what);
+            say("{:8.2f} s  {}\n", steadyNow() - began, what);
             std::fflush(stdout);
         });
 }

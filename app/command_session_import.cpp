@@ -33,7 +33,7 @@ public:
         for (;;) {
             const auto logged = log.next();
             for (const std::string& remark : log.takeRemarks())
-                fmt::print(stderr, "terratact: {}\n", remark);
+                say(stderr, "terratact: {}\n", remark);
             if (!logged) return logged.error();
             if (!*logged) break;
             const bool isWanted =

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/commands.h"
+#include "app/say.h"
 #include "core/learn/profile_file.h"
 #include "core/learn/scene_file.h"
 #include "core/sim/drive.h"
@@ -151,11 +152,9 @@ Status simulate(const SimulateOptions& options)
         return Error{
             fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
     if (Status written = writeScenes(options.out, recording->scenes); !written) return written;
-    fmt::print("{} scenes over {} written to {}", recording->scenes.size(), options.terrain,
-               options.out);
-    if (recording->skipped > 0)
-        fmt::print(" ({} stops left out: no rest pose)", recording->skipped);
-    fmt::print("\n");
+    say("{} scenes over {} written to {}", recording->scenes.size(), options.terrain, options.out);
+    if (recording->skipped > 0) say(" ({} stops left out: no rest pose)", recording->skipped);
+    say("\n");
     return Done{};
 }
 

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/parallel.h"
 #include "app/progress.h"
+#include "app/say.h"
 #include "app/scene_estimates.h"
 #include "app/stopwatch.h"
 #include "app/tradeoff_csv.h"
@@ -205,10 +206,10 @@ Status tradeoff(const TradeoffOptions& options)
         return s;
     for (const char* file : {"tradeoff.png", "tradeoff.svg"})
         if (Status s = writeTradeoffFigure((out / file).string(), points); !s) return s;
-    fmt::print("{} scenes; the long runs, over all scenes and sampled bins:\n{}\n{}\nwritten to "
-               "{}: tradeoff as CSV, "
-               "PNG and SVG; presets.csv\n",
-               scenes->size(), references, tradeoffTable(points), options.out);
+    say("{} scenes; the long runs, over all scenes and sampled bins:\n{}\n{}\nwritten to "
+        "{}: tradeoff as CSV, "
+        "PNG and SVG; presets.csv\n",
+        scenes->size(), Lines(references), Lines(tradeoffTable(points)), options.out);
     return Done{};
 }
 

@@ -9,6 +9,7 @@
 #include "app/model_conditions.h"
 #include "app/model_training.h"
 #include "app/progress.h"
+#include "app/say.h"
 #include "core/learn/model_file.h"
 #include "core/learn/model_part.h"
 #include "core/learn/sha256.h"
@@ -20,12 +21,12 @@ namespace {
 
 void printBins(const ModelData& model, const BinSet& bins)
 {
-    fmt::print("{:>6}  {:>22}  {:>22}\n", "bin_m", "noise sd [mm] pa, paf", "log p(y|X) pa, paf");
+    say("{:>6}  {:>22}  {:>22}\n", "bin_m", "noise sd [mm] pa, paf", "log p(y|X) pa, paf");
     for (const int bin : binsOf(bins)) {
         const auto i = static_cast<std::size_t>(bin);
-        fmt::print("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n", binCentre(bin),
-                   1000.0 * model.pa.bins[i].noiseSd, 1000.0 * model.paf.bins[i].noiseSd,
-                   model.pa.logLikelihood[i], model.paf.logLikelihood[i]);
+        say("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n", binCentre(bin),
+            1000.0 * model.pa.bins[i].noiseSd, 1000.0 * model.paf.bins[i].noiseSd,
+            model.pa.logLikelihood[i], model.paf.logLikelihood[i]);
     }
 }
 
@@ -63,8 +64,7 @@ Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& ro
          .bins = options.bins},
         {.cancelled = {},
          .progress = [&](const TrainingStep& step) { stages.show(step); },
-         .notice =
-             [](const std::string& notice) { fmt::print(stderr, "terratact: {}\n", notice); }});
+         .notice = [](const std::string& notice) { say(stderr, "terratact: {}\n", notice); }});
 }
 
 Status writePart(const TrainOptions& options, ModelData model)
@@ -76,8 +76,8 @@ Status writePart(const TrainOptions& options, ModelData model)
         {*options.bins, *std::move(robotHash), options.commandBeforeOut, options.commandAfterOut}};
     if (Status written = writeModelPart(options.out, part); !written) return written;
     printBins(part.model, *options.bins);
-    fmt::print("bins {} of {}; written to {}, for `terratact merge`\n", text(*options.bins),
-               text(kAllBins), options.out);
+    say("bins {} of {}; written to {}, for `terratact merge`\n", text(*options.bins),
+        text(kAllBins), options.out);
     return Done{};
 }
 
@@ -85,11 +85,11 @@ void printModel(const ModelData& model, const std::string& path)
 {
     printBins(model, kAllBins);
     for (const FeatureSet set : {FeatureSet::Pa, FeatureSet::Paf})
-        fmt::print("{}", conditionsText(model, set));
-    fmt::print("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
-               1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
-    fmt::print("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
-               model.heights.rows(), model.scannedHeights.rows(), path);
+        say("{}", Lines(conditionsText(model, set)));
+    say("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
+        1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
+    say("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
+        model.heights.rows(), model.scannedHeights.rows(), path);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/main_window.h"
+#include "app/say.h"
 
 namespace terratact {
 namespace {
@@ -90,7 +91,7 @@ void ScreenshotDemo::finish()
 void ScreenshotDemo::fail(const QString& why)
 {
     timer_.stop();
-    std::fprintf(stderr, "terratact-console: %s\n", qUtf8Printable(why));
+    say(stderr, "terratact-console: {}\n", why.toStdString());
     QApplication::exit(1);
 }
 

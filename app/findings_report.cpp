@@ -9,6 +9,7 @@
 
 #include "app/evaluation_figure.h"
 #include "app/evaluation_report.h"
+#include "app/say.h"
 #include "core/eval/claims.h"
 #include "core/eval/confidence.h"
 #include "core/eval/groups.h"
@@ -119,13 +120,13 @@ Status writeFigures(const std::filesystem::path& out, const Results& results)
 
 void printTables(const Results& results, const ReportOptions& options)
 {
-    fmt::print("\n{}", evaluationTable(results.summaries));
-    fmt::print("\n{}", scoresTable(results.summaries, results.confidences, results.times));
-    fmt::print("\n{}", coverageTable(results.summaries));
-    if (!results.steps.empty()) fmt::print("\n{}", stepsTable(results.steps, options.stepLimit));
-    if (!results.novelty.empty()) fmt::print("\n{}", groupsTable("novelty", results.novelty));
-    if (!results.classes.empty()) fmt::print("\n{}", groupsTable("class", results.classes));
-    if (!results.probes.empty()) fmt::print("\n{}", probesTable(results.probes, limitsOf(options)));
+    say("\n{}", Lines(evaluationTable(results.summaries)));
+    say("\n{}", Lines(scoresTable(results.summaries, results.confidences, results.times)));
+    say("\n{}", Lines(coverageTable(results.summaries)));
+    if (!results.steps.empty()) say("\n{}", Lines(stepsTable(results.steps, options.stepLimit)));
+    if (!results.novelty.empty()) say("\n{}", Lines(groupsTable("novelty", results.novelty)));
+    if (!results.classes.empty()) say("\n{}", Lines(groupsTable("class", results.classes)));
+    if (!results.probes.empty()) say("\n{}", Lines(probesTable(results.probes, limitsOf(options))));
 }
 
 void printClaims(const std::vector<BinError>& errors, const std::vector<Scene>& scenes,
@@ -139,17 +140,17 @@ void printClaims(const std::vector<BinError>& errors, const std::vector<Scene>& 
     for (const Claim& claim : kClaims)
         if (compared(claim.base) && compared(claim.better))
             results.push_back(judge(claim, errors, scenes, options.seed));
-    if (!results.empty()) fmt::print("\n{}", claimsText(results));
+    if (!results.empty()) say("\n{}", Lines(claimsText(results)));
 }
 
 }  // namespace
 
 void printRun(const MethodRun& run)
 {
-    fmt::print("{:<10} {} scenes, {} converged, {} ended by sweeps, {} by time, {} without an "
-               "estimate, {:.3g} ms per scene\n",
-               run.label, run.scenes, run.converged, run.endedBySweeps, run.endedByTime, run.failed,
-               1000.0 * run.seconds / static_cast<double>(run.scenes));
+    say("{:<10} {} scenes, {} converged, {} ended by sweeps, {} by time, {} without an "
+        "estimate, {:.3g} ms per scene\n",
+        run.label, run.scenes, run.converged, run.endedBySweeps, run.endedByTime, run.failed,
+        1000.0 * run.seconds / static_cast<double>(run.scenes));
 }
 
 Status reportFindings(const Findings& findings, const std::string& directory)
@@ -162,7 +163,7 @@ Status reportFindings(const Findings& findings, const std::string& directory)
     if (Status s = writeFigures(directory, results); !s) return s;
     printTables(results, findings.options);
     printClaims(findings.errors, scenes, findings.options);
-    fmt::print("\nwritten to {}: tables as CSV; fig8, fig9 and pit as PNG and SVG\n", directory);
+    say("\nwritten to {}: tables as CSV; fig8, fig9 and pit as PNG and SVG\n", directory);
     return Done{};
 }
 

@@ -2,14 +2,15 @@
 #include <cblas.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include "app/big_blocks.h"
 #include "app/console_setup.h"
 #include "app/open_console.h"
 #include "app/open_file.h"
 #include "app/open_recorded.h"
+#include "app/say.h"
 
 namespace terratact {
 namespace {
@@ -18,7 +19,7 @@ constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
 
 int failed(const std::string& why)
 {
-    std::fprintf(stderr, "terratact-console: %s\n", why.c_str());
+    say(stderr, "terratact-console: {}\n", why);
     return kFailed;
 }
 
@@ -50,7 +51,11 @@ int run(int& argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kDone : kWrongArguments;
+        std::ostringstream out, complaint;  // which may quote a file's name
+        const int code = app.exit(error, out, complaint);
+        say("{}", Lines(out.str()));
+        say(stderr, "{}", Lines(complaint.str()));
+        return code == 0 ? kDone : kWrongArguments;
     }
     Application application(argc, argv);
     const auto ended = openWindow(application, options);

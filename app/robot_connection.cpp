@@ -1,11 +1,11 @@
 #include "app/robot_connection.h"
 
-#include <cstdio>
 #include <random>
 #include <utility>
 
 #include "app/can_check.h"
 #include "app/robot_setup.h"
+#include "app/say.h"
 #include "app/steady_now.h"
 #include "core/atem/panel_file.h"
 #include "drivers/can_interface.h"
@@ -63,13 +63,13 @@ Result<std::unique_ptr<CanBus>> namedBus(const ConsoleOptions& options)
                                    {.interface = options.interface, .speed = options.speed});
         if (!log) return log.error();
         for (const std::string& remark : (*log)->remarks())
-            std::fprintf(stderr, "terratact-console: %s\n", remark.c_str());
+            say(stderr, "terratact-console: {}\n", remark);
         return std::unique_ptr<CanBus>(std::move(*log));
     }
     auto bus = SocketCan::open({.interface = options.can, .transmit = options.transmit});
     if (!bus) return bus.error();
     if (const std::string warning = (*bus)->warning(); !warning.empty())
-        std::fprintf(stderr, "terratact-console: %s\n", warning.c_str());
+        say(stderr, "terratact-console: {}\n", warning);
     return std::unique_ptr<CanBus>(std::move(*bus));
 }
 

@@ -19,6 +19,7 @@
 #include "app/preference_store.h"
 #include "app/protocol_dbc.h"
 #include "app/resources.h"
+#include "app/say.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
@@ -217,7 +218,7 @@ void SignalsPage::useDbc(const DbcReading& reading)
                          : tr("%1 (not used)").arg(name));
     }
     for (const std::string& trouble : reading.troubles) {
-        std::fprintf(stderr, "terratact-console: %s\n", trouble.c_str());
+        say(stderr, "terratact-console: {}\n", trouble);
         sentences << words::sentence(trouble);
     }
     protocol_ = reading.protocol;

@@ -9,6 +9,8 @@
 #   widgets, app  no box of Qt's that asks, no exec() but the application's, no loop of events, no modality
 # And a text of somebody's file is shown as it is, whatever it looks like:
 #   widgets, app  no label but a PlainLabel, no tip but by widgets/tips.h, no other widget or document for rich text
+# And a text of a file must not move a terminal's cursor:
+#   all but tests  print with say() (app/say.h), nothing else
 # And the same seed gives the same draws with every compiler and standard library (docs/extremes.md):
 #   core/{infer,learn}  no distribution nor shuffle of the standard library, whose algorithms differ from one to the next
 #   build files         no option that lets a compiler reorder sums or forget NaN
@@ -27,6 +29,7 @@ set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QF
 set(rich "(new[ \t]+QLabel|QLabel[ \t]+[A-Za-z_]+[ \t]*[;({]|public[ \t]+QLabel|setToolTip[(]|QToolTip::showText|setTextFormat|setWhatsThis|setStatusTip|QTextEdit|QTextBrowser|QTextDocument|setHtml|insertHtml|RichText|QGraphicsTextItem|[Aa]ddRow[(][^(]*(tr[(]|QString|label,|name,))")
 # The label and the tips themselves; the sheet of the keys, whose HTML is the program's own; how a label is read aloud.
 set(may_be_rich "^(widgets/(plain_label|tips|spoken)\\.(h|cpp)|app/text_sheet\\.cpp)$")
+set(printing "(fmt::v?print|std::v?f?printf|std::f?puts|(^|[^A-Za-z_:])(f?printf|fputs|puts)|std::(cout|cerr|clog)) *[(<]")
 set(unlike "std::([a-z_]+_distribution|shuffle|sample|generate_canonical|random_device)")
 # A campaign's rows for a search and a simulated scanner's noise: what training draws is kept in the model.
 set(may_be_unlike "^core/learn/training\\.cpp$")
@@ -129,6 +132,9 @@ endforeach()
 foreach(file IN LISTS files)
   if(file MATCHES "^(widgets|app)/" AND NOT file MATCHES "${may_be_rich}")
     refuse("${rich}" "has" ": it may show a file's text as HTML; use widgets/plain_label.h and widgets/tips.h")
+  endif()
+  if(file MATCHES "^(core|drivers|widgets|app)/" AND NOT file STREQUAL "app/say.h")
+    refuse("${printing}" "prints with" ": a text of a file may hold escapes, and say() (app/say.h) prints none")
   endif()
   if(file MATCHES "^(widgets|app)/")
     refuse("${blocking}" "shows" ": a modal window stands between the operator and STOP")
