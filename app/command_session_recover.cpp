@@ -18,6 +18,10 @@
 namespace terratact {
 namespace {
 
+constexpr const char* kUnproven =
+    "; the hashes that were recorded with them are lost: nothing proves that they are what was "
+    "recorded";
+
 /// A session's file and what SQLite puts beside it, removed unless it is kept.
 class UnfinishedSession {
 public:
@@ -61,6 +65,8 @@ struct LostSpan {
 struct Saved {
     std::string out;
     std::int64_t leftOut = 0;  ///< rows that refer to a lost one
+    bool isProven = true;      ///< by the hashes that were recorded
+    bool isCut = false;
     bool startIsWhole = true;  ///< source, robot and wall time are known
     std::vector<LostSpan> spans{};
     std::set<std::int64_t> draws{};   ///< estimates whose draws are whole
@@ -131,12 +137,13 @@ Status copyWhole(SessionReader& session, const std::string& path, const std::str
         if (session.draws(row.id)) saved.draws.insert(row.id);
     addDamage(session, saved);
     if (status)
-        status = merger.event(
-            session, {.time = session.end(),
-                      .kind = EventKind::Session,
-                      .subject = "recovered",
-                      .text = fmt::format("what was whole in {}: {}",
-                                          std::filesystem::path(path).filename().string(), why)});
+        status = merger.event(session,
+                              {.time = session.end(),
+                               .kind = EventKind::Session,
+                               .subject = "recovered",
+                               .text = fmt::format("what was whole in {}: {}{}",
+                                                   std::filesystem::path(path).filename().string(),
+                                                   why, saved.isProven ? "" : kUnproven)});
     if (status) status = writer->seal();
     if (!status) return status;
     target.keep();
@@ -160,6 +167,8 @@ Status saveFragments(const std::string& path, const std::string& why, Saved& sav
         frames += static_cast<std::int64_t>(session->frames(i).size());
     if (frames == 0 && session->events().empty() && session->scenes().empty()) return nothing;
     saved.startIsWhole = pages->startIsWhole;
+    saved.isProven = pages->isProven;
+    saved.isCut = pages->isCut;
     addGaps(*session, pages->lastBatch, saved.spans);
     return copyWhole(*session, path, why, saved);
 }
@@ -187,6 +196,7 @@ Status save(const std::string& path, const std::string& why, Saved& saved)
 
 void tellLoss(const Saved& saved)
 {
+    if (!saved.isProven) say("  but        the frames alone{}\n", kUnproven);
     if (!saved.startIsWhole)
         say("  lost       what the session said of its start: times count from 1970, the robot and "
             "the source are not known\n");
@@ -214,6 +224,9 @@ Status tell(const std::string& path, const std::string& why, const Saved& saved)
         momentText(session->end()), found.frames, session->scenes().size(),
         session->estimates().size(), found.events);
     tellLoss(saved);
+    if (saved.isCut)
+        say("  lost       what was recorded after {}: the file ends there\n",
+            momentText(session->end()));
     say("  last link  {}\n", found.chain);
     return Done{};
 }

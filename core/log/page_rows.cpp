@@ -98,6 +98,7 @@ void PageRows::readHeader(std::uint32_t otherwise)
         size = bigEndianAt(header, 16, 2);
         if (size == 1) size = 65'536;
         reserved = bigEndianAt(header, 20, 1);
+        isCut_ = journalBytes_ == 0 && bigEndianAt(header, 28, 4) * size > fileBytes_;
     }
     const bool possible = size >= 512 && std::has_single_bit(size) && size - reserved >= 480;
     pageSize_ = possible ? static_cast<std::uint32_t>(size) : otherwise;

@@ -44,6 +44,8 @@ public:
     std::set<std::uint32_t> leavesOf(std::uint32_t root);
 
     std::uint64_t bytes() const { return fileBytes_ + journalBytes_; }
+    /// Without a journal: the file is shorter than its header says.
+    bool isCut() const { return isCut_; }
 
 private:
     enum class Kind : std::uint8_t { TableInner = 5, IndexLeaf = 10, TableLeaf = 13 };
@@ -60,6 +62,7 @@ private:
     std::ifstream file_, journal_;
     std::uint64_t fileBytes_ = 0, journalBytes_ = 0, bytesLeft_ = 0;
     std::uint32_t pageSize_ = 0, usable_ = 0;
+    bool isCut_ = false;
     std::map<std::uint32_t, std::uint64_t> inJournal_;  ///< where the newest state of a page begins
     std::string buffer_, overflow_, payload_;
     std::vector<StoredValue> values_;

@@ -48,8 +48,8 @@ public:
     /// for every batch of the file.
     static Result<SessionReader> open(const std::string& path, std::size_t atATime = kAtATime);
 
-    /// The same of rows that were brought out of a damaged file: every batch whose rows are what was recorded, also
-    /// where the chain does not lead to it.
+    /// The same of rows that were brought out of a damaged file: the rows of every batch whose rows are what was
+    /// recorded, and its frames where they are, also where the chain does not lead to it.
     static Result<SessionReader> openFragments(const std::string& path);
 
     SessionReader(SessionReader&&) noexcept;

@@ -10,6 +10,7 @@
 
 #include "core/file_read.h"
 #include "core/log/page_rows.h"
+#include "core/log/session_hash.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_tables.h"
 #include "core/sqlite.h"
@@ -123,6 +124,9 @@ public:
         SalvagedPages found;
         found.start = start(found.startIsWhole);
         writeSessionStart(file_, found.start);
+        found.isProven = file_.integer("SELECT count(*) FROM batch") > 0;
+        found.isCut = pages_.isCut();
+        if (!found.isProven) adoptFrames();
         dropStrays();
         file_.run("COMMIT");
         found.batches = file_.integer("SELECT count(*) FROM batch");
@@ -182,6 +186,45 @@ private:
         whole = whole && wallTime && *wallTime >= 0 && *wallTime <= kMostWallTime;
         if (whole) start.wallTime = *wallTime;
         return start;
+    }
+
+    /// Makes batches of frames that follow each other where those that they were recorded in are lost.
+    void adoptFrames()
+    {
+        constexpr std::int64_t kFrames = 200;  // of a batch
+        const std::string none = RowsHash().take();
+        SqliteStatement insert = file_.prepare("INSERT INTO batch VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+        SqliteStatement select =
+            file_.prepare("SELECT * FROM can_frame WHERE seq > 0 ORDER BY seq");
+        SessionBatch batch;
+        Sha256 hash;
+        RowBytes bytes;
+        const auto end = [&] {
+            if (batch.frameCount == 0) return;
+            int column = 0;
+            for (const std::int64_t value :
+                 {++batch.id, batch.first, batch.last, batch.frameFirst, batch.frameCount})
+                insert.bind(column++, value);
+            insert.bindBlob(column++, hash.take());
+            insert.bindBlob(column++, none);
+            insert.bindBlob(column, none);  // openFragments() asks for no chain
+            insert.run();
+            batch.frameCount = 0;
+        };
+        while (select.step()) {
+            const std::int64_t seq = select.integer(0), time = select.integer(1);
+            if (batch.frameCount == kFrames || seq != batch.frameFirst + batch.frameCount) end();
+            if (batch.frameCount++ == 0) {
+                batch.frameFirst = seq;
+                batch.first = batch.last = time;
+            }
+            batch.first = std::min(batch.first, time);
+            batch.last = std::max(batch.last, time);
+            bytes.clear();
+            bytes.addRow(select, select.columns());
+            hash.add(bytes.bytes());
+        }
+        end();
     }
 
     /// What was not committed when the recording ended, and what lost its batch.

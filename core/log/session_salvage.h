@@ -14,6 +14,10 @@ namespace terratact {
 struct SalvagedPages {
     SessionStart start;         ///< as far as it is there
     bool startIsWhole = false;  ///< all of it is there
+    bool isCut = false;         ///< the file ends before its last page
+    /// The hashes of at least one batch are there.  Otherwise the frames stand as they are in the pages, and nothing
+    /// proves that they are what was recorded.
+    bool isProven = true;
     std::int64_t batches = 0, frames = 0;
     std::int64_t lastBatch = 0;  ///< the largest number of a batch
 };

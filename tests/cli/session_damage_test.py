@@ -14,7 +14,7 @@ import time
 import unittest
 
 import hostile_files
-from support import CLI, complaint, run
+from support import CLI, SOURCE, complaint, run
 
 MAKE = sys.argv.pop(1)
 NOBODY = 65534
@@ -118,6 +118,18 @@ class Recover(Damaged):
         link.symlink_to("open.tts")
         self.assertIn("is a symbolic link", complaint("session", "recover", link))
         self.assertIn("not closed", run("session", "verify", self.path / "open.tts"))
+
+
+    def test_frames_whose_hashes_are_cut_off_are_saved_unproven(self):
+        said, out = self.recovered(self.damaged(lambda data, page: data[:len(data) * 6 // 10]))
+        self.assertIn("nothing proves that they are what was recorded", said)
+        self.assertRegex(said, r"lost +what was recorded after \d+\.\d+ s: the file ends there")
+        text = sqlite3.connect(out).execute("SELECT text FROM event WHERE subject = 'recovered'").fetchone()[0]
+        self.assertIn("nothing proves", text)
+        recorded = set(sqlite3.connect(self.drive).execute("SELECT t, can_id, flags, data FROM can_frame"))
+        saved = set(sqlite3.connect(out).execute("SELECT t, can_id, flags, data FROM can_frame"))
+        self.assertGreater(len(saved), 1000)
+        self.assertEqual(saved - recorded, set())
 
 
 class WithoutJournal(Damaged):
@@ -304,6 +316,52 @@ class Hostile(Damaged):
         log.write_text("(1793000000.000000) can0 123#00\n")
         run("session", "import", log, "--out", self.path / "new.tts")
         self.assertEqual(stat.S_IMODE((self.path / "new.tts").stat().st_mode), 0o600)
+
+
+class HostileParts(Damaged):
+    """Models, parts of a training and parts of an evaluation are bounded, too."""
+
+    MOST_SECONDS, MOST_MEGABYTES = 20.0, 120.0
+
+    def refused(self, *arguments):
+        program = ["timeout", "-s", "KILL", "60", CLI, *map(str, arguments)]
+        with tempfile.NamedTemporaryFile() as facts:
+            said = subprocess.run([sys.executable, "-S", "-c", hostile_files.STARTER, facts.name, *program], check=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout.decode()
+            code, seconds, megabytes = pathlib.Path(facts.name).read_text().split()
+        self.assertEqual(code, "1", said)
+        self.assertLess(float(seconds), self.MOST_SECONDS)
+        self.assertLess(float(megabytes), self.MOST_MEGABYTES)
+        return said
+
+    def test_models_whose_rows_share_pages_are_refused(self):
+        model = pathlib.Path(SOURCE, "resources/models/default.ttm")
+        for table in ("training_row", "meta", "surface_weight"):
+            path = hostile_files.shared_leaves(model, self.path / f"{table}.ttm", table)
+            self.assertIn("its structure is damaged", self.refused("model", "show", path))
+            part = path.with_suffix(".ttp")
+            data = bytearray(path.read_bytes())
+            data[68:72] = b"TTP1"
+            part.write_bytes(data)
+            self.assertIn("its structure is damaged", self.refused("merge", part, "--out", self.path / "new.ttm"))
+
+    def test_parts_of_an_evaluation_are_bounded(self):
+        scenes, parts = self.path / "scenes.csv", self.path / "parts"
+        run("simulate", "--terrain", "varied", "--count", 4, "--seed", 3, "--out", scenes)
+        run("evaluate", "--data", scenes, "--methods", "joint", "--out", parts, "--shard", "1/2")
+        part = next(parts.glob("*.tte"))
+        leaves = hostile_files.shared_leaves(part, self.path / "leaves.tte", "bin_error")
+        self.assertIn("its structure is damaged", self.refused("merge", leaves, "--out", self.path / "out"))
+        labels = pathlib.Path(shutil.copy(part, self.path / "labels.tte"))
+        file = sqlite3.connect(labels)
+        row = file.execute("SELECT * FROM bin_error LIMIT 1").fetchone()
+        first = file.execute("SELECT max(position) + 1 FROM bin_error").fetchone()[0]
+        file.executemany(f"INSERT INTO bin_error VALUES({', '.join('?' * len(row))})",
+                         [(first + i, *row[1:]) for i in range(3000)])
+        file.execute("UPDATE method_run SET label = ?", ("x" * 900_000,))
+        file.commit()
+        file.close()
+        self.assertIn("a text is too long", self.refused("merge", labels, "--out", self.path / "out"))
 
 
 if __name__ == "__main__":
