@@ -51,6 +51,33 @@ TEST_F(Bench, stopIsOnlySentUntilTheRobotConfirmsIt)
     EXPECT_LT(exploration->stopSight().seconds, 0.1);
 }
 
+TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
+{
+    exploration->stop();
+    tick();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(2);
+    ASSERT_EQ(exploration->stopSight().state, StopSight::State::Confirmed);
+    QStringList decided;
+    int happened = 0;
+    QObject::connect(exploration.get(), &Exploration::decided, exploration.get(),
+                     [&](const char* what, const QString& text) {
+                         decided << QString::fromLatin1(what) + ": " + text;
+                     });
+    QObject::connect(exploration.get(), &Exploration::happened, exploration.get(),
+                     [&] { ++happened; });
+    (void)sent<StopCommand>();
+    for (int press = 1; press <= 3; ++press) {
+        const int before = sent<StopCommand>();
+        exploration->stopFrom("in another window");
+        EXPECT_EQ(sent<StopCommand>(), before + 1) << "it is sent all the same";
+        tick(3);
+        EXPECT_EQ(decided.size(), press);
+    }
+    EXPECT_EQ(decided.last(), "stop: in another window");
+    EXPECT_EQ(happened, 0) << "the robot has confirmed it before";
+}
+
 TEST_F(Bench, stopThatCannotLeaveIsToldOnceAndTriedAgain)
 {
     using State = StopSight::State;
