@@ -6,7 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
-#include <sstream>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -43,7 +43,12 @@ public:
     Result<LogReader> read() const
     {
         if (!kept_) return LogReader::open(path_);
-        return LogReader(path_, std::make_unique<std::istringstream>(*kept_));
+        return LogReader(path_, [kept = kept_, at = std::size_t{0}](std::span<char> room) mutable {
+            const std::size_t count = std::min(room.size(), kept->size() - at);
+            std::copy_n(kept->begin() + static_cast<std::ptrdiff_t>(at), count, room.begin());
+            at += count;
+            return Result<std::size_t>(count);
+        });
     }
     const std::string& name() const { return path_; }
 

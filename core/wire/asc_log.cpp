@@ -86,6 +86,7 @@ public:
         LoggedFrame logged;
         logged.time = base_ + time;
         const std::string_view second = words.next();
+        if (second == "Start") return nothing();  // of measurement
         if (second == "CANFD") return fdFrame(std::move(logged), words);
         if (!isDigits(second)) return passOver();
         if (const Status done = setChannel(logged, second); !done) return done.error();
@@ -107,8 +108,14 @@ private:
             return nothing();
         }
         if (first == "base") return bases(words);
-        constexpr std::array kKnown{"Begin",    "begin", "End",     "end",   "internal", "no",
-                                    "comment:", "Start", "version", "Mode:", "Trigger"};
+        if (first == "Begin" || first == "begin") {
+            // "Triggerblock Thu Apr 28 10:44:52.480 am 2022": that of its times, if it is told.
+            (void)words.next();
+            if (const auto seconds = secondsOfDateLine(words.rest())) base_ = *seconds;
+            return nothing();
+        }
+        constexpr std::array kKnown{
+            "End", "end", "internal", "no", "comment:", "Start", "version", "Mode:", "Trigger"};
         if (std::find(kKnown.begin(), kKnown.end(), first) == kKnown.end()) return passOver();
         return nothing();
     }
@@ -161,8 +168,9 @@ private:
         if (const Status done = setId(frame, id); !done) return done.error();
         frame.remote = kind == "r";
         const std::string_view word = words.next();
-        if (frame.remote && word.empty()) return std::optional(std::move(logged));
         const auto length = integerFrom<unsigned>(word, base());
+        // A remote frame may tell no length.
+        if (frame.remote && !length) return std::optional(std::move(logged));
         // A classic frame may tell a length up to 15, and has eight bytes then.
         if (!length || *length > 15) return expectedInLog("a length from 0 to 8", word);
         frame.length = static_cast<std::uint8_t>(std::min<std::size_t>(*length, kClassicBytes));
@@ -205,12 +213,12 @@ private:
         if (const Status done = setFrameLength(frame, length.value_or(kFdBytes + 1), word); !done)
             return done.error();
         Taken taken = withBytes(std::move(logged), words);
-        if (taken && *taken) takeFlags((*taken)->frame, words);
+        if (taken && *taken) takeFlags((*taken)->frame, *integerFrom<unsigned>(code, 16), words);
         return taken;
     }
 
     /// Flags behind the bytes: a classic frame may be told of so, and a remote one.
-    static void takeFlags(CanFrame& frame, LogWords& words)
+    static void takeFlags(CanFrame& frame, unsigned code, LogWords& words)
     {
         constexpr unsigned kRemote = 0x10, kFd = 0x1000;
         (void)words.next();  // the frame's duration
@@ -219,7 +227,9 @@ private:
         if (!flags || (*flags & kFd) != 0 || frame.length > kClassicBytes) return;
         frame.fd = false;
         frame.remote = (*flags & kRemote) != 0;
-        if (frame.remote) frame.data = {};
+        if (!frame.remote) return;
+        frame.data = {};
+        frame.length = static_cast<std::uint8_t>(std::min<std::size_t>(code, kClassicBytes));
     }
 
     double base_ = 0.0, last_ = 0.0;  ///< [s]

@@ -17,6 +17,8 @@
 namespace terratact {
 namespace {
 
+constexpr std::string_view kLeftOut = "; what it says is left out";
+
 /// The sections of a file, and what they say of messages that stand before them.
 class DbcParser {
 public:
@@ -30,7 +32,7 @@ public:
             if (keyword != "SG_") messages_.endMessage();
             section(keyword, place.line);
             if (scan_.failure().empty()) continue;
-            warnings_.add(scan_.failure() + "; what it says is left out");
+            warnings_.add(scan_.failure() + std::string(kLeftOut));
             scan_.recover(place);
         }
         messages_.endMessage();
@@ -49,7 +51,10 @@ private:
     std::string firstWarning() const
     {
         if (file_.warnings.empty()) return {};
-        return " First fault: " + file_.warnings.front().substr(file_.path.size() + 2);
+        std::string_view first = file_.warnings.front();
+        first.remove_prefix(file_.path.size() + 2);
+        if (first.ends_with(kLeftOut)) first.remove_suffix(kLeftOut.size());
+        return fmt::format(" First fault: {}", first);
     }
 
     void section(std::string_view keyword, int line)

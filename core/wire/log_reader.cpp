@@ -160,11 +160,16 @@ std::optional<LoggedFrame> LogReader::end()
                                          "here? Record with candump -L",
                                          clock_.notLater(), steps))
                 .text);
-    if (format_ && format_->passedOver() > 0)
+    const std::uint64_t passed = format_ ? format_->passedOver() : 0;
+    if (passed == 1)
         remarks_.push_back(
-            fileError(name_, fmt::format("{} lines that hold no frame are passed over, the first "
-                                         "is line {}",
-                                         format_->passedOver(), firstPassed_))
+            fileError(name_, fmt::format("line {} holds no frame and is passed over", firstPassed_))
+                .text);
+    if (passed > 1)
+        remarks_.push_back(
+            fileError(name_, fmt::format("{} lines hold no frame and are passed over, the first is "
+                                         "line {}",
+                                         passed, firstPassed_))
                 .text);
     return std::nullopt;
 }

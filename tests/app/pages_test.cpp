@@ -133,7 +133,7 @@ struct ForeignFramesOnThePage : Pages {
                                    "VAL_ 1280 State 1 \"ready\" ;\n"
                                    "SIG_VALTYPE_ 2566836481 Power : 1;\n");
         directory.write("clash.dbc", "BO_ 34 Tilt: 8 P\nBO_ 1280 Other: 8 P\n");
-        directory.write("bad.dbc", "BO_ 9 Bad: 8 P\n SG_ S : 60|8@1+ (1,0) [0|0] \"\" C\n");
+        directory.write("bad.dbc", "nothing\n");
         payload = bus.join("payload");
         QObject::connect(&sending, &QTimer::timeout, [this] {
             std::array<BusFrame, 64> heard;
@@ -207,8 +207,8 @@ TEST_F(ForeignFramesOnThePage, whatIsWrongWithAFileIsSaidAndStopsNothing)
               "used), none.dbc (not used)");
     const QStringList troubles = page->dbcTroubles().split('\n');
     ASSERT_EQ(troubles.size(), 4);
-    EXPECT_TRUE(troubles[0].contains("bad.dbc: line 2: the signal S does not fit"));
-    EXPECT_TRUE(troubles[0].contains("correct its first bit"));
+    EXPECT_TRUE(troubles[0].contains("bad.dbc: describes no message"));
+    EXPECT_TRUE(troubles[0].contains("line 1: expected the keyword"));
     EXPECT_TRUE(troubles[1].contains("none.dbc: cannot be opened"));
     EXPECT_TRUE(troubles[2].contains("frame 022: the robot's protocol has that identifier"));
     EXPECT_EQ(troubles[3], QString::fromUtf8("… and 1 more, all of them in the tip here"));

@@ -269,21 +269,30 @@ TEST_F(Tools, logsHaveEveryKindOfFrameThatTheyCan)
         add({.id = 0x123, .remote = true, .length = 4}, false);
         add({.id = 0x4, .error = true, .length = 8}, false);
         add({.id = 0x123, .fd = true, .length = 3, .data = {1, 2, 3}}, false);
-        add({.id = 0x123, .fd = true, .length = 64}, false);
+        add({.id = 0x123, .fd = true, .length = 12, .data = {1, 2, 3, 4, 5, 6, 7, 8, 9}}, false);
+        add({.id = 0x123, .fd = true, .length = 64, .isCut = true}, false);
     });
     EXPECT_EQ(exported(path, "a.log"), "(1793000000.001500) can0 123#01AB\n"
                                        "(1793000000.001500) can0 12345678#\n"
                                        "(1793000000.001500) can0 123#R4\n"
                                        "(1793000000.001500) can0 20000004#0000000000000000\n"
-                                       "(1793000000.001500) can0 123##0010203\n");
+                                       "(1793000000.001500) can0 123##0010203\n"
+                                       "(1793000000.001500) can0 "
+                                       "123##0010203040506070809000000\n");
     EXPECT_EQ(counts.leftOut, 1U);
     const std::string asc = exported(path, "a.asc");
-    EXPECT_EQ(asc.substr(asc.find("logged\n") + 7),
-              "   0.001500 1  123             Tx   d 2 01 AB\n"
-              "   0.001500 1  12345678x       Rx   d 0\n"
-              "   0.001500 1  123             Rx   r 4\n"
-              "   0.001500 1  ErrorFrame\n");
-    EXPECT_EQ(counts.leftOut, 2U);
+    EXPECT_EQ(
+        asc.substr(asc.find("logged\n") + 7),
+        "   0.001500 1  123             Tx   d 2 01 AB\n"
+        "   0.001500 1  12345678x       Rx   d 0\n"
+        "   0.001500 1  123             Rx   r 4\n"
+        "   0.001500 1  ErrorFrame\n"
+        "   0.001500 CANFD   1 Rx        123                                   1 0 3  3 01 02 "
+        "03        0    0     3000        0        0        0        0        0\n"
+        "   0.001500 CANFD   1 Rx        123                                   1 0 9 12 01 02 "
+        "03 04 05 06 07 08 09 00 00 00        0    0     3000        0        0        0      "
+        "  0        0\n");
+    EXPECT_EQ(counts.leftOut, 1U) << "bytes that are not known have no line";
 }
 
 TEST_F(Tools, framesFromBeforeTheBeginningAreInEveryLog)

@@ -200,8 +200,8 @@ const std::string kAsc =
     "   0.015991 1  Statistic: D 0 R 0 XD 0 XR 0 E 0 O 0 B 0.00%\n"
     "   0.100000 1  500             Rx   d 3 DD FF 01  Length = 0 BitCount = 0\n"
     "   0.200000 2  18FEF1FEx       Tx   d 8 01 02 03 04 05 06 07 08\n"
-    "   0.300000 1  123             Rx   r\n"
-    "   0.310000 1  123             Rx   r 4\n"
+    "   0.300000 1  123             Rx   r Length = 1704000 BitCount = 145\n"
+    "   0.310000 1  123             Rx   r 4 Length = 1704000 BitCount = 145\n"
     "   0.320000 1  123             TxRq d 1 00\n"
     "   0.400000 2  ErrorFrame\n"
     "   0.500000 CANFD   1 Rx        50B                                   1 0 a "
@@ -235,7 +235,7 @@ TEST(Logs, ofVectorAreRead)
     EXPECT_NEAR(log.elapsed.back(), 0.6, 1e-6);
     ASSERT_EQ(log.remarks.size(), 1U);
     EXPECT_EQ(log.remarks[0],
-              "a.log: 3 lines that hold no frame are passed over, the first is line 6");
+              "a.log: 2 lines hold no frame and are passed over, the first is line 7");
 }
 
 TEST(Logs, ofVectorMayCountOtherwise)
@@ -251,6 +251,13 @@ TEST(Logs, ofVectorMayCountOtherwise)
     EXPECT_EQ(log.frames[1].frame, data(218, {9}, true));
     EXPECT_NEAR(*log.frames[0].time - 0.1, 1664982373.5, 86400.0);
     EXPECT_NEAR(log.elapsed[2], 0.6, 1e-6) << "an event's time counts, too";
+    const Log trigger = read("date Mit Okt 5 03:06:13.500 pm 2022\nbase hex  timestamps absolute\n"
+                             "Begin TriggerBlock Wed Oct 5 04:06:13.500 pm 2022\n"
+                             "30.5 CANFD 3 Tx 50005x 0 1 5 0 140000 73 200050 7a60 46500250\n");
+    ASSERT_EQ(trigger.frames.size(), 1U) << trigger.error;
+    EXPECT_EQ(trigger.frames[0].frame,
+              (CanFrame{.id = 0x50005, .extended = true, .remote = true, .length = 5}));
+    EXPECT_NEAR(*trigger.frames[0].time - *log.frames[0].time, 3600.0 + 30.4, 1e-6);
     const Log bare = read("0.1 1 500 Rx d 1 09\n");
     ASSERT_EQ(bare.frames.size(), 1U) << bare.error;
     EXPECT_EQ(bare.frames[0].time, 0.1) << "without a heading";
@@ -299,7 +306,7 @@ TEST(Logs, ofPeakAreRead)
         const bool hasStart = text.find("STARTTIME") != std::string::npos;
         EXPECT_NEAR(*log.frames[0].time, (hasStart ? 1639837687.062 : 0.0) + 0.1, 1e-3);
         ASSERT_EQ(log.remarks.size(), 1U);
-        EXPECT_NE(log.remarks[0].find("1 lines that hold no frame"), std::string::npos);
+        EXPECT_NE(log.remarks[0].find("holds no frame and is passed over"), std::string::npos);
     }
 }
 
