@@ -211,6 +211,7 @@ namespace terratact {
     QT_TRANSLATE_NOOP("core", "a capture of tcpdump (.pcap)"),
     QT_TRANSLATE_NOOP("core", "a log of BusMaster"),
     QT_TRANSLATE_NOOP("core", "a log of CRTD"),
+    QT_TRANSLATE_NOOP("core", "a log of Microchip"),
     QT_TRANSLATE_NOOP("core", "a log of NMEA %1 of canboat"),
     QT_TRANSLATE_NOOP("core", "a table, no known log"),
     QT_TRANSLATE_NOOP("core", "JSON or XML, no known log"),

@@ -210,6 +210,13 @@ Result<LoggedFrame> frameFromCandump(std::string_view line)
         logged.time = *time;
         word = words.next();
     }
+    if (word.size() > 4 && word.starts_with("<0x") && word.ends_with('>')) {
+        const Result<CanFrame> frame = longFrame(word.substr(3, word.size() - 4), words);
+        if (!frame) return frame.error();
+        logged.interface = "can0";
+        logged.frame = *frame;
+        return logged;
+    }
     if (!isName(word)) return expectedInLog("the name of an interface", word);
     logged.interface = word;
     word = words.next();

@@ -15,7 +15,8 @@ namespace terratact {
 //
 // An identifier has 3 digits, or 8 where it is extended or, with bit 29 set, an error frame; a remote frame
 // is 044#R or 044#R4, a CAN FD frame 044##<flags><data>.  A direction (R or T; RX or TX of candump -x) may
-// stand with it.  The long dialect may lack the time, or tell a date (-tA), which is local time.  Lines that begin
+// stand with it.  An old long dialect begins with <0x18EEFF01> and has no interface; can0 is taken for it.  The long
+// dialect may lack the time, or tell a date (-tA), which is local time.  Lines that begin
 // with # are passed over, and so is what candump writes about errors below an error frame (-e) and beside the bytes
 // (-a); swapped or binary bytes (-S, -i) and colours (-c) are refused.
 

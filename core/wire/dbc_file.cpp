@@ -17,8 +17,6 @@
 namespace terratact {
 namespace {
 
-constexpr std::string_view kLeftOut = "; what it says is left out";
-
 /// The sections of a file, and what they say of messages that stand before them.
 class DbcParser {
 public:
@@ -32,7 +30,7 @@ public:
             if (keyword != "SG_") messages_.endMessage();
             section(keyword, place.line);
             if (scan_.failure().empty()) continue;
-            warnings_.add(scan_.failure() + std::string(kLeftOut));
+            warnings_.add(scan_.failure() + "; what it says is left out");
             scan_.recover(place);
         }
         messages_.endMessage();
@@ -51,10 +49,7 @@ private:
     std::string firstWarning() const
     {
         if (file_.warnings.empty()) return {};
-        std::string_view first = file_.warnings.front();
-        first.remove_prefix(file_.path.size() + 2);
-        if (first.ends_with(kLeftOut)) first.remove_suffix(kLeftOut.size());
-        return fmt::format(" First fault: {}", first);
+        return " First fault: " + file_.warnings.front().substr(file_.path.size() + 2);
     }
 
     void section(std::string_view keyword, int line)

@@ -8,11 +8,11 @@
 namespace terratact {
 
 /// Makes an even clock of the times of a log, which go back where the recording machine's clock was set.  Frames of
-/// different interfaces may come up to kDisorder out of order; those of one never do.
+/// different interfaces may come up to kDisorder out of order, those of one up to kJitter.
 class LogClock {
 public:
-    static constexpr double kDisorder = 0.1;            ///< [s]
-    static constexpr std::size_t kMostInterfaces = 64;  ///< whose order is watched
+    static constexpr double kDisorder = 0.1, kJitter = 1e-3;  ///< [s]
+    static constexpr std::size_t kMostInterfaces = 64;        ///< whose order is watched
 
     /// The next frame's time [s].  By how much it lies before the one before it; empty: it does not.
     std::optional<double> take(double time, const std::string& interface);

@@ -67,6 +67,7 @@ std::string otherKindOf(std::string_view line, std::string_view first)
         return "is " + std::string(what) + std::string(kConvert);
     };
     if (line.starts_with("***BUSMASTER")) return is("a log of BusMaster");
+    if (first == "Microchip") return is("a log of Microchip");
     if (line.starts_with("Time,") || line.starts_with("Time;")) return is("a table, no known log");
     if (isCsvHeading(line)) return {};
     const bool isDate = line.size() > 10 && line[4] == '-' && line[7] == '-' && line[10] == 'T';

@@ -3134,6 +3134,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>is not made: the name of the bus %1 has control characters</source>
         <translation>nevznikne: název sběrnice %1 obsahuje řídicí znaky</translation>
     </message>
+    <message>
+        <source>a log of Microchip</source>
+        <translation>záznam Microchip</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -3134,6 +3134,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>is not made: the name of the bus %1 has control characters</source>
         <translation>wird nicht angelegt: der Name des Busses %1 enthält Steuerzeichen</translation>
     </message>
+    <message>
+        <source>a log of Microchip</source>
+        <translation>ein Log von Microchip</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

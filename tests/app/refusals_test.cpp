@@ -441,15 +441,12 @@ TEST(Refusals, ofDbcFiles)
 
 TEST(Refusals, ofLogs)
 {
-    Refusals refusals({"remote",      "request", "candump",   "-L",
-                       "--interface", "CSV",     "GVRET",     "python-can",
-                       "MCAP",        "Vector",  "BusMaster", "CRTD",
-                       "canboat",     "NMEA",    "JSON",      "XML",
-                       "Wireshark",   "tcpdump", "ZIP",       "session",
-                       "export",      "BRS",     "ESI",       "true",
-                       "false",       "xz",      "zstd",      "Rx",
-                       "Tx",          "dlc",     "base",      "can_logconvert",
-                       "--dbc",       "-d"});
+    Refusals refusals(
+        {"remote",     "request", "candump", "-L",        "--interface",    "CSV",   "GVRET",
+         "python-can", "MCAP",    "Vector",  "BusMaster", "Microchip",      "CRTD",  "canboat",
+         "NMEA",       "JSON",    "XML",     "Wireshark", "tcpdump",        "ZIP",   "session",
+         "export",     "BRS",     "ESI",     "true",      "false",          "xz",    "zstd",
+         "Rx",         "Tx",      "dlc",     "base",      "can_logconvert", "--dbc", "-d"});
     const auto read = [&](const std::string& log) {
         LogReader reader("broken.log", std::make_unique<std::istringstream>(log));
         for (;;) {
@@ -492,8 +489,8 @@ TEST(Refusals, ofLogs)
           "\xD4\xC3\xB2\xA1"s, "PK\x03\x04"s,
           "\xFD"
           "7zXZ"s,
-          "\x28\xB5\x2F\xFD"s, "BZh"s, "***BUSMASTER"s, "1.5 1R11 213 01"s, "VERSION \"\""s,
-          "2016-04-09T16:41:09.078Z,3,127257,17,255,8,00"s, "{}"s, "Time,a"s,
+          "\x28\xB5\x2F\xFD"s, "BZh"s, "***BUSMASTER"s, "Microchip Tech"s, "1.5 1R11 213 01"s,
+          "VERSION \"\""s, "2016-04-09T16:41:09.078Z,3,127257,17,255,8,00"s, "{}"s, "Time,a"s,
           "\x1F\x8B\x08\x08 and nothing that is packed"s})
         read(kind + "\n");
     const TemporaryDirectory dir;

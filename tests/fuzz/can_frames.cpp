@@ -40,7 +40,7 @@ Heard heardIn(const std::uint8_t* record)
              .error = flag(2),
              .fd = flag(3),
              .length = static_cast<std::uint8_t>(record[3] % 16U % 9U)};
-    for (std::size_t i = 0; i < frame.data.size(); ++i) frame.data[i] = record[4 + i];
+    for (std::size_t i = 0; i < kClassicBytes; ++i) frame.data[i] = record[4 + i];
     heard.after = static_cast<double>(record[3] / 16U) * 0.02;
     if (frame.extended || frame.error) frame.id = number << 13U | number;
     if (flag(5)) frame.id = 0x180U + 0x80U * (number % 4U) + record[2] % 8U;

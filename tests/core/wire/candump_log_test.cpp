@@ -108,6 +108,8 @@ TEST(Candump, readsTheLongDialectWithTimeAndWithout)
     EXPECT_EQ(parsed(" can0  044   [4]  remote request").frame,
               (CanFrame{.id = 0x44, .remote = true, .length = 4}));
     EXPECT_EQ(parsed(" can0  044   [0] ").frame, data(0x44, {}));
+    EXPECT_EQ(parsed("<0x18eeff01> [2] 05 a0").frame,
+              (CanFrame{.id = 0x18EEFF01, .extended = true, .length = 2, .data = {5, 0xA0}}));
     EXPECT_EQ(parsed(" can0  00000044  [02]  01 02").frame,
               (CanFrame{.id = 0x44, .extended = true, .fd = true, .length = 2, .data = {1, 2}}));
     EXPECT_EQ(parsed(" can0  20000004   [8]  00 01 00 00 00 00 00 00   ERRORFRAME").frame,
