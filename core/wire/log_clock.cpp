@@ -14,7 +14,8 @@ std::optional<double> LogClock::take(double time, const std::string& interface)
     }
     const auto known = lastOf_.find(interface);
     const double back = last_ - time;
-    const bool isSet = back > kDisorder || (known != lastOf_.end() && known->second - time > kJitter);
+    const bool isSet =
+        back > kDisorder || (known != lastOf_.end() && known->second - time > kJitter);
     if (time <= last_) ++notLater_;
     std::optional<double> step;
     if (isSet) {
