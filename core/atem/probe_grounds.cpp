@@ -47,10 +47,11 @@ void add(CanonicalBytes& bytes, const Measurement& scene)
 void add(CanonicalBytes& bytes, const Settings& settings)
 {
     const auto& [method, ceiling, contacts, forceThreshold, contactSd, draws, stopEarly, chains,
-                 burnIn, scan, precision, inducing, seed, probeAbove, rollLimit, asymmetryLimit] =
-        settings;
+                 burnIn, scan, precision, inducing, seed, probeAbove, rollLimit, asymmetryLimit,
+                 hazardRate] = settings;
     addAll(bytes, method, ceiling, contacts, forceThreshold, contactSd, draws, stopEarly, chains,
-           burnIn, scan, precision, inducing, seed, probeAbove, rollLimit, asymmetryLimit);
+           burnIn, scan, precision, inducing, seed, probeAbove, rollLimit, asymmetryLimit,
+           hazardRate);
 }
 
 }  // namespace

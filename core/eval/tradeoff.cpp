@@ -15,6 +15,7 @@ Settings wholeBudget(Method method, std::uint64_t seed)
     settings.method = method;
     settings.seed = seed;
     settings.stopEarly = false;
+    settings.hazardRate = 0.0;  // the methods' own bands are compared
     return settings;
 }
 

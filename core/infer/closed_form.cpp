@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/infer/draw_summary.h"
+#include "core/infer/hazards.h"
 #include "core/infer/measured_bins.h"
 #include "core/learn/clearance.h"
 #include "core/learn/hyperparameters.h"
@@ -166,6 +167,8 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
         estimate.ess[i] = drawsOf(settings);
     }
     estimate.draws = heightDraws(distribution, estimate, poll);
+    writeTouch(estimate, pressedBins(robot, s, estimate.ceiling));
+    addHazards(estimate, settings.hazardRate, poll);
     return finite(std::move(estimate), poll);
 }
 

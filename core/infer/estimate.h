@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/infer/settings.h"
+#include "core/infer/touch.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -40,7 +41,10 @@ struct TerrainEstimate {
                    ///< median for the others, whose distributions are skew
     Heights ceiling{};
     std::array<Origin, kBins> origin{};
-    Heights rhat{};  ///< rank-normalised split R-hat; 1 for a bin that was not sampled
+    TouchMap touch = unrecordedTouch();  ///< see core/infer/touch.h
+    double feltTo =
+        binBegin(0);  ///< x of the foremost loaded force element [m], DEM frame; binBegin(0): none
+    Heights rhat{};   ///< rank-normalised split R-hat; 1 for a bin that was not sampled
     Heights
         ess{};  ///< bulk effective sample size; the number of draws for a bin that was not sampled
     std::vector<Heights> draws;  ///< of all bins together: what a joint question is asked of;

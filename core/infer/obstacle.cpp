@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/infer/hazards.h"
+
 namespace terratact {
 
 StepProbability stepProbability(const std::vector<Heights>& draws, double limit, int firstBin,
@@ -42,15 +44,20 @@ std::array<StepProbability, kBins - 1> stepProbabilities(const TerrainEstimate& 
 {
     const double effective = effectiveDraws(estimate);
     std::array<StepProbability, kBins - 1> result;
-    for (int i = 0; i + 1 < kBins; ++i)
-        result[static_cast<std::size_t>(i)] =
-            stepProbability(estimate.draws, limit, i, i + 1, effective);
+    for (int i = 0; i + 1 < kBins; ++i) {
+        StepProbability& pair = result[static_cast<std::size_t>(i)];
+        pair = stepProbability(estimate.draws, limit, i, i + 1, effective);
+        pair.p = std::max(pair.p, unfeltStepRate(estimate, i + 1, i + 1));
+    }
     return result;
 }
 
 StepProbability anyStep(const TerrainEstimate& estimate, double limit, int firstBin, int lastBin)
 {
-    return stepProbability(estimate.draws, limit, firstBin, lastBin, effectiveDraws(estimate));
+    StepProbability any =
+        stepProbability(estimate.draws, limit, firstBin, lastBin, effectiveDraws(estimate));
+    any.p = std::max(any.p, unfeltStepRate(estimate, firstBin, lastBin));
+    return any;
 }
 
 }  // namespace terratact

@@ -15,9 +15,6 @@ struct StepProbability {
     bool operator==(const StepProbability&) const = default;
 };
 
-/// The rearmost bin of a step that counts as ahead of the robot: +0.3 m.
-inline constexpr int kFirstAhead = 6;
-
 /// Share p of draws with a step (hasStep) of more than `limit` within firstBin … lastBin,
 ///   p = #{d : max |h_j − h_i| > limit over 0 < j − i ≤ kStepBins} / n,   monteCarloSd = √(p (1 − p) / n_eff).
 /// limit: [m].  effectiveDraws: n_eff, independent draws that say as much as these n.
@@ -33,11 +30,12 @@ StepProbability stepProbability(const std::vector<Heights>& draws, double limit,
 /// draws.size() where no bin was sampled.  Throws std::invalid_argument for an estimate without draws.
 double effectiveDraws(const TerrainEstimate& estimate);
 
-/// Within every pair of neighbours, the rear one's index first.  Throws as stepProbability does.
+/// Within every pair of neighbours, the rear one's index first. The probability of a pair whose front bin is not felt
+/// is at least its rate of hazards (unfeltStepRate). Throws as stepProbability does.
 std::array<StepProbability, kBins - 1> stepProbabilities(const TerrainEstimate& estimate,
                                                          double limit);
 
-/// Within firstBin … lastBin.  Throws as stepProbability does.
+/// Within firstBin … lastBin, at least unfeltStepRate(estimate, firstBin, lastBin). Throws as stepProbability does.
 StepProbability anyStep(const TerrainEstimate& estimate, double limit, int firstBin = 0,
                         int lastBin = kBins - 1);
 

@@ -55,6 +55,7 @@ SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading>
     }
     sampling.known = problem.known;
     sampling.centre = Centre::Mean;
+    sampling.pressed = pressedBins(robot, s, estimate.ceiling);
     sampling.conditionals = std::make_unique<BinConditionals>(models, problem.s, problem.precision,
                                                               problem.inducing, pollOf(watch));
     sampling.process = [&models, settings](int bin) -> const GaussianProcess& {

@@ -75,6 +75,7 @@ SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmRead
     const ClearanceStates::Measured measuredStates = states(measured, estimate.ceiling);
     sampling.known = fixExact(measured, measuredStates, problem, estimate);
     sampling.centre = Centre::Median;
+    sampling.pressed = pressedBins(robot, s, estimate.ceiling);
     sampling.conditionals =
         std::make_unique<ClearanceStates>(models, estimate.ceiling, x, measuredStates,
                                           settings.precision, settings.inducing, pollOf(watch));

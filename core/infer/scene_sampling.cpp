@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/infer/hazards.h"
+
 namespace terratact {
 
 TerrainEstimate estimateFrom(SceneSampling sampling, const GibbsDraws& draws, const Watch& watch)
@@ -15,6 +17,8 @@ TerrainEstimate estimateFrom(SceneSampling sampling, const GibbsDraws& draws, co
         warnIfMended(estimate, bin, sampling.process(bin));
     }
     conclude(estimate, draws, sampling.known, poll);
+    writeTouch(estimate, sampling.pressed);
+    addHazards(estimate, estimate.settings.hazardRate, poll);
     return finite(std::move(estimate), poll);
 }
 

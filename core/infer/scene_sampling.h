@@ -8,6 +8,7 @@
 #include "core/infer/draw_summary.h"
 #include "core/infer/estimate.h"
 #include "core/infer/gibbs.h"
+#include "core/infer/touch.h"
 #include "core/infer/watch.h"
 #include "core/learn/gaussian_process.h"
 
@@ -20,6 +21,7 @@ struct SceneSampling {
     std::unique_ptr<const Conditionals> conditionals;
     OptionalHeights known;  ///< [m] of the bins that are not drawn
     Centre centre = Centre::Mean;
+    PressedBins pressed;  ///< what the force elements say
     /// What predicts a bin that is drawn.
     std::function<const GaussianProcess&(int bin)> process;
 };

@@ -15,6 +15,10 @@ inline constexpr int kMostBurnIn = 10'000'000;
 /// Independent draws after which a closed form that may stop early does: a probability is then within 0.8 % (one sd).
 inline constexpr int kEnoughDraws = 4000;
 
+/// Default rate of hazards per bin that nobody has felt. At 0.05, the risk that Clear accepts (verdict.h), CLEAR needs
+/// every bin felt up to the front flippers' reach. `terratact evaluate --hazards` prints what other rates give.
+inline constexpr double kHazardRate = 0.05;
+
 /// Everything besides scene, robot and model that decides an estimate.
 struct Settings {
     Method method = Method::Local;
@@ -35,6 +39,8 @@ struct Settings {
     double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)
     double rollLimit = 0.10;       ///< [rad] beyond it the 2-D assumption is doubtful
     double asymmetryLimit = 0.10;  ///< [rad] left/right flipper difference, likewise
+    double hazardRate =
+        kHazardRate;  ///< 0 to 1 per bin, see core/infer/hazards.h; 0: the model's own bands
     bool operator==(const Settings&) const = default;
 };
 

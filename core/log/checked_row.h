@@ -53,6 +53,8 @@ public:
         ++at_;
         return std::nullopt;
     }
+    /// Whether the row has a further column: files of the first version have fewer.
+    bool hasMore() const { return at_ < statement_.columns(); }
     bool isNone() const { return statement_.isNull(at_); }
     void skip(int columns) { at_ += columns; }
     std::string text()

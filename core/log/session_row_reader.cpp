@@ -93,6 +93,7 @@ Settings settingsFrom(CheckedRow& row)
     s.probeAbove = row.real(0.0);
     s.rollLimit = row.real(0.0);
     s.asymmetryLimit = row.real(0.0);
+    s.hazardRate = row.hasMore() ? row.real(0.0, 1.0) : 0.0;
     return s;
 }
 
@@ -171,6 +172,8 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
     e.ending = row.named(endingFromName);
     e.converged = row.flag();
     e.warnings = linesOf(row.text());
+    row.skip(1);  // the hash of the draws
+    if (row.hasMore()) e.feltTo = row.real();
     return r;
 }
 
@@ -189,6 +192,7 @@ void addBin(CheckedRow& row, std::vector<EstimateRow>& estimates)
     e.ceiling[i] = row.realOrNone().value_or(std::numeric_limits<double>::infinity());
     e.rhat[i] = row.real();
     e.ess[i] = row.real();
+    if (row.hasMore()) e.touch[i] = row.named(touchFromName);
 }
 
 ProposalRow proposalFrom(CheckedRow& row, std::int64_t id, const SessionRows& rows)

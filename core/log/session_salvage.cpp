@@ -1,7 +1,9 @@
 #include "core/log/session_salvage.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -245,15 +247,30 @@ private:
     std::map<std::string, std::string> meta_;
 };
 
-/// A session without a row.
-SqliteFile emptySession(const std::string& path)
+/// The format version in the header of a damaged session; the newest where the header is damaged, too.
+/// Source: sqlite.org/fileformat2.html, "user version": 4 bytes at offset 60, most significant first.
+std::int64_t versionOf(const std::string& path)
+{
+    constexpr std::streamoff kUserVersion = 60;
+    std::array<unsigned char, 4> bytes{};
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(kUserVersion);
+    file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    std::int64_t version = 0;
+    for (const unsigned char byte : bytes) version = version * 256 + byte;
+    const bool known = file && version >= kFirstSessionVersion && version <= kSessionVersion;
+    return known ? version : kSessionVersion;
+}
+
+/// A session of that version without a row.
+SqliteFile emptySession(const std::string& path, std::int64_t version)
 {
     SqliteFile::makeEmpty(path);
     SqliteFile file = SqliteFile::fill(path);
     file.run("PRAGMA page_size = " + std::to_string(kPageSize));
     file.run("PRAGMA application_id = " + std::to_string(kSessionApplicationId));
-    file.run("PRAGMA user_version = " + std::to_string(kSessionVersion));
-    for (const SchemaEntry& entry : kSessionSchema) file.run(entry.sql);
+    file.run("PRAGMA user_version = " + std::to_string(version));
+    for (const SchemaEntry& entry : sessionSchema(version)) file.run(entry.sql);
     return file;
 }
 
@@ -263,7 +280,7 @@ Result<SalvagedPages> salvagePages(const std::string& path, const std::string& s
 {
     bool made = false;
     try {
-        SqliteFile file = emptySession(scratch);
+        SqliteFile file = emptySession(scratch, versionOf(path));
         made = true;
         PageRows pages(path, kPageSize);
         const SalvagedPages found = Salvage(file, pages).run();

@@ -1,8 +1,11 @@
 #include "core/log/session_schema.h"
 
-namespace terratact {
+#include <string_view>
 
-const std::array<SchemaEntry, 15> kSessionSchema{
+namespace terratact {
+namespace {
+
+constexpr SessionSchema kVersion1{
     SchemaEntry{
         "table", "batch",
         "CREATE TABLE batch(id INTEGER PRIMARY KEY, t_first INTEGER NOT NULL, "
@@ -85,5 +88,54 @@ const std::array<SchemaEntry, 15> kSessionSchema{
         "seed TEXT NOT NULL, probe_above_m REAL NOT NULL, roll_limit_rad REAL NOT NULL, "
         "asymmetry_limit_rad REAL NOT NULL) STRICT"},
 };
+
+/// What version 2 says in another way.
+constexpr std::array kVersion2{
+    SchemaEntry{"table", "estimate",
+                "CREATE TABLE estimate(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, scene INTEGER NOT NULL, settings INTEGER NOT NULL, "
+                "model INTEGER NOT NULL, role TEXT NOT NULL, seconds REAL NOT NULL, "
+                "step_limit_m REAL NOT NULL, novelty REAL NOT NULL, ending TEXT NOT NULL, "
+                "converged INTEGER NOT NULL, warnings TEXT NOT NULL, "
+                "draws_sha256 BLOB NOT NULL, felt_to_m REAL NOT NULL) STRICT"},
+    SchemaEntry{"table", "estimate_bin",
+                "CREATE TABLE estimate_bin(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "estimate INTEGER NOT NULL, bin INTEGER NOT NULL, origin TEXT NOT NULL, "
+                "height_m REAL NOT NULL, mean_m REAL NOT NULL, sd_m REAL NOT NULL, "
+                "q10_m REAL NOT NULL, q90_m REAL NOT NULL, ceiling_m REAL, rhat REAL NOT NULL, "
+                "ess REAL NOT NULL, touch TEXT NOT NULL) STRICT"},
+    SchemaEntry{
+        "table", "scene",
+        "CREATE TABLE scene(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "t INTEGER NOT NULL, robot_time_s REAL NOT NULL, pitch_rad REAL NOT NULL, "
+        "roll_rad REAL NOT NULL, front_left_rad REAL NOT NULL, front_right_rad REAL NOT NULL, "
+        "rear_left_rad REAL NOT NULL, rear_right_rad REAL NOT NULL, "
+        "front_left_a REAL, front_right_a REAL, rear_left_a REAL, rear_right_a REAL, "
+        "force1_n REAL, force2_n REAL, force3_n REAL, force4_n REAL, force5_n REAL, "
+        "force6_n REAL, activity INTEGER NOT NULL, refusal INTEGER NOT NULL, "
+        "arm_bin INTEGER, arm_height_m REAL, arm_sd_m REAL, "
+        "travelled_m REAL, turned_rad REAL) STRICT"},
+    SchemaEntry{
+        "table", "settings",
+        "CREATE TABLE settings(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "method TEXT NOT NULL, ceiling TEXT NOT NULL, contacts TEXT NOT NULL, "
+        "force_threshold_n REAL NOT NULL, contact_sd_m REAL NOT NULL, draws INTEGER NOT NULL, "
+        "stop_early INTEGER NOT NULL, chains INTEGER NOT NULL, burn_in INTEGER NOT NULL, "
+        "scan TEXT NOT NULL, precision TEXT NOT NULL, inducing INTEGER NOT NULL, "
+        "seed TEXT NOT NULL, probe_above_m REAL NOT NULL, roll_limit_rad REAL NOT NULL, "
+        "asymmetry_limit_rad REAL NOT NULL, hazard_rate REAL NOT NULL) STRICT"},
+};
+
+}  // namespace
+
+SessionSchema sessionSchema(std::int64_t version)
+{
+    SessionSchema schema = kVersion1;
+    if (version < 2) return schema;
+    for (const SchemaEntry& newer : kVersion2)
+        for (SchemaEntry& entry : schema)
+            if (std::string_view(entry.name) == newer.name) entry = newer;
+    return schema;
+}
 
 }  // namespace terratact

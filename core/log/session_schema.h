@@ -12,7 +12,9 @@ namespace terratact {
 
 inline constexpr std::int64_t kSessionApplicationId =
     0x54545331;  ///< "TTS1", see resources/desktop
-inline constexpr std::int64_t kSessionVersion = 1;
+inline constexpr std::int64_t kSessionVersion = 2;
+/// Version 1 does not say how a bin was touched, and its forces and currents are all measured.
+inline constexpr std::int64_t kFirstSessionVersion = 1;
 
 struct SchemaEntry {
     const char* type;
@@ -20,8 +22,17 @@ struct SchemaEntry {
     const char* sql;
 };
 
-/// Sorted by name.  The tables of kSessionRowTables have the number of their batch in the column `batch`.
-extern const std::array<SchemaEntry, 15> kSessionSchema;
+using SessionSchema = std::array<SchemaEntry, 15>;
+
+/// Sorted by name. The tables of kSessionRowTables have the number of their batch in the column `batch`.
+/// version: kFirstSessionVersion … kSessionVersion.
+SessionSchema sessionSchema(std::int64_t version);
+
+/// Columns that version 2 adds at the end of settings, estimate and estimate_bin.
+constexpr int addedColumns(std::int64_t version)
+{
+    return version >= 2 ? 1 : 0;
+}
 
 /// The tables whose rows are hashed together as a batch's `rows_hash`, in this order, each in the order of rowid.
 inline constexpr std::array<std::string_view, 10> kSessionRowTables{

@@ -55,7 +55,7 @@ std::int64_t wallTimeFrom(const std::string& text)
 
 }  // namespace
 
-void requireSessionSchema(SqliteFile& file, const std::string& lonely)
+std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely)
 {
     if (!lonely.empty() && file.integer("SELECT count(*) FROM sqlite_schema") == 0)
         throw SqliteError("holds nothing without its journal " + lonely
@@ -63,18 +63,20 @@ void requireSessionSchema(SqliteFile& file, const std::string& lonely)
     require(file.integer("PRAGMA application_id") == kSessionApplicationId,
             "is an SQLite file of another application, not a session");
     const std::int64_t version = file.integer("PRAGMA user_version");
-    require(version == kSessionVersion, "is a session of format version " + std::to_string(version)
-                                            + ", and this program reads version "
-                                            + std::to_string(kSessionVersion));
+    require(version >= kFirstSessionVersion && version <= kSessionVersion,
+            "is a session of format version " + std::to_string(version)
+                + ", and this program reads versions " + std::to_string(kFirstSessionVersion)
+                + " to " + std::to_string(kSessionVersion));
     const std::string other = "its tables are not those of a session";
     SqliteStatement found = file.prepare("SELECT type, name, sql FROM sqlite_schema ORDER BY name");
-    for (const SchemaEntry& entry : kSessionSchema) {
+    for (const SchemaEntry& entry : sessionSchema(version)) {
         require(found.step(), other);
         require(found.text(0) == entry.type && found.text(1) == entry.name && !found.isNull(2)
                     && found.text(2) == entry.sql,
                 other);
     }
     require(!found.step(), other);
+    return version;
 }
 
 std::string writeSessionStart(SqliteFile& file, const SessionStart& start)

@@ -13,9 +13,9 @@ namespace terratact {
 // What writing and reading a session share.  All throw SqliteError.
 
 /// Refuses a file that is no session, one of another version, or one with a table, view, trigger or index that
-/// is not ours.
+/// is not ours.  The version: kFirstSessionVersion … kSessionVersion.
 /// lonely: name of a file whose journal is not beside it, which then is why there is nothing in it yet; else empty.
-void requireSessionSchema(SqliteFile& file, const std::string& lonely = {});
+std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely = {});
 
 /// Puts the start into meta; the hash of those rows, before the first link of the chain.
 std::string writeSessionStart(SqliteFile& file, const SessionStart& start);

@@ -101,12 +101,14 @@ std::int64_t flagsOf(const FrameRow& row)
 
 struct SessionWriter::Impl {
     explicit Impl(std::string name, SqliteFile opened)
-        : path(std::move(name)), file(std::move(opened)), frameTable(file, "can_frame", 6),
-          modelTable(file, "model", 6), settingsTable(file, "settings", 18),
-          sceneTable(file, "scene", 27), truthTable(file, "scene_truth", 5),
-          estimateTable(file, "estimate", 14), binTable(file, "estimate_bin", 13),
-          readingTable(file, "reading", 6), proposalTable(file, "proposal", 15),
-          offerTable(file, "proposal_offer", 6), eventTable(file, "event", 10),
+        : path(std::move(name)), file(std::move(opened)),
+          added(addedColumns(file.integer("PRAGMA user_version"))),
+          frameTable(file, "can_frame", 6), modelTable(file, "model", 6),
+          settingsTable(file, "settings", 18 + added), sceneTable(file, "scene", 27),
+          truthTable(file, "scene_truth", 5), estimateTable(file, "estimate", 14 + added),
+          binTable(file, "estimate_bin", 13 + added), readingTable(file, "reading", 6),
+          proposalTable(file, "proposal", 15), offerTable(file, "proposal_offer", 6),
+          eventTable(file, "event", 10),
           drawsInsert(file.prepare("INSERT INTO estimate_draws VALUES(?, ?)")),
           batchInsert(file.prepare("INSERT INTO batch VALUES(?, ?, ?, ?, ?, ?, ?, ?)")),
           begin(file.prepare("BEGIN IMMEDIATE")), end(file.prepare("COMMIT"))
@@ -152,6 +154,7 @@ struct SessionWriter::Impl {
 
     std::string path;
     SqliteFile file;
+    int added;  ///< columns beyond those of the first version; new rows are of the present one
     Table frameTable, modelTable, settingsTable, sceneTable, truthTable, estimateTable, binTable,
         readingTable, proposalTable, offerTable, eventTable;
     SqliteStatement drawsInsert, batchInsert, begin, end;
@@ -177,7 +180,7 @@ std::int64_t SessionWriter::Impl::settingsId(const Settings& s)
     row(settingsTable, ++settingsCount, batch.id, name(s.method), name(s.ceiling), name(s.contacts),
         s.forceThreshold, s.contactSd, s.draws, int{s.stopEarly}, s.chains, s.burnIn, name(s.scan),
         name(s.precision), s.inducing, std::to_string(s.seed), s.probeAbove, s.rollLimit,
-        s.asymmetryLimit);
+        s.asymmetryLimit, s.hazardRate);
     return settingsCount;
 }
 
@@ -207,7 +210,7 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
     const std::int64_t settingsOf = settingsId(e.settings);
     row(estimateTable, r.id, batch.id, r.time, r.scene, settingsOf, r.model, name(r.role),
         r.seconds, r.stepLimit, e.novelty, name(e.ending), int{e.converged}, joined(e.warnings),
-        Blob{drawsHash.take()});
+        Blob{drawsHash.take()}, e.feltTo);
     drawsInsert.bind(0, r.id);
     drawsInsert.bindBlob(1, draws);
     drawsInsert.run();
@@ -219,7 +222,7 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
         row(binTable, ++binCount, batch.id, r.id, bin, name(e.origin[i]), e.height[i], e.mean[i],
             e.sd[i], e.q10[i], e.q90[i],
             std::isinf(e.ceiling[i]) ? std::nullopt : std::optional(e.ceiling[i]), e.rhat[i],
-            e.ess[i]);
+            e.ess[i], name(e.touch[i]));
     }
 }
 
@@ -301,7 +304,7 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
         file.run("PRAGMA application_id = " + std::to_string(kSessionApplicationId));
         file.run("PRAGMA user_version = " + std::to_string(kSessionVersion));
         file.run("BEGIN");
-        for (const SchemaEntry& entry : kSessionSchema) file.run(entry.sql);
+        for (const SchemaEntry& entry : sessionSchema(kSessionVersion)) file.run(entry.sql);
         const std::string genesis = writeSessionStart(file, start);
         file.run("COMMIT");
         file.checkpoint();
@@ -347,7 +350,7 @@ void requireFinite(const EstimateRow& row)
     const TerrainEstimate& e = row.estimate;
     const Settings& s = e.settings;
     requireFinite({row.seconds, row.stepLimit, e.novelty, s.forceThreshold, s.contactSd,
-                   s.probeAbove, s.rollLimit, s.asymmetryLimit});
+                   s.probeAbove, s.rollLimit, s.asymmetryLimit, s.hazardRate, e.feltTo});
     for (const double ceiling : e.ceiling)
         if (!std::isinf(ceiling)) requireFinite({ceiling});
     for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})

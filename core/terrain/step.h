@@ -16,6 +16,9 @@ inline constexpr double kStepLimit = 0.10;
 /// that its neighbours tell the step's height and it does not; between bins, the two beside it do.
 inline constexpr int kStepBins = 2;
 
+/// The rearmost bin that counts as ahead of the robot: +0.3 m.
+inline constexpr int kFirstAhead = 6;
+
 /// Whether bins i < j ≤ i + kStepBins of firstBin … lastBin differ by more than `limit` [m].  Expects
 /// 0 ≤ firstBin and lastBin ≤ 10.
 inline bool hasStep(const Heights& heights, double limit, int firstBin = 0, int lastBin = kBins - 1)

@@ -75,12 +75,14 @@ TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
                 EXPECT_TRUE(presets.insert(*t.preset).second);
                 Settings asRun = withQuality({.method = method}, *t.preset);
                 asRun.seed = 7;
+                asRun.hazardRate = 0.0;
                 EXPECT_EQ(t.settings, asRun);
             }
             if (!t.preset) {
                 Settings base{.method = method};
                 base.seed = 7;
                 base.stopEarly = false;
+                base.hazardRate = 0.0;
                 EXPECT_EQ(withoutWhatVaries(t), base) << t.varied;
             }
         }

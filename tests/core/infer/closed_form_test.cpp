@@ -79,6 +79,7 @@ TEST(ClosedForm, agreesWithItsOwnDraws)
             Settings settings = settingsFor(method);
             settings.draws = 40000;
             settings.stopEarly = false;
+            settings.hazardRate = 0.0;
             const ArmReading probe{10, -0.1, 0.03};
             const TerrainEstimate e = estimateTerrain(bench().scenes[k * 7].s, {&probe, 1},
                                                       bench().robot, bench().models, settings);

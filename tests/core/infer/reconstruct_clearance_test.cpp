@@ -23,6 +23,7 @@ Settings clearanceSettings(int draws = 400)
     settings.draws = draws;
     settings.chains = 8;
     settings.forceThreshold = 1000.0;  // no contacts
+    settings.hazardRate = 0.0;         // the method's own bands
     return settings;
 }
 

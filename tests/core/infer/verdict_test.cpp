@@ -64,6 +64,78 @@ TEST(Verdict, saysWhichBinsAheadNobodyHasFelt)
     EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).unfelt, (std::vector<int>{9, 10}));
 }
 
+/// Everything ahead is felt up to `last`, the rest is open. Ceilings end with the felt bins.
+TerrainEstimate estimateFeltTo(int last)
+{
+    TerrainEstimate e = estimateWith(0);
+    e.touch.fill(Touch::Felt);
+    e.ceiling.fill(0.0);
+    for (int bin = last + 1; bin < kBins; ++bin) {
+        e.touch[static_cast<std::size_t>(bin)] = Touch::NotFelt;
+        e.ceiling[static_cast<std::size_t>(bin)] = std::numeric_limits<double>::infinity();
+    }
+    return e;
+}
+
+TEST(Verdict, clearEndsAtTheFeltHorizon)
+{
+    const Verdict v = verdictOf(estimateFeltTo(8), Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_NEAR(v.horizon, 0.55, 1e-9);
+    EXPECT_EQ(describeOutlook(v), "CLEAR to +0.55 m");
+    EXPECT_EQ(v.unfelt, (std::vector<int>{9, 10}));
+    EXPECT_GE(v.step.p, 1.0 - 0.95 * 0.95 - 1e-9);  // two bins that nobody felt
+    EXPECT_DOUBLE_EQ(v.toHorizon.p, 0.0);
+}
+
+TEST(Verdict, hoveringFlipperIsNeverClear)
+{
+    TerrainEstimate e = estimateFeltTo(8);
+    for (const std::size_t bin : {7U, 8U}) e.touch[bin] = Touch::Bounded;
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.shortfall, Shortfall::ShortHorizon);
+    EXPECT_NEAR(v.horizon, 0.35, 1e-9);
+    e.touch[6] = Touch::Bounded;
+    EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).shortfall, Shortfall::NothingFelt);
+}
+
+TEST(Verdict, spannedGroundNeedsALowRate)
+{
+    TerrainEstimate e = estimateFeltTo(8);
+    e.touch[6] = e.touch[7] = Touch::Bounded;
+    e.touch[8] = Touch::FeltInPart;
+    e.feltTo = 0.563;
+    Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.shortfall, Shortfall::Spanned);
+    EXPECT_EQ(v.help, Help::DriveOn);
+    e.settings.hazardRate = 0.01;
+    v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_NEAR(v.toHorizon.p, 1.0 - 0.99 * 0.99 * 0.99, 1e-9);
+}
+
+TEST(Verdict, steepFlippersAreToldToLieFlatter)
+{
+    TerrainEstimate e = estimateFeltTo(6);
+    Measurement m;
+    m.frontLeft = m.frontRight = -0.9;
+    const Verdict v = verdictOf(e, m, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.help, Help::Flatten);
+}
+
+TEST(Verdict, oldRecordingHasNoHorizon)
+{
+    TerrainEstimate e = estimateFeltTo(6);
+    e.touch = unrecordedTouch();
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_FALSE(v.touchRecorded);
+    EXPECT_EQ(describeOutlook(v), "CLEAR");
+}
+
 TEST(Verdict, isWithheldForEachDoubtByItself)
 {
     struct Case {
