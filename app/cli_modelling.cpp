@@ -64,10 +64,11 @@ void addSimulate(CLI::App& app, Job& job)
         app.add_subcommand("simulate", "Drive a simulated robot over terrain and record scenes");
     const auto o = std::make_shared<SimulateOptions>();
     addRobot(*c, o->robot);
-    c->add_option("--terrain", o->terrain,
-                  "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, or a CSV file of "
-                  "profiles: two columns x,z in "
-                  "m, or rows of heights in m")
+    c->add_option(
+         "--terrain", o->terrain,
+         "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, hazards, or a CSV file of "
+         "profiles: two columns x,z in "
+         "m, or rows of heights in m")
         ->required();
     c->add_option("--out", o->out, "Scenes CSV to write")->required();
     addNumber(*c, "--seed", o->seed, "Seed of terrain and noise");
@@ -152,6 +153,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     c->add_option("--data", o->data, "Scenes CSV with heights")->required();
     c->add_option("--out", o->out, "Directory for the CSV files and the figures")->required();
     addMethods(*c, *methods);
+    o->settings.hazardRate = 0.0;  // the methods themselves are compared
     addNumber(*c, "--step-limit", o->stepLimit,
               "Ground that rises or falls by more within two bins is a step [m]")
         ->check(CLI::Range(0.0, 10.0));
@@ -176,6 +178,32 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
         useShippedRobot(o->robot);
         useShippedModel(o->model);
         job = [o] { return evaluate(*o); };
+    });
+}
+
+void addHazards(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand(
+        "hazards", "How often the verdict is wrong before drops, gaps, walls and ditches");
+    const auto o = std::make_shared<HazardsOptions>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    addNumber(*c, "--drives", o->drives, "Drives per kind of hazard and ground")
+        ->check(CLI::Range(1, 10'000));
+    addNumber(*c, "--step-limit", o->stepLimit,
+              "Ground that rises or falls by more within two bins is a step [m]")
+        ->check(CLI::Range(0.0, 10.0));
+    c->add_option("--rates", o->rates,
+                  "Rates of hazards per unfelt bin to compare; the last one is printed in full "
+                  "(default 0.002,0.01,0.05)")
+        ->delimiter(',')
+        ->check(CLI::Range(0.0, 1.0));
+    addNumber(*c, "--seed", o->settings.seed, "Seed of ground, drives and noise");
+    addMethod(*c, o->settings);
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return judgeHazards(*o); };
     });
 }
 
@@ -226,6 +254,7 @@ void addModelling(CLI::App& app, Job& job, const Words& words)
     addTrain(app, job, words);
     addReconstruct(app, job);
     addEvaluate(app, job, words);
+    addHazards(app, job);
     addMerge(app, job);
     addTradeoff(app, job);
 }

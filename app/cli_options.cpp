@@ -102,6 +102,11 @@ void addSettings(CLI::App& app, Settings& settings, double& seconds)
         ->check(CLI::Range(0.0, 86'400.0));
     addChoice(app, "--scan", settings.scan, scanOrderFromName, "forward|reverse|random",
               "Order in which a sweep visits the bins (default forward)");
+    addNumber(app, "--hazard-rate", settings.hazardRate,
+              fmt::format("Rate of drops and walls in 0.1 m ahead that nothing has felt (default "
+                          "{}; of evaluate 0: the methods' own bands)",
+                          kHazardRate))
+        ->check(CLI::Range(0.0, 1.0));
     addNumber(app, "--seed", settings.seed, "Seed of the random numbers");
 }
 

@@ -15,7 +15,7 @@ using Job = std::function<Status()>;
 // Each adds subcommands to the program, in the order of its help.  A subcommand owns its options: its callback, which
 // CLI11 calls where the arguments name it, keeps them and sets the job that takes them.
 
-/// simulate, train, reconstruct, evaluate, merge, tradeoff.
+/// simulate, train, reconstruct, evaluate, hazards, merge, tradeoff.
 /// words: of the command behind the program's name; models and parts remember them.
 void addModelling(CLI::App& app, Job& job, const std::vector<std::string>& words);
 /// contacts, ghost, probes, calibrate, model: what measurements and models are worth.

@@ -174,7 +174,7 @@ private:
 
     static std::string words(const Verdict& verdict)
     {
-        return fmt::format("{} (step ahead {:.0f} %)", name(verdict.outlook),
+        return fmt::format("{} (step ahead {:.0f} %)", describeOutlook(verdict),
                            100.0 * verdict.step.p);
     }
 

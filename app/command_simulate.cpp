@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "core/learn/profile_file.h"
 #include "core/learn/scene_file.h"
 #include "core/sim/drive.h"
+#include "core/sim/hazard_terrain.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/terrain_shapes.h"
 
@@ -120,6 +122,16 @@ Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
     return recording;
 }
 
+/// Any hazard on level ground, or on roughness of ISO 8608 class A to D.
+TerrainProfile anyHazard(std::mt19937_64& rng)
+{
+    std::uniform_int_distribution<std::size_t> kind(0, kHazards.size() - 1);
+    const Hazard hazard = kHazards.at(kind(rng));
+    const double roughnessClass = std::uniform_real_distribution<double>(-1.0, 3.0)(rng);
+    const double roughness = roughnessClass < 0.0 ? 0.0 : 16e-6 * std::pow(4.0, roughnessClass);
+    return randomHazardTerrain(hazard, roughness, rng);
+}
+
 Result<Recording> drive(const RobotModel& robot, const SimulateOptions& options)
 {
     const int count = options.count > 0 ? options.count : kPresetScenes;
@@ -134,6 +146,11 @@ Result<Recording> drive(const RobotModel& robot, const SimulateOptions& options)
         constexpr int kScenesPerRun = 8;
         const int runs = std::max(1, count / kScenesPerRun);
         return drivePreset(robot, options, runs, count, randomVariedTerrain, randomDriveStyle);
+    }
+    if (options.terrain == "hazards") {
+        constexpr int kScenesPerRun = 16;
+        const int runs = std::max(1, count / kScenesPerRun);
+        return drivePreset(robot, options, runs, count, anyHazard, randomDriveStyle);
     }
     const auto file = readProfiles(options.terrain, options.step, options.blocks);
     if (!file) return file.error();

@@ -18,7 +18,7 @@ namespace terratact {
 
 struct SimulateOptions {
     std::string robot;
-    std::string terrain = "boxes";  ///< "boxes", "varied", or a file of profiles
+    std::string terrain = "boxes";  ///< "boxes", "varied", "hazards", or a file of profiles
     std::string out;
     std::uint64_t seed = 1;
     int count = 0;        ///< scenes; 0: 1400 for the presets, every stop of a file
@@ -110,6 +110,17 @@ struct FaultsOptions {
 /// Drives simulated robots whose sensors lie and prints, fault by fault, when SensorWatch notices it, in how many
 /// scenes it stands, and what error and cover are with it.
 Status judgeFaults(const FaultsOptions& options);
+
+struct HazardsOptions {
+    std::string robot, model;
+    int drives = 40;         ///< per kind of hazard and ground
+    double stepLimit = 0.1;  ///< [m]
+    std::vector<double>
+        rates;  ///< of hazards per unfelt bin, the last is shown in full; empty: the defaults
+    Settings settings;
+};
+/// Drives simulated robots towards hazards and prints how often the verdict is wrong (app/hazard_trials.h).
+Status judgeHazards(const HazardsOptions& options);
 
 struct ContactsOptions {
     std::string robot, data;

@@ -10,6 +10,7 @@
 #include "core/infer/bimodality.h"
 #include "core/infer/estimate_words.h"
 #include "core/infer/obstacle.h"
+#include "core/infer/verdict.h"
 
 namespace terratact {
 
@@ -46,10 +47,19 @@ Hidden hiddenIn(const SceneEstimate& result)
     return hidden;
 }
 
+/// Horizon and verdict, the same for every bin of a scene.
+std::string answerTo(const Scene& scene, const SceneEstimate& result)
+{
+    if (!result.estimate) return ",,";
+    const Verdict verdict = verdictOf(*result.estimate, scene.s, kStepLimit);
+    return fmt::format(",{:.2f},{}", verdict.horizon, name(verdict.outlook));
+}
+
 void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
 {
     auto out = std::back_inserter(csv);
     const Hidden hidden = hiddenIn(result);
+    const std::string answer = answerTo(scene, result);
     for (std::size_t i = 0; i < kBins; ++i) {
         fmt::format_to(out, "{},{},{:+.1f},", scene.run, scene.time,
                        binCentre(static_cast<int>(i)));
@@ -64,11 +74,14 @@ void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
         }
         fmt::format_to(out, "{},{},", shown(scene.truth[i]), field(result.note));
         if (result.estimate)
-            fmt::format_to(out, "{},{},{},{},{},{}\n", result.estimate->height[i], hidden.step[i],
+            fmt::format_to(out, "{},{},{},{},{},{}", result.estimate->height[i], hidden.step[i],
                            hidden.twoModes[i], result.estimate->novelty,
                            result.estimate->draws.size(), name(result.estimate->ending));
         else
-            fmt::format_to(out, ",,,,,,\n");
+            fmt::format_to(out, ",,,,,,");
+        fmt::format_to(out, ",{}{}\n",
+                       result.estimate ? name(result.estimate->touch[i]) : std::string_view(),
+                       answer);
     }
 }
 
@@ -80,7 +93,7 @@ std::string estimateCsv(const std::vector<Scene>& scenes,
     if (scenes.size() != estimates.size()) throw std::invalid_argument("one estimate per scene");
     std::string csv =
         "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,"
-        "height_m,p_step,p_step_sd,two_modes,novelty,draws,ending\n";
+        "height_m,p_step,p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict\n";
     for (std::size_t k = 0; k < scenes.size(); ++k) addRows(csv, scenes[k], estimates[k]);
     return csv;
 }

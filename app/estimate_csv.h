@@ -10,7 +10,7 @@ namespace terratact {
 
 /// Estimates as CSV, one row per scene and bin:
 ///   run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,
-///   p_step_sd,two_modes,novelty,draws,ending
+///   p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict
 /// height_m: the one number to show; p_step: probability that this bin and the next differ by more than
 /// kStepLimit, with its Monte-Carlo error; two_modes: 1 where the draws fall into two heaps;
 /// draws, ending: how many there are and why there are no more (Ending).

@@ -49,6 +49,7 @@ std::vector<EstimatePair> estimatePairs(const std::vector<Scene>& scenes, const 
             const auto i = static_cast<std::size_t>(k);
             Settings settings = plan.settings;
             settings.seed += i;
+            settings.hazardRate = 0.0;  // the models' own bands
             pairs[i] = {estimateScene(scenes[i], before, settings),
                         estimateScene(scenes[i], after, settings)};
             const std::scoped_lock lock(mutex);

@@ -11,6 +11,7 @@
 #include "app/canvas.h"
 #include "app/figure_colours.h"
 #include "core/infer/provenance.h"
+#include "core/infer/verdict.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -165,7 +166,7 @@ private:
     void drawPriorZones()
     {
         for (int bin = 0; bin < kBins; ++bin) {
-            if (!input_.estimate.priorOnly(bin)) continue;
+            if (!isUnfeltAhead(input_.estimate, bin) && !input_.estimate.priorOnly(bin)) continue;
             canvas_.fillRectangle({axes_.x(binBegin(bin)), kPlotTop},
                                   {axes_.x(binEnd(bin)), kPlotBottom}, kPriorZone);
         }
@@ -257,7 +258,8 @@ private:
         const auto i = static_cast<std::size_t>(bin);
         const Provenance known = provenance(input_.estimate, bin);
         const Point at = axes_.at(binCentre(bin), input_.estimate.height[i]);
-        drawBar(at.x, input_.estimate.q10[i], input_.estimate.q90[i], 7.0, barStroke(known));
+        if (!isUnfeltAhead(input_.estimate, bin))
+            drawBar(at.x, input_.estimate.q10[i], input_.estimate.q90[i], 7.0, barStroke(known));
         drawMark(canvas_, lookOf(known), at);
     }
 
@@ -350,10 +352,11 @@ void drawProfile(Canvas& canvas, const FigureInput& input)
 
 std::string profileTable(const TerrainEstimate& estimate, const std::optional<Heights>& truth)
 {
-    std::string table =
-        "   bin  height    sd    80 % band        ceiling  source        R-hat    ESS";
+    std::string table = "   bin  height    sd    80 % band        ceiling  source       touch      "
+                        "    R-hat    ESS";
     table += truth ? "    truth  error\n" : "\n";
-    table += "    [m]     [m]  [mm]          [m]            [m]                              ";
+    table += "    [m]     [m]  [mm]          [m]            [m]                                    "
+             "       ";
     table += truth ? "      [m]   [mm]\n" : "\n";
     auto out = std::back_inserter(table);
     for (std::size_t i = 0; i < kBins; ++i) {
@@ -361,10 +364,11 @@ std::string profileTable(const TerrainEstimate& estimate, const std::optional<He
         const std::string ceiling =
             std::isfinite(estimate.ceiling[i]) ? fmt::format("{:+.3f}", estimate.ceiling[i]) : "-";
         fmt::format_to(
-            out, "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<11} {:>7} {:6.0f}",
+            out,
+            "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<11}  {:<12} {:>7} {:6.0f}",
             binCentre(bin), estimate.height[i], 1000.0 * estimate.sd[i], estimate.q10[i],
-            estimate.q90[i], ceiling, name(provenance(estimate, bin)), rhatText(estimate.rhat[i]),
-            estimate.ess[i]);
+            estimate.q90[i], ceiling, name(provenance(estimate, bin)), name(estimate.touch[i]),
+            rhatText(estimate.rhat[i]), estimate.ess[i]);
         if (truth)
             fmt::format_to(out, "   {:+.3f}  {:+5.0f}", (*truth)[i],
                            1000.0 * (estimate.height[i] - (*truth)[i]));

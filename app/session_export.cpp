@@ -178,7 +178,7 @@ public:
         case ExportKind::Estimates:
             out_ << "__time,estimate,scene,role,method,bin_m,height_m,mean_m,sd_m,q10_m,q90_m,"
                     "source,"
-                    "ceiling_m,rhat,ess,truth_m\n";
+                    "ceiling_m,rhat,ess,truth_m,touch\n";
             break;
         case ExportKind::Events:
             out_ << "__time,event,kind,subject,text,number,estimate,proposal,shown\n";
@@ -209,11 +209,12 @@ public:
         const SceneRow* scene = session_.scene(row.scene);
         for (std::size_t i = 0; i < kBins; ++i)
             out_ << fmt::format(
-                "{},{},{},{},{},{:.1f},{},{},{},{},{},{},{},{},{},{}\n", moment(row.time), row.id,
-                row.scene, name(row.role), name(e.settings.method), binCentre(static_cast<int>(i)),
-                e.height[i], e.mean[i], e.sd[i], e.q10[i], e.q90[i], name(e.origin[i]),
-                std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "", e.rhat[i], e.ess[i],
-                scene && scene->truth ? numberText(scene->truth->at(i)) : "");
+                "{},{},{},{},{},{:.1f},{},{},{},{},{},{},{},{},{},{},{}\n", moment(row.time),
+                row.id, row.scene, name(row.role), name(e.settings.method),
+                binCentre(static_cast<int>(i)), e.height[i], e.mean[i], e.sd[i], e.q10[i], e.q90[i],
+                name(e.origin[i]), std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "",
+                e.rhat[i], e.ess[i], scene && scene->truth ? numberText(scene->truth->at(i)) : "",
+                name(e.touch[i]));
     }
 
     void take(const EventRow& row) override
@@ -292,7 +293,7 @@ constexpr const char* kEstimateSchema =
     R"("step_limit":{"type":"number"},"converged":{"type":"boolean"},"ending":{"type":"string"},)"
     R"("warnings":{"type":"array","items":{"type":"string"}},"bins":{"type":"array","items":{"type":"object",)"
     R"("properties":{"x":{"type":"number"},"height":{"type":"number"},"mean":{"type":"number"},"sd":{"type":"number"},)"
-    R"("q10":{"type":"number"},"q90":{"type":"number"},"source":{"type":"string"},"ceiling":{"type":"number"},)"
+    R"("q10":{"type":"number"},"q90":{"type":"number"},"source":{"type":"string"},"touch":{"type":"string"},"ceiling":{"type":"number"},)"
     R"("truth":{"type":"number"}}}}}})";
 constexpr const char* kEventSchema =
     R"({"type":"object","title":"what happened","properties":{"id":{"type":"integer"},"kind":{"type":"string"},)"
@@ -415,9 +416,9 @@ private:
         std::string bins, warnings;
         for (std::size_t i = 0; i < kBins; ++i) {
             bins += fmt::format(
-                R"({}{{"x":{},"height":{},"mean":{},"sd":{},"q10":{},"q90":{},"source":{})",
+                R"({}{{"x":{},"height":{},"mean":{},"sd":{},"q10":{},"q90":{},"source":{},"touch":{})",
                 i > 0 ? "," : "", binCentre(static_cast<int>(i)), e.height[i], e.mean[i], e.sd[i],
-                e.q10[i], e.q90[i], jsonText(name(e.origin[i])));
+                e.q10[i], e.q90[i], jsonText(name(e.origin[i])), jsonText(name(e.touch[i])));
             if (std::isfinite(e.ceiling[i])) bins += fmt::format(",\"ceiling\":{}", e.ceiling[i]);
             if (scene && scene->truth) bins += fmt::format(",\"truth\":{}", scene->truth->at(i));
             bins += "}";

@@ -56,7 +56,8 @@ std::string verdictText(const EstimateRow& row, const SceneRow& scene)
     const Verdict v = verdictOf(row.estimate, scene.measurement, {}, row.stepLimit);
     std::string text =
         fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
-                    name(v.outlook), row.stepLimit, 100.0 * v.step.p);
+                    describeOutlook(v), row.stepLimit, 100.0 * v.step.p);
+    if (v.shortfall != Shortfall::None) text += "; " + describe(v.shortfall);
     if (!v.unfelt.empty()) text += "; " + describeUnfelt(v);
     for (const Doubt doubt : v.doubts) text += "; " + describe(doubt);
     return text;
@@ -65,8 +66,8 @@ std::string verdictText(const EstimateRow& row, const SceneRow& scene)
 std::vector<std::vector<std::string>> tableOf(const TerrainEstimate& e, const SceneRow& scene)
 {
     std::vector<std::vector<std::string>> table{{"bin [m]", "height [m]", "sd [mm]", "q10 [m]",
-                                                 "q90 [m]", "ceiling [m]", "known by", "R-hat",
-                                                 "ESS"}};
+                                                 "q90 [m]", "ceiling [m]", "known by", "touch",
+                                                 "R-hat", "ESS"}};
     if (scene.truth) table.front().emplace_back("truth [m]");
     for (std::size_t i = 0; i < kBins; ++i) {
         const int bin = static_cast<int>(i);
@@ -74,8 +75,8 @@ std::vector<std::vector<std::string>> tableOf(const TerrainEstimate& e, const Sc
                          fmt::format("{:.0f}", 1000.0 * e.sd[i]), signedNumber(e.q10[i], 3),
                          signedNumber(e.q90[i], 3),
                          std::isfinite(e.ceiling[i]) ? signedNumber(e.ceiling[i], 3) : "none",
-                         std::string(name(provenance(e, bin))), rhatText(e.rhat[i]),
-                         fmt::format("{:.0f}", e.ess[i])});
+                         std::string(name(provenance(e, bin))), std::string(name(e.touch[i])),
+                         rhatText(e.rhat[i]), fmt::format("{:.0f}", e.ess[i])});
         if (scene.truth) table.back().push_back(signedNumber(scene.truth->at(i), 3));
     }
     return table;

@@ -54,7 +54,8 @@ _terratact_value() {
     *:--out) _terratact_files ;;
     console:--terrain | robot:--terrain) _terratact_files csv && _terratact_words varied ;;
     "model card:--terrain" | *:--trained) ;;
-    *:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
+    ghost:--terrain | faults:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
+    *:--terrain) _terratact_files csv && _terratact_words boxes varied hazards ;;
     *:--replay) _terratact_files log asc trc csv gz ;;
     *:--dbc) _terratact_files dbc ;;
     *:--screenshot) _terratact_files png ;;
@@ -84,7 +85,7 @@ _terratact_value() {
 
 _terratact_options() {
   local estimates="--ceiling --contacts --threshold --sweeps --chains --burn-in --inducing --precision --quality
-    --full --seconds --scan --seed"
+    --full --seconds --scan --hazard-rate --seed"
   case $1 in
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --interface --at --speed --panel --dbc --seed \
       --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
@@ -93,6 +94,7 @@ _terratact_options() {
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;
     evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --classes --class-column --probes \
       "$estimates" ;;
+    hazards) echo --robot --model --drives --step-limit --rates --seed --method ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
@@ -124,7 +126,7 @@ _terratact_options() {
 # What may stand where no option does.
 _terratact_argument() {
   case $1 in
-    "") _terratact_words simulate train reconstruct evaluate merge tradeoff contacts faults ghost probes calibrate model panel \
+    "") _terratact_words simulate train reconstruct evaluate hazards merge tradeoff contacts faults ghost probes calibrate model panel \
       demo robot can session ;;
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;

@@ -205,9 +205,11 @@ TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
     truth[10] = -0.29;
     const std::string table = profileTable(e, truth);
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);
-    EXPECT_NE(table.find("  -0.3  -0.240    10  -0.260 … -0.220    -0.200  sampled       1.000   "
-                         "1000   -0.240     +0\n"),
-              std::string::npos)
+    EXPECT_NE(
+        table.find(
+            "  -0.3  -0.240    10  -0.260 … -0.220    -0.200  sampled      not recorded   1.000   "
+            "1000   -0.240     +0\n"),
+        std::string::npos)
         << table;
     EXPECT_NE(table.find("  +0.5  -0.240    10  -0.260 … -0.220    -0.200  contact "),
               std::string::npos)
@@ -215,9 +217,11 @@ TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
     EXPECT_NE(table.find("  +0.6  -0.240    10  -0.260 … -0.220    -0.200  arm "),
               std::string::npos)
         << table;
-    EXPECT_NE(table.find("  +0.7  -0.240    10  -0.260 … -0.220         -  prior only    1.000   "
-                         "1000   -0.290    +50\n"),
-              std::string::npos)
+    EXPECT_NE(
+        table.find(
+            "  +0.7  -0.240    10  -0.260 … -0.220         -  prior only   not recorded   1.000   "
+            "1000   -0.290    +50\n"),
+        std::string::npos)
         << table;
     EXPECT_EQ(profileTable(e, std::nullopt).find("truth"), std::string::npos);
 }

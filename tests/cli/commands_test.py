@@ -11,7 +11,7 @@ import unittest.mock
 
 from support import CLI, SOURCE, complaint, rows, run
 
-COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,p_step_sd,two_modes,novelty,draws,ending".split(",")
+COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict".split(",")
 
 
 class Commands(unittest.TestCase):

@@ -1,0 +1,23 @@
+#include <fmt/core.h>
+
+#include "app/commands.h"
+#include "app/hazard_trials.h"
+
+namespace terratact {
+
+Status judgeHazards(const HazardsOptions& options)
+{
+    const auto toolbox = openToolbox(options.robot, options.model);
+    if (!toolbox) return toolbox.error();
+    HazardTrial trial;
+    trial.drives = options.drives;
+    trial.seed = options.settings.seed;
+    trial.stepLimit = options.stepLimit;
+    trial.settings = options.settings;
+    if (!options.rates.empty()) trial.rates = options.rates;
+    const auto lines = tryHazards(**toolbox, trial);
+    fmt::print("{}", hazardTable(lines, trial.rates.back()));
+    return Done{};
+}
+
+}  // namespace terratact
