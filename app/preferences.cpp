@@ -170,6 +170,7 @@ void visit(Visitor visitor, Values& p)
     visitor.oneOf("probe-policy", p.probes, kProbePolicies);
     visitor.number("probe-above", p.probeAbove, kProbeAboveRange);
     visitor.number("roll-limit", p.rollLimit, kRollRange);
+    visitor.number("hazard-rate", p.hazardRate, kHazardRateRange);
     visitor.number("asymmetry-limit", p.asymmetryLimit, kAsymmetryRange);
     visitor.flag("record", p.record);
     visitor.number("keep-days", p.keepDays, 0, kMostDays);
@@ -235,6 +236,7 @@ Settings withPreferences(Settings settings, const Preferences& preferences)
     settings.forceThreshold = preferences.forceThreshold;
     settings.probeAbove = preferences.probeAbove;
     settings.rollLimit = preferences.rollLimit;
+    settings.hazardRate = preferences.hazardRate;
     settings.asymmetryLimit = preferences.asymmetryLimit;
     return settings;
 }

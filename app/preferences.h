@@ -30,8 +30,10 @@ struct Preferences {
     int estimateSeconds = 0;  ///< [s] after which sampling ends with what there is; 0: no limit
     double forceThreshold = Settings{}.forceThreshold;  ///< [N]
     ProbePolicy probes = ProbePolicy::Variance;
-    double probeAbove = Settings{}.probeAbove;          ///< [m]
-    double rollLimit = Settings{}.rollLimit;            ///< [rad]
+    double probeAbove = Settings{}.probeAbove;  ///< [m]
+    double rollLimit = Settings{}.rollLimit;    ///< [rad]
+    double hazardRate =
+        Settings{}.hazardRate;  ///< per bin that nothing has felt, core/infer/hazards.h
     double asymmetryLimit = Settings{}.asymmetryLimit;  ///< [rad]
     QString model, robot;                               ///< files; empty: the shipped ones
     QStringList dbc;                                    ///< files, at most kMostDbcFiles
@@ -47,9 +49,11 @@ struct PreferenceRange {
     double least, most;
 };
 inline constexpr double kDegree = std::numbers::pi / 180.0;
+inline constexpr double kPercent = 0.01;
 inline constexpr PreferenceRange kObstacleRange{0.02, 0.60};                      ///< [m]
 inline constexpr PreferenceRange kForceRange{0.1, 50.0};                          ///< [N]
 inline constexpr PreferenceRange kProbeAboveRange{0.01, 0.50};                    ///< [m]
+inline constexpr PreferenceRange kHazardRateRange{0.001, 0.5};                    ///< per bin
 inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};       ///< [rad]
 inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};  ///< [rad]
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;                      ///< [%]

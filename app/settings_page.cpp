@@ -228,6 +228,11 @@ void SettingsPage::buildEstimate(QFormLayout* form)
         [](Preferences& p, std::size_t i) { p.probes = kProbePolicies.at(i); });
     number(form, tr("The arm is offered above a sd of"), kProbeAboveRange, 2, tr("m"),
            tr("A bin less certain than this asks for a probe"), &Preferences::probeAbove);
+    number(
+        form, tr("Rate of hazards in 0.1 m that nothing has felt"), kHazardRateRange, 1, tr("%"),
+        tr("Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers' "
+           "reach; lower rates accept ground that the flippers span"),
+        &Preferences::hazardRate, kPercent);
     number(form, tr("The verdict is withheld above a roll of"), kRollRange, 1, tr("°"),
            tr("Then left and right ground differ"), &Preferences::rollLimit, kDegree);
     number(form, tr("… or left and right flippers apart by"), kAsymmetryRange, 1, tr("°"),

@@ -8,6 +8,7 @@
 #include "core/infer/bimodality.h"
 #include "core/infer/obstacle.h"
 #include "widgets/provenance_words.h"
+#include "widgets/touch_words.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -16,14 +17,14 @@ NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, paren
 {
     setAccessibleName(tr("The scene as numbers"));
     setHorizontalHeaderLabels({tr("bin [m]"), tr("height [m]"), tr("sd [m]"), tr("10 % [m]"),
-                               tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("step to next"),
-                               tr("R-hat"), tr("ESS"), tr("two heights")});
+                               tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("touch"),
+                               tr("step to next"), tr("R-hat"), tr("ESS"), tr("two heights")});
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(verticalHeader()->defaultSectionSize());
     verticalHeader()->setSectionResizeMode(
         QHeaderView::ResizeToContents);  // as high as the letters
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    for (const Column wide : {From, Step, TwoHeaps})
+    for (const Column wide : {From, Touched, Step, TwoHeaps})
         horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     horizontalHeader()->setHighlightSections(false);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -33,7 +34,7 @@ NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, paren
     for (int row = 0; row < kBins; ++row)
         for (int column = 0; column < kColumns; ++column) {
             auto* item = new QTableWidgetItem;
-            item->setTextAlignment(column == From || column == TwoHeaps
+            item->setTextAlignment(column == From || column == Touched || column == TwoHeaps
                                        ? Qt::AlignLeft | Qt::AlignVCenter
                                        : Qt::AlignRight | Qt::AlignVCenter);
             setItem(row, column, item);
@@ -54,6 +55,7 @@ void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
         set(bin, High, words::signedNumber(e.q90[i], 3));
         set(bin, Ceiling, words::signedNumber(e.ceiling[i], 3));
         set(bin, From, provenanceWord(provenance(e, bin)));
+        set(bin, Touched, touchWord(e.touch[i]));
         set(bin, Step,
             bin + 1 < kBins && !e.draws.empty() ? words::number(steps[i].p, 3) : words::kNothing);
         set(bin, Rhat, words::rhat(e.rhat[i]));

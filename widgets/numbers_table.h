@@ -11,7 +11,21 @@ namespace terratact {
 class NumbersTable final : public HeadedTable {
     Q_OBJECT
 public:
-    enum Column { Bin, Height, Sd, Low, High, Ceiling, From, Step, Rhat, Ess, TwoHeaps, kColumns };
+    enum Column {
+        Bin,
+        Height,
+        Sd,
+        Low,
+        High,
+        Ceiling,
+        From,
+        Touched,
+        Step,
+        Rhat,
+        Ess,
+        TwoHeaps,
+        kColumns
+    };
 
     explicit NumbersTable(QWidget* parent = nullptr);
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "widgets/palette.h"
+#include "widgets/touch_words.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -108,27 +109,54 @@ bool BinZones::isShown() const
 void BinZones::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
                     const QRectF& canvas) const
 {
-    const QFont font = sized(plot()->font(), 13);
     for (std::size_t i = 0; i < kBins; ++i) {
-        if (!shown[i] || (i > 0 && shown[i - 1])) continue;
+        const auto goesOn = [&](std::size_t k) { return shown[k] && touch[k] == touch[i]; };
+        if (!shown[i] || (i > 0 && goesOn(i - 1))) continue;
         std::size_t last = i;
-        while (last + 1 < kBins && shown[last + 1]) ++last;
+        while (last + 1 < kBins && goesOn(last + 1)) ++last;
         const double from = std::round(x.transform(binBegin(static_cast<int>(i))));
         const double to = std::round(x.transform(binEnd(static_cast<int>(last))));
-        const QRectF zone(from, canvas.top(), to - from, canvas.height());
-        QColor fill = theme().priorZone;
-        fill.setAlpha(0xc0);
-        painter->fillRect(zone, fill);
-        painter->setPen(theme().doubt);
-        painter->setFont(font);
-        const QString label = TerrainProfileView::tr("prior only");
-        const double width = painter->fontMetrics().horizontalAdvance(label);
-        QRectF place(zone.center().x() - width / 2.0 - 2.0, zone.top() + 5.0, width + 4.0,
-                     scaled(20));
-        place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
-        painter->fillRect(place, theme().priorZone);
-        painter->drawText(place, Qt::AlignCenter, label);
+        drawZone(*painter, touch[i], {from, canvas.top(), to - from, canvas.height()}, canvas);
     }
+    if (horizon) drawHorizon(*painter, std::round(x.transform(*horizon)) + 0.5, canvas);
+}
+
+void BinZones::drawZone(QPainter& painter, Touch kind, const QRectF& zone,
+                        const QRectF& canvas) const
+{
+    QColor fill = theme().priorZone;
+    fill.setAlpha(0xc0);
+    painter.fillRect(zone, fill);
+    QColor hatch = theme().doubt;
+    hatch.setAlpha(0x60);
+    painter.fillRect(zone,
+                     QBrush(hatch, kind == Touch::Bounded ? Qt::HorPattern : Qt::BDiagPattern));
+    painter.setPen(theme().doubt);
+    painter.setFont(sized(plot()->font(), 13));
+    const QString label =
+        kind == Touch::Unrecorded ? TerrainProfileView::tr("prior only") : touchWord(kind);
+    const double most = std::max(zone.width() - 4.0, 1.0);
+    const QString fitting =
+        painter.fontMetrics().elidedText(label, Qt::ElideRight, static_cast<int>(most));
+    const double width = painter.fontMetrics().horizontalAdvance(fitting);
+    QRectF place(zone.center().x() - width / 2.0 - 2.0, zone.top() + 5.0, width + 4.0, scaled(20));
+    place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
+    painter.fillRect(place, theme().priorZone);
+    painter.drawText(place, Qt::AlignCenter, fitting);
+}
+
+void BinZones::drawHorizon(QPainter& painter, double px, const QRectF& canvas) const
+{
+    painter.setPen(QPen(theme().doubt, 2.0, Qt::DashLine));
+    painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
+    painter.setFont(sized(plot()->font(), 13));
+    const QString label =
+        TerrainProfileView::tr("felt to %1 m").arg(words::signedNumber(*horizon, 2));
+    const double width = painter.fontMetrics().horizontalAdvance(label) + 6.0;
+    const QRectF place(px - width - 3.0, canvas.bottom() - scaled(24), width, scaled(20));
+    painter.fillRect(place, theme().priorZone);
+    painter.setPen(theme().doubt);
+    painter.drawText(place, Qt::AlignCenter, label);
 }
 
 ArmMark::ArmMark() : QwtPlotItem(QwtText("arm"))

@@ -8,7 +8,9 @@
 
 #include <QFont>
 #include <array>
+#include <optional>
 
+#include "core/infer/touch.h"
 #include "widgets/terrain_profile_view.h"
 
 namespace terratact {
@@ -58,15 +60,21 @@ public:
               const QRectF& canvas) const override;
 };
 
-/// The zones of bins for which nothing but the training set speaks.
+/// The zones of bins that nobody has felt, hatched, each run with its word; and the felt horizon as a line.
 class BinZones final : public QwtPlotItem {
 public:
     BinZones();
     std::array<bool, kBins> shown{};
+    TouchMap touch = unrecordedTouch();
+    std::optional<double> horizon;  ///< [m]; empty: nothing ahead is felt, or it is not recorded
     bool isShown() const;
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;
+
+private:
+    void drawZone(QPainter& painter, Touch kind, const QRectF& zone, const QRectF& canvas) const;
+    void drawHorizon(QPainter& painter, double px, const QRectF& canvas) const;
 };
 
 /// The arm's last link, upright, and its tip on the bin: dashed and open where nobody has approved it.

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/infer/verdict.h"
 #include "widgets/bin_inspector.h"
 #include "widgets/drawable.h"
 #include "widgets/palette.h"
@@ -27,6 +28,7 @@
 #include "widgets/provenance_marks.h"
 #include "widgets/provenance_words.h"
 #include "widgets/terrain_items.h"
+#include "widgets/touch_words.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -296,7 +298,9 @@ void TerrainProfileView::showEstimate()
     std::vector<QPointF> known, prior;
     QPainterPath ceilings;
     zones_->shown.fill(false);
-    letters_->shown.fill(std::nullopt);
+    zones_->touch = estimate_ ? estimate_->touch : unrecordedTouch();
+    zones_->horizon = estimate_ ? feltHorizon(*estimate_) : std::nullopt;
+    letters_->shown = {};
     if (estimate_) {
         const TerrainEstimate& e = *estimate_;
         constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
@@ -309,13 +313,14 @@ void TerrainProfileView::showEstimate()
                 points[kind].append(point);
                 letters_->shown[i] = from;
             }
-            if (drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
+            const bool unfelt = isUnfeltAhead(e, bin);  // it gets no band that looks known
+            if (!unfelt && drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
                 bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
             if (drawable(e.ceiling[i])) {
                 ceilings.moveTo(binBegin(bin), e.ceiling[i]);
                 ceilings.lineTo(binEnd(bin), e.ceiling[i]);
             }
-            zones_->shown[i] = from == Provenance::PriorOnly;
+            zones_->shown[i] = unfelt || from == Provenance::PriorOnly;
 
             // A segment that touches a prior-only bin is dashed.
             known.push_back(e.priorOnly(bin) ? QPointF(point.x(), kNowhere) : point);
@@ -400,7 +405,8 @@ QStringList TerrainProfileView::closeUp(int bin) const
         e.ceiling[i] < kDrawableLimit ? tr("ceiling %1 m").arg(words::signedNumber(e.ceiling[i], 3))
                                       : tr("nothing of the robot above it"),
         tr("from: %1 (%2)")
-            .arg(provenanceWord(provenance(e, bin)), provenanceLetter(provenance(e, bin)))};
+            .arg(provenanceWord(provenance(e, bin)), provenanceLetter(provenance(e, bin))),
+        tr("touch: %1").arg(touchWord(e.touch[i]))};
     if (const auto& two = twoHeights_->modes[i])
         lines << tr("either %1 m (%2 %)")
                      .arg(words::signedNumber(two->lowMean, 2),
@@ -531,10 +537,17 @@ QString TerrainProfileView::binText(int bin) const
 {
     if (!estimate_ || bin < 0 || bin >= kBins) return {};
     const auto i = static_cast<std::size_t>(bin);
-    return tr("bin %1: %2 m, 80 % in %3 … %4, %5")
-        .arg(words::binName(bin), words::signedNumber(estimate_->height[i], 2),
-             words::signedNumber(estimate_->q10[i], 2), words::signedNumber(estimate_->q90[i], 2),
-             provenanceWord(provenance(*estimate_, bin)));
+    const Touch touch = estimate_->touch[i];
+    const bool recorded = touch != Touch::Unrecorded;
+    if (recorded && isUnfeltAhead(*estimate_, bin))
+        return tr("bin %1: %2").arg(words::binName(bin), touchWord(touch));
+    const QString known =
+        tr("bin %1: %2 m, 80 % in %3 … %4, %5")
+            .arg(words::binName(bin), words::signedNumber(estimate_->height[i], 2),
+                 words::signedNumber(estimate_->q10[i], 2),
+                 words::signedNumber(estimate_->q90[i], 2),
+                 provenanceWord(provenance(*estimate_, bin)));
+    return recorded ? known + QStringLiteral(", ") + touchWord(touch) : known;
 }
 
 void TerrainProfileView::describe()

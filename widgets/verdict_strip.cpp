@@ -63,6 +63,35 @@ QString outlookOf(const Verdict& verdict)
     return {};
 }
 
+/// How far the answer goes, and what lies behind it.
+QString clearText(const Verdict& verdict)
+{
+    const QString risk = words::percent(kClearBelow);
+    const QString to = words::signedNumber(verdict.horizon, 2);
+    const QString unfelt = unfeltText(verdict.unfelt);
+    if (!verdict.touchRecorded)
+        return unfelt.isEmpty()
+                 ? VerdictStrip::tr("up to 0.75 m ahead of the IMU, at a risk below %1 %").arg(risk)
+                 : VerdictStrip::tr(
+                       "up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2")
+                       .arg(risk, unfelt);
+    return unfelt.isEmpty()
+             ? VerdictStrip::tr("felt to %1 m ahead of the IMU, risk below %2 %").arg(to, risk)
+             : VerdictStrip::tr("felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3")
+                   .arg(to, risk, unfelt);
+}
+
+/// What is not felt, and what would help besides a probe.
+QString shortfallText(const Verdict& verdict)
+{
+    QString text = words::sentence(describe(verdict.shortfall));
+    if (const QString unfelt = unfeltText(verdict.unfelt); !unfelt.isEmpty())
+        text = VerdictStrip::tr("%1; not felt: %2").arg(text, unfelt);
+    if (verdict.help != Help::Nothing)
+        text = VerdictStrip::tr("%1. Helps: %2").arg(text, words::sentence(describe(verdict.help)));
+    return text;
+}
+
 QString withheldText(const std::vector<Doubt>& doubts)
 {
     QStringList reasons;
@@ -137,7 +166,8 @@ void VerdictStrip::resizeToFont()
     bold.setBold(true);
     int width = 0;
     for (const QString& word :
-         {tr("✔ CLEAR"), tr("✘ BLOCKED"), tr("? CANNOT TELL"), tr("NO VERDICT")})
+         {tr("✔ CLEAR to %1 m").arg(words::signedNumber(binEnd(kBins - 1), 2)), tr("✘ BLOCKED"),
+          tr("? CANNOT TELL"), tr("NO VERDICT")})
         width = std::max(width, QFontMetrics(bold).horizontalAdvance(word));
     badge_->setMinimumWidth(width + kBadgeFrame);
 }
@@ -165,7 +195,10 @@ void VerdictStrip::changeEvent(QEvent* event)
 QString VerdictStrip::answerOf(const Verdict& verdict)
 {
     switch (verdict.outlook) {
-    case Outlook::Clear: return tr("✔ CLEAR");
+    case Outlook::Clear:
+        return verdict.touchRecorded
+                 ? tr("✔ CLEAR to %1 m").arg(words::signedNumber(verdict.horizon, 2))
+                 : tr("✔ CLEAR");
     case Outlook::Blocked: return tr("✘ BLOCKED");
     case Outlook::CannotTell: return tr("? CANNOT TELL");
     }
@@ -174,6 +207,11 @@ QString VerdictStrip::answerOf(const Verdict& verdict)
 
 QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 {
+    if (verdict.outlook == Outlook::Clear && verdict.touchRecorded)
+        return tr("P(step > %1 m to %2 m) = %3 ± %4")
+            .arg(words::number(limit, 2), words::signedNumber(verdict.horizon, 2),
+                 words::number(verdict.toHorizon.p, 2),
+                 words::randomError(verdict.toHorizon.monteCarloSd, 2));
     return tr("P(step > %1 m ahead) = %2 ± %3")
         .arg(words::number(limit, 2), words::number(verdict.step.p, 2),
              words::randomError(verdict.step.monteCarloSd, 2));
@@ -182,16 +220,12 @@ QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 QString VerdictStrip::whyOf(const Verdict& verdict)
 {
     switch (verdict.outlook) {
-    case Outlook::Clear:
-        return verdict.unfelt.empty()
-                 ? tr("up to 0.75 m ahead of the IMU, at a risk below %1 %")
-                       .arg(words::percent(kClearBelow))
-                 : tr("up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2")
-                       .arg(words::percent(kClearBelow), unfeltText(verdict.unfelt));
+    case Outlook::Clear: return clearText(verdict);
     case Outlook::Blocked: return likeliestText(verdict);
     case Outlook::CannotTell: break;
     }
     if (!verdict.doubts.empty()) return withheldText(verdict.doubts);
+    if (verdict.shortfall != Shortfall::None) return shortfallText(verdict);
     return tr("undecided from %1 to %2, %3")
         .arg(words::number(kClearBelow, 2), words::number(kBlockedAbove, 2),
              likeliestText(verdict));

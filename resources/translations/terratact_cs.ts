@@ -3138,6 +3138,26 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>a log of Microchip</source>
         <translation>záznam Microchip</translation>
     </message>
+    <message>
+        <source>the front flippers press on nothing</source>
+        <translation>přední flippery na nic netlačí</translation>
+    </message>
+    <message>
+        <source>the front flippers reach further than they press</source>
+        <translation>přední flippery sahají dál, než kam tlačí</translation>
+    </message>
+    <message>
+        <source>the front flippers span ground that they do not press</source>
+        <translation>přední flippery překlenují terén, na který netlačí</translation>
+    </message>
+    <message>
+        <source>lay the front flippers flatter</source>
+        <translation>položte přední flippery plošeji</translation>
+    </message>
+    <message>
+        <source>drive on %1 m and explore again</source>
+        <translation>popojeďte o %1 m a prozkoumejte znovu</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -4716,6 +4736,10 @@ F1</translation>
         <source>%1 (%2 %) or %3 (%4 %)</source>
         <translation>%1 (%2 %) nebo %3 (%4 %)</translation>
     </message>
+    <message>
+        <source>touch</source>
+        <translation>ohmatáno</translation>
+    </message>
 </context>
 <context>
     <name>terratact::PanelControl</name>
@@ -6201,6 +6225,18 @@ F1</translation>
         <source>Until this is ticked, the console only tells what it would delete</source>
         <translation>Dokud není zaškrtnuto, konzole jen říká, co by smazala</translation>
     </message>
+    <message>
+        <source>Rate of hazards in 0.1 m that nothing has felt</source>
+        <translation>Četnost nebezpečí na 0.1 m, které nic neohmatalo</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers&apos; reach; lower rates accept ground that the flippers span</source>
+        <translation>Propasti a stěny. Od 5 % potřebuje VOLNO ohmatané všechny úseky, kam přední flippery sahají; nižší hodnoty připouštějí terén, který flippery překlenují</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
@@ -6791,6 +6827,18 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>ghost of the last estimate · %1 m driven since · heights ± %2 cm</source>
         <translation>stín posledního odhadu · od té doby ujeto %1 m · výšky ± %2 cm</translation>
     </message>
+    <message>
+        <source>felt to %1 m</source>
+        <translation>ohmatáno do %1 m</translation>
+    </message>
+    <message>
+        <source>touch: %1</source>
+        <translation>ohmatáno: %1</translation>
+    </message>
+    <message>
+        <source>bin %1: %2</source>
+        <translation>úsek %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -6805,6 +6853,29 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>Close (Esc)</source>
         <translation>Zavřít (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Touch</name>
+    <message>
+        <source>felt</source>
+        <translation>ohmatáno</translation>
+    </message>
+    <message>
+        <source>felt in part</source>
+        <translation>ohmatáno zčásti</translation>
+    </message>
+    <message>
+        <source>bounded, not felt</source>
+        <translation>omezeno, neohmatáno</translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <translation>neohmatáno</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nezaznamenáno</translation>
     </message>
 </context>
 <context>
@@ -7291,6 +7362,30 @@ vpředu</translation>
     <message>
         <source>A step: two bins at most %3 m apart that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
         <translation>Schod: dva úseky nejvýše %3 m od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 m před IMU</translation>
+    </message>
+    <message>
+        <source>felt to %1 m ahead of the IMU, risk below %2 %</source>
+        <translation>ohmatáno do %1 m před IMU, riziko pod %2 %</translation>
+    </message>
+    <message>
+        <source>felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3</source>
+        <translation>ohmatáno do %1 m před IMU, riziko pod %2 %; neohmatáno: %3</translation>
+    </message>
+    <message>
+        <source>%1; not felt: %2</source>
+        <translation>%1; neohmatáno: %2</translation>
+    </message>
+    <message>
+        <source>%1. Helps: %2</source>
+        <translation>%1. Pomůže: %2</translation>
+    </message>
+    <message>
+        <source>✔ CLEAR to %1 m</source>
+        <translation>✔ VOLNO do %1 m</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m) = %3 ± %4</source>
+        <translation>P(schod &gt; %1 m do %2 m) = %3 ± %4</translation>
     </message>
 </context>
 <context>

@@ -3138,6 +3138,26 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>a log of Microchip</source>
         <translation>ein Log von Microchip</translation>
     </message>
+    <message>
+        <source>the front flippers press on nothing</source>
+        <translation>die vorderen Flipper drücken auf nichts</translation>
+    </message>
+    <message>
+        <source>the front flippers reach further than they press</source>
+        <translation>die vorderen Flipper reichen weiter, als sie aufdrücken</translation>
+    </message>
+    <message>
+        <source>the front flippers span ground that they do not press</source>
+        <translation>die vorderen Flipper überspannen Boden, auf den sie nicht drücken</translation>
+    </message>
+    <message>
+        <source>lay the front flippers flatter</source>
+        <translation>die vorderen Flipper flacher legen</translation>
+    </message>
+    <message>
+        <source>drive on %1 m and explore again</source>
+        <translation>%1 m weiterfahren und erneut erkunden</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -4716,6 +4736,10 @@ F1</translation>
         <source>%1 (%2 %) or %3 (%4 %)</source>
         <translation>%1 (%2 %) oder %3 (%4 %)</translation>
     </message>
+    <message>
+        <source>touch</source>
+        <translation>ertastet</translation>
+    </message>
 </context>
 <context>
     <name>terratact::PanelControl</name>
@@ -6201,6 +6225,18 @@ F1</translation>
         <source>Until this is ticked, the console only tells what it would delete</source>
         <translation>Solange das nicht angekreuzt ist, sagt die Konsole nur, was sie löschen würde</translation>
     </message>
+    <message>
+        <source>Rate of hazards in 0.1 m that nothing has felt</source>
+        <translation>Häufigkeit von Gefahren auf 0.1 m, die nichts ertastet hat</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers&apos; reach; lower rates accept ground that the flippers span</source>
+        <translation>Abgründe und Wände. Ab 5 % braucht FREI jeden Abschnitt ertastet, so weit die vorderen Flipper reichen; niedrigere Werte lassen Boden gelten, den die Flipper überspannen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
@@ -6791,6 +6827,18 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>ghost of the last estimate · %1 m driven since · heights ± %2 cm</source>
         <translation>Schatten der letzten Schätzung · seither %1 m gefahren · Höhen ± %2 cm</translation>
     </message>
+    <message>
+        <source>felt to %1 m</source>
+        <translation>ertastet bis %1 m</translation>
+    </message>
+    <message>
+        <source>touch: %1</source>
+        <translation>ertastet: %1</translation>
+    </message>
+    <message>
+        <source>bin %1: %2</source>
+        <translation>Feld %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -6805,6 +6853,29 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>Close (Esc)</source>
         <translation>Schließen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Touch</name>
+    <message>
+        <source>felt</source>
+        <translation>ertastet</translation>
+    </message>
+    <message>
+        <source>felt in part</source>
+        <translation>teils ertastet</translation>
+    </message>
+    <message>
+        <source>bounded, not felt</source>
+        <translation>begrenzt, nicht ertastet</translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <translation>nicht ertastet</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -7291,6 +7362,30 @@ voraus</translation>
     <message>
         <source>A step: two bins at most %3 m apart that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
         <translation>Eine Stufe: zwei Abschnitte, höchstens %3 m voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 m vor der IMU</translation>
+    </message>
+    <message>
+        <source>felt to %1 m ahead of the IMU, risk below %2 %</source>
+        <translation>ertastet bis %1 m vor der IMU, Risiko unter %2 %</translation>
+    </message>
+    <message>
+        <source>felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3</source>
+        <translation>ertastet bis %1 m vor der IMU, Risiko unter %2 %; nicht ertastet: %3</translation>
+    </message>
+    <message>
+        <source>%1; not felt: %2</source>
+        <translation>%1; nicht ertastet: %2</translation>
+    </message>
+    <message>
+        <source>%1. Helps: %2</source>
+        <translation>%1. Es hilft: %2</translation>
+    </message>
+    <message>
+        <source>✔ CLEAR to %1 m</source>
+        <translation>✔ FREI bis %1 m</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m) = %3 ± %4</source>
+        <translation>P(Stufe &gt; %1 m bis %2 m) = %3 ± %4</translation>
     </message>
 </context>
 <context>

@@ -32,8 +32,12 @@ struct Strip : testing::Test {
 
 Verdict verdict(Outlook outlook, double p)
 {
-    return {
-        .outlook = outlook, .step = {p, 0.013}, .likeliest = 8, .likeliestP = 0.5, .doubts = {}};
+    return {.outlook = outlook,
+            .step = {p, 0.013},
+            .likeliest = 8,
+            .likeliestP = 0.5,
+            .doubts = {},
+            .toHorizon = {}};
 }
 
 TEST_F(Strip, answersInAWordWithAShape)
