@@ -1,7 +1,6 @@
-#include <fmt/core.h>
-
 #include "app/commands.h"
 #include "app/hazard_trials.h"
+#include "app/say.h"
 
 namespace terratact {
 
@@ -16,7 +15,8 @@ Status judgeHazards(const HazardsOptions& options)
     trial.settings = options.settings;
     if (!options.rates.empty()) trial.rates = options.rates;
     const auto lines = tryHazards(**toolbox, trial);
-    fmt::print("{}", hazardTable(lines, trial.rates.back()));
+    const std::string table = hazardTable(lines, trial.rates.back());
+    say("{}", Lines(table));
     return Done{};
 }
 
