@@ -133,16 +133,16 @@ void BinZones::drawZone(QPainter& painter, Touch kind, const QRectF& zone,
                      QBrush(hatch, kind == Touch::Bounded ? Qt::HorPattern : Qt::BDiagPattern));
     painter.setPen(theme().doubt);
     painter.setFont(sized(plot()->font(), 13));
-    const QString label =
-        kind == Touch::Unrecorded ? TerrainProfileView::tr("prior only") : touchWord(kind);
-    const double most = std::max(zone.width() - 4.0, 1.0);
-    const QString fitting =
-        painter.fontMetrics().elidedText(label, Qt::ElideRight, static_cast<int>(most));
-    const double width = painter.fontMetrics().horizontalAdvance(fitting);
-    QRectF place(zone.center().x() - width / 2.0 - 2.0, zone.top() + 5.0, width + 4.0, scaled(20));
+    const bool bounded = kind == Touch::Bounded;  // its word stands a line below the others
+    const QString label = kind == Touch::Unrecorded ? TerrainProfileView::tr("prior only")
+                        : bounded                   ? TerrainProfileView::tr("bounded")
+                                                    : touchWord(kind);
+    const double width = painter.fontMetrics().horizontalAdvance(label);
+    QRectF place(zone.center().x() - width / 2.0 - 2.0,
+                 zone.top() + 5.0 + (bounded ? scaled(20) : 0.0), width + 4.0, scaled(20));
     place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
     painter.fillRect(place, theme().priorZone);
-    painter.drawText(place, Qt::AlignCenter, fitting);
+    painter.drawText(place, Qt::AlignCenter, label);
 }
 
 void BinZones::drawHorizon(QPainter& painter, double px, const QRectF& canvas) const
@@ -153,7 +153,7 @@ void BinZones::drawHorizon(QPainter& painter, double px, const QRectF& canvas) c
     const QString label =
         TerrainProfileView::tr("felt to %1 m").arg(words::signedNumber(*horizon, 2));
     const double width = painter.fontMetrics().horizontalAdvance(label) + 6.0;
-    const QRectF place(px - width - 3.0, canvas.bottom() - scaled(24), width, scaled(20));
+    const QRectF place(px - width - 3.0, canvas.top() + 5.0 + 2.0 * scaled(20), width, scaled(20));
     painter.fillRect(place, theme().priorZone);
     painter.setPen(theme().doubt);
     painter.drawText(place, Qt::AlignCenter, label);

@@ -92,6 +92,15 @@ QString shortfallText(const Verdict& verdict)
     return text;
 }
 
+/// The answer on the badge: the horizon on a line of its own, so that the badge stays as wide.
+QString badgeOf(const Verdict& verdict)
+{
+    if (verdict.outlook != Outlook::Clear || !verdict.touchRecorded)
+        return VerdictStrip::answerOf(verdict);
+    return VerdictStrip::tr("✔ CLEAR") + QLatin1Char('\n')
+         + VerdictStrip::tr("to %1 m").arg(words::signedNumber(verdict.horizon, 2));
+}
+
 QString withheldText(const std::vector<Doubt>& doubts)
 {
     QStringList reasons;
@@ -166,8 +175,8 @@ void VerdictStrip::resizeToFont()
     bold.setBold(true);
     int width = 0;
     for (const QString& word :
-         {tr("✔ CLEAR to %1 m").arg(words::signedNumber(binEnd(kBins - 1), 2)), tr("✘ BLOCKED"),
-          tr("? CANNOT TELL"), tr("NO VERDICT")})
+         {tr("✔ CLEAR"), tr("to %1 m").arg(words::signedNumber(binEnd(kBins - 1), 2)),
+          tr("✘ BLOCKED"), tr("? CANNOT TELL"), tr("NO VERDICT")})
         width = std::max(width, QFontMetrics(bold).horizontalAdvance(word));
     badge_->setMinimumWidth(width + kBadgeFrame);
 }
@@ -245,7 +254,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     QStringList tip{why};
     for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
-    say(answerOf(verdict), outlookOf(verdict), isWithheld);
+    say(badgeOf(verdict), outlookOf(verdict), isWithheld);
 }
 
 void VerdictStrip::setNothing(const QString& why)

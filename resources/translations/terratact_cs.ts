@@ -6839,6 +6839,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>bin %1: %2</source>
         <translation>úsek %1: %2</translation>
     </message>
+    <message>
+        <source>bounded</source>
+        <translation>omezeno</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -7386,6 +7390,10 @@ vpředu</translation>
     <message>
         <source>P(step &gt; %1 m to %2 m) = %3 ± %4</source>
         <translation>P(schod &gt; %1 m do %2 m) = %3 ± %4</translation>
+    </message>
+    <message>
+        <source>to %1 m</source>
+        <translation>do %1 m</translation>
     </message>
 </context>
 <context>

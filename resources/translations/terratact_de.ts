@@ -6839,6 +6839,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>bin %1: %2</source>
         <translation>Feld %1: %2</translation>
     </message>
+    <message>
+        <source>bounded</source>
+        <translation>begrenzt</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -7386,6 +7390,10 @@ voraus</translation>
     <message>
         <source>P(step &gt; %1 m to %2 m) = %3 ± %4</source>
         <translation>P(Stufe &gt; %1 m bis %2 m) = %3 ± %4</translation>
+    </message>
+    <message>
+        <source>to %1 m</source>
+        <translation>bis %1 m</translation>
     </message>
 </context>
 <context>
