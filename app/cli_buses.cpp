@@ -16,7 +16,7 @@ void addPanel(CLI::App& app, Job& job)
     auto* check =
         c->add_subcommand("check", "Find the panel's lines and show its contacts: docs/panel.md");
     const auto o = std::make_shared<PanelCheckOptions>();
-    check->add_option("file", o->file, "Panel file (resources/panels/example.toml)")->required();
+    addInput(*check, "file", o->file, "Panel file (resources/panels/example.toml)")->required();
     check->add_flag("--lamps", o->lamps, "Light each lamp for a second");
     auto* watch = check->add_flag("--watch", o->watch, "Print what changes, until interrupted");
     check->add_option("--seconds", o->seconds, "End watching after so long")
@@ -33,7 +33,8 @@ void addDemo(CLI::App& app, Job& job)
     const auto o = std::make_shared<DemoOptions>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    c->add_option("--out", o->out, "Directory for CSV and PNG")->capture_default_str();
+    addFolderOutput(*c, "--out", o->out, "Directory for CSV and PNG", demoFiles)
+        ->capture_default_str();
     addMethod(*c, o->settings);
     addSettings(*c, o->settings, o->seconds);
     c->callback([o, &job] {
@@ -51,8 +52,8 @@ void addRobotOnBus(CLI::App& app, Job& job)
     const auto o = std::make_shared<RobotOptions>();
     addRobot(*c, o->robot);
     c->add_option("--can", o->can, "Interface, such as vcan0")->required();
-    c->add_option("--terrain", o->terrain,
-                  "File with a profile, or 'varied' for random ground (default: the demo's)");
+    addTerrain(*c, o->terrain,
+               "File with a profile, or 'varied' for random ground (default: the demo's)");
     c->add_option(
          "--fault", o->fault,
          "What goes wrong: silence, stuck-imu, dead-element, refuse-probe, slow-arm, reboot, or "
@@ -79,8 +80,8 @@ void addProtocol(CLI::App& app, CanProtocol& protocol)
 
 void addDbc(CLI::App& app, std::vector<std::string>& files)
 {
-    app.add_option("--dbc", files,
-                   "DBC file for frames that are not the protocol's; may be repeated")
+    addInput(app, "--dbc", files,
+             "DBC file for frames that are not the protocol's; may be repeated")
         ->allow_extra_args(false);
 }
 
@@ -88,9 +89,9 @@ void addCanDecode(CLI::App& can, Job& job)
 {
     auto* c = can.add_subcommand("decode", "Every frame of a log in words, and what was wrong");
     const auto o = std::make_shared<CanDecodeOptions>();
-    c->add_option("log", o->log, kLogHelp)->required();
+    addLog(*c, "log", o->log, kLogHelp)->required();
     c->add_option("--interface", o->interface, "Only of this one");
-    c->add_option("--csv", o->csv, "CSV to write, a row for each value");
+    addTextOutput(*c, "--csv", o->csv, "CSV to write, a row for each value");
     c->add_flag("--summary", o->summaryOnly, "No line for each frame");
     addProtocol(*c, o->protocol);
     addDbc(*c, o->dbc);
@@ -101,7 +102,7 @@ void addCanMonitor(CLI::App& can, Job& job)
 {
     auto* c = can.add_subcommand("monitor", "What is on a bus: values, rates, ages, load, drops");
     const auto o = std::make_shared<CanMonitorOptions>();
-    c->add_option("bus", o->bus, "Interface, or a log to replay (as of decode)")->required();
+    addLog(*c, "bus", o->bus, "Interface, or a log to replay (as of decode)")->required();
     c->add_option("--seconds", o->seconds, "Then it ends (default: never)")
         ->check(CLI::Range(0.0, 1e6));
     addNumber(*c, "--bitrate", o->bitrate, "Of the bus, for its load [bit/s]")

@@ -13,7 +13,7 @@ void addContacts(CLI::App& app, Job& job)
         "contacts", "Bias and sd of contact heights, from scenes whose terrain is known");
     const auto o = std::make_shared<ContactsOptions>();
     addRobot(*c, o->robot);
-    c->add_option("--data", o->data, "Scenes CSV with heights")->required();
+    addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
     addNumber(*c, "--threshold", o->threshold, "Force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
     c->callback([o, &job] {
@@ -56,8 +56,7 @@ void addGhost(CLI::App& app, Job& job)
     const auto methods = std::make_shared<std::vector<std::string>>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    c->add_option("--terrain", o->terrain, "boxes, varied, or a CSV file of profiles")
-        ->capture_default_str();
+    addTerrain(*c, o->terrain, "boxes, varied, or a CSV file of profiles")->capture_default_str();
     addNumber(*c, "--drives", o->drives, "Drives; of a file every profile, at most so many")
         ->check(CLI::Range(1, 100'000));
     addNumber(*c, "--spacing", o->spacing, "Driven between two scenes [m]")
@@ -86,7 +85,7 @@ void addProbes(CLI::App& app, Job& job)
 {
     auto* c = app.add_subcommand("probes", "The sd of an arm's readings, from a recording of them");
     const auto data = std::make_shared<std::string>();
-    c->add_option("--data", *data, "CSV with place,height_m,truth_m")->required();
+    addInput(*c, "--data", *data, "CSV with place,height_m,truth_m")->required();
     c->callback([data, &job] { job = [data] { return showProbes(*data); }; });
 }
 
@@ -95,7 +94,7 @@ void addCalibrate(CLI::App& app, Job& job)
     auto* c = app.add_subcommand(
         "calibrate", "The force elements' bias and curve, from a recording of known forces");
     const auto o = std::make_shared<CalibrateOptions>();
-    c->add_option("--data", o->data, "CSV with side,element,force_n,voltage_v")->required();
+    addInput(*c, "--data", o->data, "CSV with side,element,force_n,voltage_v")->required();
     addRobot(*c, o->robot);
     c->callback([o, &job] {
         useShippedRobot(o->robot);
@@ -111,7 +110,7 @@ void addModelShow(CLI::App& model, Job& job)
     };
     auto* c = model.add_subcommand("show", "Every hyper-parameter, and how the model was made");
     const auto o = std::make_shared<Options>();
-    c->add_option("model", o->model, "Model (*.ttm)")->required();
+    addInput(*c, "model", o->model, "Model (*.ttm)")->required();
     c->add_flag("--csv", o->csv, "Everything a prediction needs, as CSV");
     c->callback([o, &job] { job = [o] { return showModel(o->model, o->csv); }; });
 }
@@ -121,7 +120,8 @@ void addModelCard(CLI::App& model, Job& job)
     auto* c = model.add_subcommand(
         "card", "Write into the card beside a model when and on what ground it was trained");
     const auto o = std::make_shared<ModelCardOptions>();
-    c->add_option("model", o->model, "Model (*.ttm)")->required();
+    addInput(*c, "model", o->model, "Model (*.ttm)")->required();
+    declareFiles(*c, FileRole::Update, [o] { return Paths{cardPath(o->model)}; });
     c->add_option("--trained", o->trained, "When, such as 2026-11-22T07:05:00Z");
     c->add_option("--terrain", o->terrain, "On what ground, in 1 to 100 characters");
     c->callback([o, &job] { job = [o] { return describeModel(*o); }; });
@@ -136,7 +136,7 @@ void addModelPredict(CLI::App& model, Job& job)
         "predict", "Mean and sd of each bin given the scene's other bins, as CSV: to check "
                    "the model against another program");
     const auto o = std::make_shared<Options>();
-    c->add_option("model", o->model, "Model (*.ttm)")->required();
+    addInput(*c, "model", o->model, "Model (*.ttm)")->required();
     c->add_option("--data", o->data, "Scenes CSV with heights")->required();
     c->callback([o, &job] { job = [o] { return predictConditionals(o->model, o->data); }; });
 }

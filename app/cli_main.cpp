@@ -2,9 +2,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
+#include <iostream>
 #include <sstream>
+#include <system_error>
 
+#include "app/cli_options.h"
 #include "app/cli_subcommands.h"
 #include "app/say.h"
 
@@ -19,7 +24,7 @@ constexpr int kWrongArguments = 2;
 int realMain(int argc, char** argv)
 {
     openblas_set_num_threads(1);  // our own threads run side by side, one Gaussian process each
-    CLI::App app("Terrain profile by touch for tracked robots that see nothing", "terratact");
+    CommandLine app("Terrain profile by touch for tracked robots that see nothing", "terratact");
     app.set_version_flag("--version", "terratact " TERRATACT_VERSION);
     app.require_subcommand(1);
     Job job;
@@ -36,11 +41,23 @@ int realMain(int argc, char** argv)
         say(stderr, "{}", Lines(complaint.str()));
         return code == 0 ? kDone : kWrongArguments;
     }
-    if (const Status done = job(); !done) {
-        say(stderr, "terratact: {}\n", done.error().text);
-        return kFailed;
-    }
-    return kDone;
+    Status done = checkCommandFiles(app.files());
+    if (done) done = job();
+    if (done) return kDone;
+    say(stderr, "terratact: {}\n", done.error().text);
+    return kFailed;
+}
+
+/// `code`, or kFailed where the standard output, such as a file on a full disk, did not take all that was printed.
+int afterPrinting(int code)
+{
+    errno = 0;
+    std::cout.flush();
+    const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+    if (whole) return code;
+    say(stderr, "terratact: the standard output cannot be written{}{}\n",
+               errno != 0 ? ": " : "", errno != 0 ? std::generic_category().message(errno) : "");
+    return code == kDone ? kFailed : code;
 }
 
 }  // namespace
@@ -50,9 +67,9 @@ int realMain(int argc, char** argv)
 int main(int argc, char** argv)
 {
     try {
-        return terratact::realMain(argc, argv);
+        return terratact::afterPrinting(terratact::realMain(argc, argv));
     } catch (const std::exception& error) {
         terratact::say(stderr, "terratact: {}\n", error.what());
-        return 1;
+        return terratact::kFailed;
     }
 }

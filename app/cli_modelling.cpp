@@ -8,6 +8,8 @@
 #include "app/cli_options.h"
 #include "app/cli_subcommands.h"
 #include "app/commands.h"
+#include "app/findings_report.h"
+#include "core/learn/model_card.h"
 #include "core/learn/scene_file.h"
 
 namespace terratact {
@@ -64,13 +66,12 @@ void addSimulate(CLI::App& app, Job& job)
         app.add_subcommand("simulate", "Drive a simulated robot over terrain and record scenes");
     const auto o = std::make_shared<SimulateOptions>();
     addRobot(*c, o->robot);
-    c->add_option(
-         "--terrain", o->terrain,
-         "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, hazards, or a CSV file of "
-         "profiles: two columns x,z in "
-         "m, or rows of heights in m")
+    addTerrain(*c, o->terrain,
+               "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, hazards, or a CSV file of "
+               "profiles: two columns x,z in "
+               "m, or rows of heights in m")
         ->required();
-    c->add_option("--out", o->out, "Scenes CSV to write")->required();
+    addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
     addNumber(*c, "--seed", o->seed, "Seed of terrain and noise");
     c->add_option("--count", o->count, "Scenes (default: 1400, or every stop over a file)")
         ->check(CLI::Range(1, static_cast<int>(kMostScenes)));
@@ -102,8 +103,9 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
                                     "processes over clearances");
     const auto o = std::make_shared<TrainOptions>();
     addRobot(*c, o->robot);
-    c->add_option("--data", o->data, "Scenes CSV with all heights")->required();
-    c->add_option("--out", o->out, "Model to write (*.ttm)")->required();
+    addInput(*c, "--data", o->data, "Scenes CSV with all heights")->required();
+    addFileOutput(*c, "--out", o->out, "Model to write (*.ttm)")->required();
+    declareFiles(*c, FileRole::Output, [o] { return o->bins ? Paths{} : Paths{cardPath(o->out)}; });
     addNumber(*c, "--seed", o->seed, "Seed of the search");
     addNumber(*c, "--scanner-sd", o->scannerSd,
               "Noise added to the conditionals' heights [m]: for scenes with exact ones")
@@ -132,8 +134,8 @@ void addReconstruct(CLI::App& app, Job& job)
     const auto o = std::make_shared<ReconstructOptions>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    c->add_option("--data", o->data, "Scenes CSV")->required();
-    c->add_option("--out", o->out, "Estimates CSV to write")->required();
+    addInput(*c, "--data", o->data, "Scenes CSV")->required();
+    addTextOutput(*c, "--out", o->out, "Estimates CSV to write")->required();
     addMethod(*c, o->settings);
     addSettings(*c, o->settings, o->seconds);
     c->callback([o, &job] {
@@ -150,8 +152,12 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     const auto methods = std::make_shared<std::vector<std::string>>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    c->add_option("--data", o->data, "Scenes CSV with heights")->required();
-    c->add_option("--out", o->out, "Directory for the CSV files and the figures")->required();
+    addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
+    addFolderOutput(*c, "--out", o->out, "Directory for the CSV files and the figures", [o] {
+        return o->shard ? Paths{shardFile(*o->shard)} : reportFiles();
+    })->required();
+    declareFiles(*c, FileRole::Update,
+                 [o] { return o->card ? Paths{cardPath(o->model)} : Paths{}; });
     addMethods(*c, *methods);
     o->settings.hazardRate = 0.0;  // the methods themselves are compared
     addNumber(*c, "--step-limit", o->stepLimit,
@@ -162,9 +168,8 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     addParsed(*c, "--shard", o->shard, shardFrom, "i/n", "is no part i/n with 1 <= i <= n <= 10000",
               "Evaluate part i of n alone (2/8) and write it (part_2_of_8.tte) for merge")
         ->excludes(card);
-    auto* classes =
-        c->add_option("--classes", o->classes,
-                      "Index CSV whose column row names the scenes' runs: scores by class");
+    auto* classes = addInput(*c, "--classes", o->classes,
+                             "Index CSV whose column row names the scenes' runs: scores by class");
     c->add_option("--class-column", o->classColumn, "Its column with the class")
         ->capture_default_str()
         ->needs(classes);
@@ -212,11 +217,15 @@ void addMerge(CLI::App& app, Job& job)
     auto* c = app.add_subcommand(
         "merge", "Put the parts of one train --bins or of one evaluate --shard together");
     const auto o = std::make_shared<MergeOptions>();
-    c->add_option("parts", o->parts, "Every part (*.ttp or *.tte), in any order")->required();
+    addInput(*c, "parts", o->parts, "Every part (*.ttp or *.tte), in any order")->required();
     addRobot(*c, o->robot);
-    c->add_option("--out", o->out,
-                  "Of a training the model to write (*.ttm), of an evaluation the directory")
+    addFolderOutput(*c, "--out", o->out,
+                    "Of a training the model to write (*.ttm), of an evaluation the directory",
+                    [o] { return isEvaluation(*o) ? reportFiles() : Paths{}; })
         ->required();
+    declareFiles(*c, FileRole::Output, [o] {
+        return isEvaluation(*o) ? Paths{} : Paths{o->out, cardPath(o->out)};
+    });
     c->callback([o, &job] {
         useShippedRobot(o->robot);
         job = [o] { return merge(*o); };
@@ -231,8 +240,10 @@ void addTradeoff(CLI::App& app, Job& job)
     const auto methods = std::make_shared<std::vector<std::string>>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    c->add_option("--data", o->data, "Scenes CSV with heights")->required();
-    c->add_option("--out", o->out, "Directory for the CSV files and the figure")->required();
+    addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
+    addFolderOutput(*c, "--out", o->out, "Directory for the CSV files and the figure",
+                    tradeoffFiles)
+        ->required();
     addMethods(*c, *methods);
     addNumber(*c, "--reference-sweeps", o->referenceDraws,
               "Kept sweeps of the long runs that the others are compared with")

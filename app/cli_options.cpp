@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "app/resources.h"
+#include "app/text_output.h"
 #include "core/infer/quality.h"
 
 namespace terratact {
@@ -36,16 +39,119 @@ void addEffort(CLI::App& app, Settings& settings)
     for (CLI::Option* number : numbers) quality->excludes(number);
 }
 
+/// Shells and scripts write the standard input so.
+std::string inputPath(std::string given)
+{
+    return given == "-" ? "/dev/stdin" : given;
+}
+
+Paths given(const std::string& path)
+{
+    return path.empty() ? Paths{} : Paths{path};
+}
+
+/// Of what cannot be written from its beginning to its end at once.
+std::string refuseStream(const std::string& path)
+{
+    if (!isStandardOutput(path) && !isStream(path)) return {};
+    return path + " is no file, and this output is written in several passes: name a file";
+}
+
 }  // namespace
+
+void CommandLine::declare(const CLI::App& command, FileRole role, std::function<Paths()> paths)
+{
+    declarations_.push_back({&command, role, std::move(paths)});
+}
+
+CommandFiles CommandLine::files() const
+{
+    CommandFiles files;
+    const auto append = [](Paths& into, const Paths& more) {
+        into.insert(into.end(), more.begin(), more.end());
+    };
+    for (const Declaration& d : declarations_) {
+        if (!d.command->parsed()) continue;
+        const Paths paths = d.paths();
+        append(d.role == FileRole::Input    ? files.inputs
+               : d.role == FileRole::Output ? files.outputs
+                                            : files.updates,
+               paths);
+        if (d.role != FileRole::Input) continue;
+        for (const std::string& path : paths) append(files.companions, companionsOf(path));
+    }
+    return files;
+}
+
+void declareFiles(CLI::App& command, FileRole role, std::function<Paths()> paths)
+{
+    CLI::App* root = &command;
+    while (root->get_parent()) root = root->get_parent();
+    dynamic_cast<CommandLine&>(*root).declare(command, role, std::move(paths));
+}
+
+CLI::Option* addInput(CLI::App& app, const std::string& name, std::string& path,
+                      const std::string& text)
+{
+    declareFiles(app, FileRole::Input, [&path] { return given(path); });
+    return app.add_option(name, path, text)->transform(inputPath, "");
+}
+
+CLI::Option* addInput(CLI::App& app, const std::string& name, Paths& paths, const std::string& text)
+{
+    declareFiles(app, FileRole::Input, [&paths] { return paths; });
+    return app.add_option(name, paths, text)->transform(inputPath, "");
+}
+
+CLI::Option* addLog(CLI::App& app, const std::string& name, std::string& path,
+                    const std::string& text)
+{
+    declareFiles(app, FileRole::Input, [&path] { return given(path); });
+    return app.add_option(name, path, text);
+}
+
+CLI::Option* addTerrain(CLI::App& app, std::string& terrain, const std::string& text)
+{
+    declareFiles(app, FileRole::Input, [&terrain] {
+        return terrain == "boxes" || terrain == "varied" || terrain == "hazards" ? Paths{}
+                                                                                 : given(terrain);
+    });
+    return app.add_option("--terrain", terrain, text)->transform(inputPath, "");
+}
+
+CLI::Option* addTextOutput(CLI::App& app, const std::string& name, std::string& path,
+                           const std::string& text)
+{
+    declareFiles(app, FileRole::Output, [&path] { return given(path); });
+    return app.add_option(name, path, text);
+}
+
+CLI::Option* addFileOutput(CLI::App& app, const std::string& name, std::string& path,
+                           const std::string& text)
+{
+    return addTextOutput(app, name, path, text)->check(CLI::Validator(refuseStream, ""));
+}
+
+CLI::Option* addFolderOutput(CLI::App& app, const std::string& name, std::string& path,
+                             const std::string& text, std::function<Paths()> names)
+{
+    declareFiles(app, FileRole::Output, [&path, names = std::move(names)] {
+        Paths files;
+        for (const std::string& file : names())
+            files.push_back((std::filesystem::path(path) / file).string());
+        return files;
+    });
+    return app.add_option(name, path, text)->check(CLI::Validator(refuseStream, ""));
+}
 
 void addRobot(CLI::App& app, std::string& robot)
 {
-    app.add_option("--robot", robot, "Robot file")->default_str("the shipped Absolem");
+    addInput(app, "--robot", robot, "Robot file")->default_str("the shipped Absolem");
 }
 
 void addModel(CLI::App& app, std::string& model)
 {
-    app.add_option("--model", model, "Model (*.ttm)")->default_str("the shipped one");
+    addInput(app, "--model", model, "Model (*.ttm)")->default_str("the shipped one");
 }
 
 void useShippedRobot(std::string& robot)

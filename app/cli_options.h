@@ -1,16 +1,70 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "app/file_guard.h"
 #include "core/infer/settings.h"
 #include "core/infer/variant.h"
 
 namespace terratact {
 
 // What several subcommands declare their options with.
+
+/// What a command does with a file: see CommandFiles.
+enum class FileRole { Input, Output, Update };
+
+/// The whole command line.  It knows which files each of its commands reads and writes.
+class CommandLine : public CLI::App {
+public:
+    using CLI::App::App;
+
+    /// The command reads or writes the files that `paths` lists once the arguments are parsed and its callback has run.
+    void declare(const CLI::App& command, FileRole role, std::function<Paths()> paths);
+
+    /// Of the commands that the arguments name.
+    CommandFiles files() const;
+
+private:
+    struct Declaration {
+        const CLI::App* command;
+        FileRole role;
+        std::function<Paths()> paths;
+    };
+    std::vector<Declaration> declarations_;
+};
+
+/// Declares files of a command.  `command` is below a CommandLine, else std::bad_cast.
+void declareFiles(CLI::App& command, FileRole role, std::function<Paths()> paths);
+
+/// An option with a file, or with several, that the command reads; "-" becomes /dev/stdin.
+CLI::Option* addInput(CLI::App& app, const std::string& name, std::string& path,
+                      const std::string& text);
+CLI::Option* addInput(CLI::App& app, const std::string& name, Paths& paths,
+                      const std::string& text);
+
+/// An argument with a log of CAN frames, which the command reads as LogReader does, "-" included.
+CLI::Option* addLog(CLI::App& app, const std::string& name, std::string& path,
+                    const std::string& text);
+
+/// --terrain: a file of profiles, or the name of ground that is made.
+CLI::Option* addTerrain(CLI::App& app, std::string& terrain, const std::string& text);
+
+/// An option with a text file that the command writes from its beginning to its end; "-" is the standard output.
+CLI::Option* addTextOutput(CLI::App& app, const std::string& name, std::string& path,
+                           const std::string& text);
+
+/// An option with a file that the command writes under another name first: "-" and pipes are refused.
+CLI::Option* addFileOutput(CLI::App& app, const std::string& name, std::string& path,
+                           const std::string& text);
+
+/// An option with a directory in which the command writes the files that `names` lists.
+CLI::Option* addFolderOutput(CLI::App& app, const std::string& name, std::string& path,
+                             const std::string& text, std::function<Paths()> names);
 
 /// An option with a number, which shows its default.
 CLI::Option* addNumber(CLI::App& app, const std::string& flag, auto& number,

@@ -1,9 +1,11 @@
+#include <cmath>
 #include <memory>
 
 #include "app/cli_options.h"
 #include "app/cli_subcommands.h"
 #include "app/log_help.h"
 #include "app/session_commands.h"
+#include "core/text.h"
 
 namespace terratact {
 namespace {
@@ -12,7 +14,7 @@ using Files = std::vector<std::string>;
 
 void addSessionFiles(CLI::App& app, Files& files)
 {
-    app.add_option("files", files, "Sessions (*.tts)")->required();
+    addInput(app, "files", files, "Sessions (*.tts)")->required();
 }
 
 /// One that only needs to know which sessions.
@@ -49,25 +51,40 @@ void addSessionVerify(CLI::App& session, Job& job)
     c->callback([o, &job] { job = [o] { return verifySessions(*o); }; });
 }
 
+/// An end of a range.
+void addMoment(CLI::App& app, const std::string& name, double& seconds)
+{
+    const auto refuseNan = [](const std::string& text) {
+        const auto value = numberFrom(text);
+        return value && std::isnan(*value) ? text + " is no time" : std::string();
+    };
+    app.add_option(name, seconds, "Seconds since the session's start")
+        ->check(CLI::Validator(refuseNan, ""));
+}
+
 void addSessionExport(CLI::App& session, Job& job)
 {
     auto* c = session.add_subcommand("export", "Write frames, signals, estimates or events for "
                                                "other programs");
     const auto o = std::make_shared<SessionExportOptions>();
-    c->add_option("file", o->file, "Session (*.tts)")->required();
-    c->add_option("--out", o->out, "File to write")->required();
+    addInput(*c, "file", o->file, "Session (*.tts)")->required();
+    addTextOutput(*c, "--out", o->out, "File to write")->required();
     addChoice(*c, "--format", o->format, exportFormatFromName, "candump|asc|csv|mcap",
               "Of the file; without it by the ending .log, .asc, .csv or "
               ".mcap");
     addChoice(*c, "--what", o->selection.what, exportKindFromName,
               "frames|signals|estimates|events", "Which rows (CSV: frames if not said; MCAP: all)");
-    c->add_option("--from", o->selection.from, "Seconds since the session's start");
-    c->add_option("--to", o->selection.to, "Seconds since the session's start");
-    c->add_option("--dbc", o->dbc,
-                  "DBC file: adds the signals of frames that are not the protocol's to signals "
-                  "(CSV) or everything (MCAP); may be repeated")
+    addMoment(*c, "--from", o->selection.from);
+    addMoment(*c, "--to", o->selection.to);
+    addInput(*c, "--dbc", o->dbc,
+             "DBC file: adds the signals of frames that are not the protocol's to signals "
+             "(CSV) or everything (MCAP); may be repeated")
         ->allow_extra_args(false);
-    c->callback([o, &job] { job = [o] { return exportSession(*o); }; });
+    c->callback([o, &job] {
+        if (o->selection.from > o->selection.to)
+            throw CLI::ValidationError("--from", "must not be later than --to");
+        job = [o] { return exportSession(*o); };
+    });
 }
 
 void addSessionScenes(CLI::App& session, Job& job)
@@ -77,7 +94,7 @@ void addSessionScenes(CLI::App& session, Job& job)
                                          "and evaluate");
     const auto o = std::make_shared<SessionScenesOptions>();
     addSessionFiles(*c, o->files);
-    c->add_option("--out", o->out, "Scenes CSV to write")->required();
+    addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
     c->add_flag("--measured", o->measured,
                 "Where no truth is known, the heights that contacts and the arm measured");
     c->callback([o, &job] { job = [o] { return exportScenes(*o); }; });
@@ -89,10 +106,10 @@ void addSessionReport(CLI::App& session, Job& job)
         session.add_subcommand("report", "One page about a scene: profile, numbers, settings, "
                                          "decisions");
     const auto o = std::make_shared<SessionReportOptions>();
-    c->add_option("file", o->file, "Session (*.tts)")->required();
+    addInput(*c, "file", o->file, "Session (*.tts)")->required();
     c->add_option("--scene", o->scene, "Its number; without it the last")
         ->check(CLI::Range(1, 1'000'000'000));
-    c->add_option("--out", o->out, "PDF, SVG, PNG or HTML to write, by the ending")->required();
+    addFileOutput(*c, "--out", o->out, "PDF, SVG, PNG or HTML to write, by the ending")->required();
     c->callback([o, &job] { job = [o] { return reportSession(*o); }; });
 }
 
@@ -101,7 +118,7 @@ void addSessionMerge(CLI::App& session, Job& job)
     auto* c = session.add_subcommand("merge", "Put sessions of one drive together");
     const auto o = std::make_shared<SessionMergeOptions>();
     addSessionFiles(*c, o->files);
-    c->add_option("--out", o->out, "Session to write (*.tts)")->required();
+    addFileOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
     c->callback([o, &job] { job = [o] { return mergeSessions(*o); }; });
 }
 
@@ -110,7 +127,7 @@ void addSessionWhatIf(CLI::App& session, Job& job)
     auto* c = session.add_subcommand("what-if", "Compute recorded estimates again, as they were or "
                                                 "with other settings");
     const auto o = std::make_shared<WhatIfOptions>();
-    c->add_option("files", o->files, "Sessions (*.tts), or folders of them")->required();
+    addInput(*c, "files", o->files, "Sessions (*.tts), or folders of them")->required();
     auto* one = c->add_option("--estimate", o->estimate, "This one alone, by its number")
                     ->check(CLI::Range(1, 1'000'000'000));
     c->add_flag_callback(
@@ -124,10 +141,10 @@ void addSessionWhatIf(CLI::App& session, Job& job)
     c->add_option("--threshold", o->threshold, "Another force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
     c->add_option("--seed", o->seed, "Another seed of the random numbers");
-    c->add_option("--model", o->model,
-                  "Another model (*.ttm), or where the session's is, if it is "
-                  "not the shipped one");
-    c->add_option("--out", o->out, "CSV to write, a row for each bin");
+    addInput(*c, "--model", o->model,
+             "Another model (*.ttm), or where the session's is, if it is "
+             "not the shipped one");
+    addTextOutput(*c, "--out", o->out, "CSV to write, a row for each bin");
     c->callback([o, &job] {
         useShippedModel(o->shippedModel);
         job = [o] { return whatIf(*o); };
@@ -138,8 +155,8 @@ void addSessionImport(CLI::App& session, Job& job)
 {
     auto* c = session.add_subcommand("import", "Make a session of a log of CAN frames");
     const auto o = std::make_shared<SessionImportOptions>();
-    c->add_option("log", o->log, kLogHelp)->required();
-    c->add_option("--out", o->out, "Session to write (*.tts)")->required();
+    addLog(*c, "log", o->log, kLogHelp)->required();
+    addFileOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
     c->add_option("--interface", o->interface, "Of a log that holds several");
     addRobot(*c, o->robot);
     c->callback([o, &job] {

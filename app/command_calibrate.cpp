@@ -3,7 +3,7 @@
 
 #include "app/commands.h"
 #include "app/say.h"
-#include "core/learn/csv.h"
+#include "core/csv_reader.h"
 #include "core/robot/force_calibration.h"
 #include "core/robot/robot_model.h"
 #include "core/text.h"
@@ -21,11 +21,8 @@ Result<Side> sideOf(const CsvReader& csv)
     return csv.error("names the side " + shown(side) + ", expected left or right");
 }
 
-Result<ForceReading> readingOf(const CsvReader& csv)
+Result<ForceReading> readingOf(CsvReader& csv)
 {
-    if (csv.fields().size() != 4)
-        return csv.error(
-            fmt::format("has {} fields where {} is expected", csv.fields().size(), kHeader));
     const auto side = sideOf(csv);
     if (!side) return side.error();
     const auto element = csv.number(1, "element");
@@ -49,6 +46,7 @@ Result<std::vector<ForceReading>> readRecording(const std::string& path)
     if (const auto header = csv->next(); !header) return header.error();
     if (fmt::format("{}", fmt::join(csv->fields(), ",")) != kHeader)
         return csv->error(fmt::format("is not the header {}", kHeader));
+    csv->takeHeader({"", "", "N", "V"});
     std::vector<ForceReading> readings;
     for (;;) {
         const Result<bool> more = csv->next();

@@ -1,17 +1,16 @@
 #include <fmt/format.h>
 #include <fmt/os.h>
 
-#include <fstream>
 #include <map>
 #include <utility>
 
 #include "app/bus_statistics.h"
 #include "app/can_commands.h"
-#include "app/csv_field.h"
 #include "app/dbc_book.h"
 #include "app/say.h"
+#include "app/text_output.h"
+#include "core/csv_text.h"
 #include "core/file_read.h"
-#include "core/file_write.h"
 #include "core/text.h"
 #include "core/wire/log_reader.h"
 
@@ -32,10 +31,10 @@ class CsvOutput {
 public:
     static Result<CsvOutput> begin(const std::string& path)
     {
-        Result<NewFile> file = NewFile::begin(path);
-        if (!file) return file.error();
-        CsvOutput csv(path, *std::move(file));
-        csv.out_ << "time_s,interface,id,frame,counter,verdict,signal,value,unit\n";
+        Result<TextOutput> out = TextOutput::begin(path);
+        if (!out) return out.error();
+        CsvOutput csv(*std::move(out));
+        csv.out_.stream() << "time_s,interface,id,frame,counter,verdict,signal,value,unit\n";
         return csv;
     }
 
@@ -45,31 +44,21 @@ public:
             "{},{},{},{},{},{}", logged.time ? fmt::format("{:.6f}", *logged.time) : "",
             csvField(logged.interface), idText(logged.frame), csvField(words.name),
             words.counter ? std::to_string(*words.counter) : "", csvField(words.verdict));
+        std::ostream& out = out_.stream();
         for (const NamedValue& value : words.values)
-            out_ << begin << ',' << csvField(value.name) << ',' << csvField(value.forFiles()) << ','
-                 << csvField(value.unit) << '\n';
+            out << begin << ',' << csvField(value.name) << ',' << csvField(value.forFiles()) << ','
+                << csvField(value.unit) << '\n';
         if (words.values.empty())
-            out_ << begin << "," << (words.counter ? "," : "data," + bytesText(logged.frame))
-                 << ",\n";
+            out << begin << "," << (words.counter ? "," : "data," + bytesText(logged.frame))
+                << ",\n";
     }
 
-    Status commit()
-    {
-        out_.close();
-        if (!out_) return fileError(path_, "cannot be written: is the disk full?");
-        return file_.commit();
-    }
+    Status commit() { return out_.commit(); }
 
 private:
-    CsvOutput(std::string path, NewFile file)
-        : path_(std::move(path)), file_(std::move(file)),
-          out_(file_.temporaryPath(), std::ios::binary)
-    {
-    }
+    explicit CsvOutput(TextOutput out) : out_(std::move(out)) {}
 
-    std::string path_;
-    NewFile file_;
-    std::ofstream out_;
+    TextOutput out_;
 };
 
 class Decoder {
@@ -138,7 +127,7 @@ private:
         const std::string time = logged.time ? fmt::format("{:.6f}", log_.elapsed()) : "-";
         const std::string counter = words.counter ? fmt::format("#{:03d}", *words.counter) : "-";
         const std::string content = contentText(logged.frame, words);
-        say("{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
+        say(messages_, "{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
             idText(logged.frame), words.name.empty() ? "unknown" : words.name, counter,
             words.verdict, content.empty() ? "" : "; ", content);
     }
@@ -146,21 +135,22 @@ private:
     void summarize() const
     {
         if (begin_ && !options_.summaryOnly)
-            say("\ntimes are since {:.6f} s of the log's clock\n", *begin_);
+            say(messages_, "\ntimes are since {:.6f} s of the log's clock\n", *begin_);
         for (const auto& [name, bus] : buses_) {
-            say("\n{} in {}\n", name, options_.log == "-" ? "standard input" : options_.log);
-            say("{}",
+            say(messages_, "\n{} in {}\n", name, options_.log == "-" ? "standard input" : options_.log);
+            say(messages_, "{}",
                 Lines(summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
                                                             : std::nullopt)));
         }
         if (log_.stepsBack() > 0)
-            say("the log's clock goes back {} times: the times above go on evenly\n",
+            say(messages_, "the log's clock goes back {} times: the times above go on evenly\n",
                 log_.stepsBack());
         if (log_.dropped() > 0)
-            say("{} frames were lost when the log was recorded\n", log_.dropped());
+            say(messages_, "{} frames were lost when the log was recorded\n", log_.dropped());
     }
 
     const CanDecodeOptions& options_;
+    std::FILE* messages_ = messagesBeside(options_.csv);
     std::shared_ptr<const DbcBook> book_;
     LogReader log_;
     std::optional<CsvOutput> csv_;

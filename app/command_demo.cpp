@@ -105,6 +105,11 @@ Scene sceneOf(const Measurement& measurement, const Heights& truth)
 
 }  // namespace
 
+std::vector<std::string> demoFiles()
+{
+    return {"first.csv", "first.png", "second.csv", "second.png"};
+}
+
 Status demo(const DemoOptions& options)
 {
     const auto toolbox = openToolbox(options.robot, options.model);

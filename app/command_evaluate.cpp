@@ -122,12 +122,12 @@ void judgeBaselines(const Workload& work, Findings& findings)
     }
 }
 
-Result<std::vector<Scene>> scenesWithTruth(const std::string& path)
+Result<SceneFile> scenesWithTruth(const std::string& path)
 {
     auto file = readScenesWithTruth(path);
     if (!file) return file.error();
     for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
-    return std::move(file->scenes);
+    return file;
 }
 
 /// The index file of the classes, where there is one.
@@ -161,15 +161,15 @@ Result<std::string> hashOfFile(const std::string& path)
 }
 
 /// What parts must agree in to be put together.
-Result<std::map<std::string, std::string>> originOf(const EvaluateOptions& options,
-                                                    const std::string& modelHash)
+Result<std::map<std::string, std::string>>
+originOf(const EvaluateOptions& options, const std::string& modelHash, const std::string& dataHash)
 {
     std::map<std::string, std::string> origin{{"version", TERRATACT_VERSION},
                                               {"command", options.command},
-                                              {"model's content", modelHash}};
-    for (const auto& [what, path] :
-         {std::pair("scenes' SHA-256", &options.data), std::pair("robot's SHA-256", &options.robot),
-          std::pair("classes' SHA-256", &options.classes)}) {
+                                              {"model's content", modelHash},
+                                              {"scenes' SHA-256", dataHash}};
+    for (const auto& [what, path] : {std::pair("robot's SHA-256", &options.robot),
+                                     std::pair("classes' SHA-256", &options.classes)}) {
         auto hash = hashOfFile(*path);
         if (!hash) return hash.error();
         origin[what] = *std::move(hash);
@@ -186,15 +186,14 @@ Status judgeAll(const Workload& work, Findings& findings)
     return Done{};
 }
 
-Status writeShard(const EvaluateOptions& options, const std::string& modelHash, Findings& findings)
+Status writeShard(const EvaluateOptions& options, const std::string& modelHash,
+                  const std::string& dataHash, Findings& findings)
 {
-    auto origin = originOf(options, modelHash);
+    auto origin = originOf(options, modelHash, dataHash);
     if (!origin) return origin.error();
     findings.origin = *std::move(origin);
     const std::string path =
-        (std::filesystem::path(options.out)
-         / fmt::format("part_{}_of_{}.tte", findings.shard.number, findings.shard.count))
-            .string();
+        (std::filesystem::path(options.out) / shardFile(findings.shard)).string();
     if (Status s = writeFindings(path, findings); !s) return s;
     say("\n{} of {} scenes; written to {}, for `terratact merge`\n", findings.scenes.size(),
         findings.total, path);
@@ -214,7 +213,7 @@ Result<std::vector<Scene>> scenesOf(const Shard& shard, std::vector<Scene> all,
 
 /// What the methods, baselines apart, err: into the card of the model.
 Status keepInCard(const EvaluateOptions& options, const std::string& modelHash,
-                  const Findings& findings)
+                  const std::string& dataHash, const Findings& findings)
 {
     std::vector<CardScores> scores;
     for (std::size_t k = 0; k < options.methods.size(); ++k) {
@@ -229,10 +228,15 @@ Status keepInCard(const EvaluateOptions& options, const std::string& modelHash,
                           .meanError = all.mean,
                           .coverage = all.coverage});
     }
-    return keepScores(options.model, modelHash, options.data, std::move(scores));
+    return keepScores(options.model, modelHash, options.data, dataHash, std::move(scores));
 }
 
 }  // namespace
+
+std::string shardFile(const Shard& shard)
+{
+    return fmt::format("part_{}_of_{}.tte", shard.number, shard.count);
+}
 
 Status evaluate(const EvaluateOptions& options)
 {
@@ -248,21 +252,22 @@ Status evaluate(const EvaluateOptions& options)
                       .options = {options.methods, options.settings.seed, options.stepLimit,
                                   options.settings.probeAbove, classes->has_value()},
                       .shard = options.shard.value_or(Shard{}),
-                      .total = all->size(),
+                      .total = all->scenes.size(),
                       .scenes = {},
                       .runs = {},
                       .errors = {},
                       .steps = {},
                       .probes = {}};
-    auto scenes = scenesOf(findings.shard, *std::move(all), options.data);
+    auto scenes = scenesOf(findings.shard, std::move(all->scenes), options.data);
     if (!scenes) return scenes.error();
     const Workload work{*std::move(scenes), findings.shard.begin(findings.total), **toolbox,
                         options};
     findings.scenes = evaluatedScenes(work, *classes);
     if (Status s = judgeAll(work, findings); !s) return s;
-    if (options.shard) return writeShard(options, (*toolbox)->model.contentHash, findings);
+    if (options.shard)
+        return writeShard(options, (*toolbox)->model.contentHash, all->hash, findings);
     if (Status s = reportFindings(findings, options.out); !s || !options.card) return s;
-    return keepInCard(options, (*toolbox)->model.contentHash, findings);
+    return keepInCard(options, (*toolbox)->model.contentHash, all->hash, findings);
 }
 
 }  // namespace terratact

@@ -73,11 +73,14 @@ Status mergeEvaluation(const MergeOptions& options)
 
 }  // namespace
 
+bool isEvaluation(const MergeOptions& options)
+{
+    return std::any_of(options.parts.begin(), options.parts.end(), isFindingsFile);
+}
+
 Status merge(const MergeOptions& options)
 {
-    return std::any_of(options.parts.begin(), options.parts.end(), isFindingsFile)
-             ? mergeEvaluation(options)
-             : mergeTraining(options);
+    return isEvaluation(options) ? mergeEvaluation(options) : mergeTraining(options);
 }
 
 }  // namespace terratact

@@ -8,6 +8,7 @@
 #include "app/model_cards.h"
 #include "app/model_conditions.h"
 #include "app/say.h"
+#include "core/csv_text.h"
 #include "core/infer/obstacle.h"
 #include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
@@ -133,8 +134,8 @@ void printConditionals(const Scene& scene, const BinModels& models)
     const Eigen::VectorXd s = features(models.set(), scene.s);
     for (int i = 0; i < kBins; ++i) {
         const Normal p = models.bin(i).predict(models.input(i, h, s));
-        say("{},{},{},{:+.1f},{},{}\n", scene.run, scene.time, name(models.set()), binCentre(i),
-            p.mean, std::sqrt(p.variance));
+        say("{},{},{},{:+.1f},{},{}\n", csvField(scene.run), scene.time, name(models.set()),
+                   binCentre(i), p.mean, std::sqrt(p.variance));
     }
 }
 

@@ -3,9 +3,28 @@
 #include "app/commands.h"
 #include "app/say.h"
 #include "core/eval/probe_sd.h"
+#include "core/file_read.h"
 #include "core/learn/probe_file.h"
 
 namespace terratact {
+
+namespace {
+
+constexpr double kLeastSd = 0.5e-4;  ///< [m] that a robot file's four decimals can tell
+
+/// Why the readings tell no sd.
+std::string whyNoSd(const ProbeAccuracy& accuracy)
+{
+    if (accuracy.repeated.freedom > 0 && accuracy.repeated.sd < kLeastSd)
+        return "all readings of a place are the same: are they rounded, or copied? nothing tells "
+               "the sd";
+    if (accuracy.fromTruth.n > 1)
+        return "every reading differs from its truth by the same: are they rounded, or copied? "
+               "nothing tells the sd";
+    return "no place is read twice and no truth is known: nothing tells the sd";
+}
+
+}  // namespace
 
 Status showProbes(const std::string& path)
 {
@@ -21,9 +40,7 @@ Status showProbes(const std::string& path)
             "{} readings\n",
             1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
     const double sd = readingSd(accuracy);
-    if (!(sd > 0.0))
-        return Error{path + ": no place is read twice and no truth is known: nothing tells the sd",
-                     0};
+    if (!(sd >= kLeastSd)) return fileError(path, whyNoSd(accuracy));
     say("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
     return Done{};
 }

@@ -6,7 +6,7 @@
 #include "app/estimate_csv.h"
 #include "app/say.h"
 #include "app/scene_estimates.h"
-#include "core/file_write.h"
+#include "app/text_output.h"
 #include "core/learn/scene_file.h"
 
 namespace terratact {
@@ -22,10 +22,11 @@ Status reconstructScenes(const ReconstructOptions& options)
     const auto estimates =
         estimateScenes(file->scenes, **toolbox, options.settings, options.seconds);
     const std::string csv = estimateCsv(file->scenes, estimates);
-    if (Status written = writeFileAtomically(options.out, csv); !written) return written;
+    if (Status written = writeText(options.out, csv); !written) return written;
     const auto noted = std::count_if(estimates.begin(), estimates.end(),
                                      [](const auto& e) { return !e.note.empty(); });
-    say("{} scenes written to {}; {} of them with a note\n", estimates.size(), options.out, noted);
+    say(messagesBeside(options.out), "{} scenes written to {}; {} of them with a note\n",
+               estimates.size(), options.out, noted);
     return Done{};
 }
 

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "app/payload_signals.h"
 #include "app/say.h"
 #include "app/session_commands.h"
 #include "app/session_text.h"
+#include "app/text_output.h"
 #include "app/what_if.h"
 #include "core/file_read.h"
 #include "core/infer/measured_bins.h"
+#include "core/learn/columns.h"
 #include "core/learn/scene_file.h"
 #include "core/log/session_reader.h"
 #include "core/terrain/body_ceiling.h"
@@ -123,13 +127,37 @@ void addMeasured(const SessionReader& session, const RobotModel& robot, const Sc
         if (measured.bin[i]) scene.truth[i] = measured.bin[i]->height;
 }
 
-Status addScenes(const std::string& path, bool measured, std::vector<Scene>& scenes)
+/// Which file each scene came from, by its time [ns] since 1970 and what was measured then.
+using SceneKey = std::pair<std::int64_t, FeatureValues>;
+using SceneOrigins = std::map<SceneKey, std::string>;
+
+/// Says that scenes of a file are those of others, as a copy of a session has them.
+void tellRepeated(const std::string& path, std::size_t repeated, std::size_t all,
+                  const std::string& first)
+{
+    if (repeated == 0) return;
+    say(stderr, "terratact: {}: {} of its {} scenes are in {} too{}: they are taken once\n",
+               path, repeated, all, first, repeated == all ? ", which is the same recording" : "");
+}
+
+Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
+                 std::vector<Scene>& scenes)
 {
     const auto session = SessionReader::open(path);
     if (!session) return session.error();
     const auto robot = robotOf(*session);
     if (measured && !robot) return robot.error();
+    SceneOrigins added;
+    std::size_t repeated = 0;
+    std::string first;
     for (const SceneRow& row : session->scenes()) {
+        const SceneKey key{wallTimeOf(session->start(), row.time),
+                           featureValues(proprioception(row.measurement))};
+        if (const auto before = origins.find(key); before != origins.end()) {
+            if (++repeated == 1) first = before->second;
+            continue;
+        }
+        added.emplace(key, path);
         Scene scene{.run = driveName(path),
                     .time = secondsOf(row.time),
                     .s = proprioception(row.measurement),
@@ -140,6 +168,8 @@ Status addScenes(const std::string& path, bool measured, std::vector<Scene>& sce
             addMeasured(*session, *robot, row, scene);
         scenes.push_back(std::move(scene));
     }
+    tellRepeated(path, repeated, session->scenes().size(), first);
+    origins.merge(added);
     for (const SessionDamage& damage : session->damage())
         say(stderr, "terratact: {}: left out: {}\n", path, damageText(session->start(), damage));
     return Done{};
@@ -178,16 +208,18 @@ Status verifySessions(const VerifyOptions& options)
 Status exportScenes(const SessionScenesOptions& options)
 {
     std::vector<Scene> scenes;
+    SceneOrigins origins;
     for (const std::string& file : options.files)
-        if (Status added = addScenes(file, options.measured, scenes); !added) return added;
+        if (Status added = addScenes(file, options.measured, origins, scenes); !added) return added;
     if (scenes.empty()) return Error{options.files.front() + ": no scene was captured"};
-    if (Status written = writeScenes(options.out, scenes); !written) return written;
+    if (Status written = writeText(options.out, scenesText(scenes)); !written) return written;
     std::size_t heights = 0;
     for (const Scene& scene : scenes)
         heights += static_cast<std::size_t>(
             std::count_if(scene.truth.begin(), scene.truth.end(),
                           [](const auto& height) { return height.has_value(); }));
-    say("{} scenes with {} known heights written to {}\n", scenes.size(), heights, options.out);
+    say(messagesBeside(options.out), "{} scenes with {} known heights written to {}\n",
+               scenes.size(), heights, options.out);
     return Done{};
 }
 
@@ -212,10 +244,10 @@ Status exportSession(const SessionExportOptions& options)
     if (!counts) return counts.error();
     if (counts->withoutColumns > 0)
         say(stderr,
-            "terratact: {}: {} messages of --dbc are left out: their signals and "
-            "those before are more than {}\n",
-            options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
-    say("{} written\n", options.out);
+                   "terratact: {}: {} messages of --dbc are left out: their signals and "
+                   "those before are more than {}\n",
+                   options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
+    say(messagesBeside(options.out), "{} written\n", options.out);
     if (counts->leftOut > 0)
         say(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",
             options.out, counts->leftOut);

@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 
-#include "app/csv_field.h"
 #include "app/interrupt.h"
 #include "app/parallel.h"
 #include "app/progress.h"
@@ -15,11 +14,12 @@
 #include "app/scene_estimates.h"
 #include "app/session_commands.h"
 #include "app/session_text.h"
+#include "app/text_output.h"
 #include "app/what_if.h"
+#include "core/csv_text.h"
 #include "core/eval/calibration_ledger.h"
 #include "core/eval/evaluation.h"
 #include "core/file_read.h"
-#include "core/file_write.h"
 #include "core/learn/sha256.h"
 #include "core/log/later_poses.h"
 #include "core/text.h"
@@ -110,7 +110,7 @@ public:
         printLedger("contacts and probes at later poses against the bands that odometry took there",
                     [this](SessionReader& session) { return laterPosesOf(session); });
         if (!options_.out.empty())
-            if (Status written = writeFileAtomically(options_.out, csv()); !written) return written;
+            if (Status written = writeText(options_.out, csv()); !written) return written;
         const auto failed = std::count_if(reruns_.begin(), reruns_.end(), [](const Rerun& r) {
             return r.asRecorded && r.differences.likeness == Likeness::Other && !endedByTime(r);
         });
@@ -178,40 +178,40 @@ private:
                            100.0 * verdict.step.p);
     }
 
-    static void print(const Rerun& r)
+    void print(const Rerun& r) const
     {
         const Differences& d = r.differences;
-        say("{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id, r.row.scene,
+        say(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id, r.row.scene,
             momentText(r.row.time), name(r.row.estimate.settings.method));
         const bool identical = d.likeness == Likeness::Identical;
         if (r.asRecorded && identical) {
-            say("reproduced bit for bit\n");
+            say(messages_, "reproduced bit for bit\n");
             return;
         }
         if (r.asRecorded && d.likeness == Likeness::LastBits) {
-            say("reproduced but for the last bits of another processor or version, "
+            say(messages_, "reproduced but for the last bits of another processor or version, "
                 "heights within {:.1g} m\n",
                 d.largest());
             return;
         }
         if (r.asRecorded && endedByTime(r))
-            say("its sampling was ended by time, which nothing repeats\n");
+            say(messages_, "its sampling was ended by time, which nothing repeats\n");
         else if (r.asRecorded)
-            say("NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
+            say(messages_, "NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
         else
-            say("now {}{}\n", name(r.again.settings.method),
+            say(messages_, "now {}{}\n", name(r.again.settings.method),
                 identical ? ", the same bit for bit" : "");
         if (identical) return;
-        say("   bin   height [m]           sd [mm]      80 % band [m]\n"
+        say(messages_, "   bin   height [m]           sd [mm]      80 % band [m]\n"
             "   [m]   then     now  moved  then  now   then              now\n");
         for (std::size_t i = 0; i < kBins; ++i) {
             const TerrainEstimate &a = r.row.estimate, &b = r.again;
-            say("  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
+            say(messages_, "  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
                 "{:+.3f} … {:+.3f}\n",
                 binCentre(static_cast<int>(i)), a.height[i], b.height[i], 1000.0 * d.bin[i].height,
                 1000.0 * a.sd[i], 1000.0 * b.sd[i], a.q10[i], a.q90[i], b.q10[i], b.q90[i]);
         }
-        say("  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n", binCentre(d.largestBin),
+        say(messages_, "  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n", binCentre(d.largestBin),
             1000.0 * d.largest(), words(d.before), words(d.after));
     }
 
@@ -226,16 +226,16 @@ private:
             moved.push_back(r.differences.largest());
         }
         std::sort(moved.begin(), moved.end());
-        say("\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
+        say(messages_, "\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
             "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
             "median estimate, {:.0f} mm in the worst\n",
             reruns_.size(), sessions_.size(), same, lastBits, other,
             1000.0 * moved[moved.size() / 2], 1000.0 * moved.back());
     }
 
-    static void printRow(std::string_view label, const ErrorStatistics& s)
+    void printRow(std::string_view label, const ErrorStatistics& s) const
     {
-        say("  {:<5} {:6} {:13.1f} {:10.1f} {:14.0f}\n", label, s.n, 1000.0 * s.median,
+        say(messages_, "  {:<5} {:6} {:13.1f} {:10.1f} {:14.0f}\n", label, s.n, 1000.0 * s.median,
             1000.0 * s.crps, 100.0 * s.coverage);
     }
 
@@ -250,7 +250,7 @@ private:
             for (const BinError& e : binErrors(k, scene, "now", reruns_[k].again)) now.push_back(e);
         }
         if (then.empty()) return;
-        say("\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
+        say(messages_, "\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
             "[mm]  in 80 % band\n");
         printRow("then", statistics(then));
         printRow("now", statistics(now));
@@ -329,9 +329,9 @@ private:
                                               + printable(session->path()));
         }
         if (sessions == 0) return;
-        say("\n{}\n         times  in 50 %  in 80 %  in 95 %  rms z  bands\n{}", title,
+        say(messages_, "\n{}\n         times  in 50 %  in 80 %  in 95 %  rms z  bands\n{}", title,
             Lines(sessions > 1 ? lines : std::string()));
-        say("{}", Lines(ledgerLines(all, sessions > 1 ? ", all" : "")));
+        say(messages_, "{}", Lines(ledgerLines(all, sessions > 1 ? ", all" : "")));
     }
 
     static std::string ledgerLines(const Ledgers& ledgers, const std::string& where)
@@ -370,6 +370,7 @@ private:
 
     const WhatIfOptions& options_;
     Interrupt interrupt_;
+    std::FILE* const messages_ = messagesBeside(options_.out);
     Toolboxes toolboxes_;
     std::vector<std::unique_ptr<SessionReader>> sessions_;
     std::vector<Rerun> reruns_;

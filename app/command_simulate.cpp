@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/say.h"
+#include "app/text_output.h"
 #include "core/learn/profile_file.h"
 #include "core/learn/scene_file.h"
 #include "core/sim/drive.h"
@@ -168,10 +169,14 @@ Status simulate(const SimulateOptions& options)
     if (recording->scenes.empty())
         return Error{
             fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
-    if (Status written = writeScenes(options.out, recording->scenes); !written) return written;
-    say("{} scenes over {} written to {}", recording->scenes.size(), options.terrain, options.out);
-    if (recording->skipped > 0) say(" ({} stops left out: no rest pose)", recording->skipped);
-    say("\n");
+    if (Status written = writeText(options.out, scenesText(recording->scenes)); !written)
+        return written;
+    std::FILE* const messages = messagesBeside(options.out);
+    say(messages, "{} scenes over {} written to {}", recording->scenes.size(),
+               options.terrain, options.out);
+    if (recording->skipped > 0)
+        say(messages, " ({} stops left out: no rest pose)", recording->skipped);
+    say(messages, "\n");
     return Done{};
 }
 

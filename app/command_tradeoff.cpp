@@ -181,6 +181,11 @@ std::string referenceText(const Measured& measured)
 
 }  // namespace
 
+std::vector<std::string> tradeoffFiles()
+{
+    return {"tradeoff.csv", "presets.csv", "tradeoff.png", "tradeoff.svg"};
+}
+
 Status tradeoff(const TradeoffOptions& options)
 {
     const auto toolbox = openToolbox(options.robot, options.model);

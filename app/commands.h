@@ -66,6 +66,8 @@ struct EvaluateOptions {
     std::string command;                ///< without --shard and --out
 };
 Status evaluate(const EvaluateOptions& options);
+/// The name of the file with the findings of one part.
+std::string shardFile(const Shard& shard);
 
 struct MergeOptions {
     std::vector<std::string> parts;
@@ -73,6 +75,8 @@ struct MergeOptions {
     std::string out;
 };
 Status merge(const MergeOptions& options);
+/// Whether they are parts of an evaluation, not of a training.
+bool isEvaluation(const MergeOptions& options);
 
 struct TradeoffOptions {
     std::string robot, model, data, out;
@@ -82,6 +86,8 @@ struct TradeoffOptions {
 };
 /// Measures what settings cost and err: tradeoff.csv, presets.csv and a figure in `out`, a table on stdout.
 Status tradeoff(const TradeoffOptions& options);
+/// The names of the files that tradeoff() writes.
+std::vector<std::string> tradeoffFiles();
 
 struct GhostOptions {
     std::string robot, model;
@@ -167,6 +173,8 @@ struct DemoOptions {
     double seconds = 0.0;  ///< of every sampling; 0: no limit
 };
 Status demo(const DemoOptions& options);
+/// The names of the files that demo() may write.
+std::vector<std::string> demoFiles();
 
 struct RobotOptions {
     std::string robot;

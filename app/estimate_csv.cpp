@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "core/csv_text.h"
 #include "core/infer/bimodality.h"
 #include "core/infer/estimate_words.h"
 #include "core/infer/obstacle.h"
@@ -21,12 +22,12 @@ std::string shown(std::optional<double> value)
     return value ? fmt::format("{}", *value) : std::string();
 }
 
-/// A text field of our CSV files holds neither commas nor quotes.
-std::string field(std::string text)
+/// A note, without commas and quotes, for programs that split lines at commas.
+std::string noteField(std::string text)
 {
     for (char& c : text)
-        if (c == ',' || c == '"') c = ';';
-    return text;
+        if (c == ',' || c == '"' || c == ';') c = ':';
+    return csvField(text);
 }
 
 /// What is asked of the draws, as CSV fields per bin.
@@ -61,7 +62,7 @@ void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
     const Hidden hidden = hiddenIn(result);
     const std::string answer = answerTo(scene, result);
     for (std::size_t i = 0; i < kBins; ++i) {
-        fmt::format_to(out, "{},{},{:+.1f},", scene.run, scene.time,
+        fmt::format_to(out, "{},{},{:+.1f},", csvField(scene.run), scene.time,
                        binCentre(static_cast<int>(i)));
         if (result.estimate) {
             const TerrainEstimate& e = *result.estimate;
@@ -72,7 +73,7 @@ void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
         } else {
             fmt::format_to(out, ",,,,,,,,");
         }
-        fmt::format_to(out, "{},{},", shown(scene.truth[i]), field(result.note));
+        fmt::format_to(out, "{},{},", shown(scene.truth[i]), noteField(result.note));
         if (result.estimate)
             fmt::format_to(out, "{},{},{},{},{},{}", result.estimate->height[i], hidden.step[i],
                            hidden.twoModes[i], result.estimate->novelty,

@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/csv_field.h"
+#include "core/csv_text.h"
 
 namespace terratact {
 namespace {
@@ -182,9 +182,9 @@ std::string errorsCsv(std::span<const BinError> errors, std::span<const Scene> s
         const Scene& scene = scenes[e.scene];
         const ForecastScores& s = e.scores;
         fmt::format_to(out, "{},{},{},{:+.1f},{},{},{},{},{:.6f},{:.6f},{},{},{:.6f},{}\n",
-                       scene.run, scene.time, e.label, binCentre(e.bin), e.error, std::abs(e.error),
-                       s.in80 ? 1 : 0, name(e.origin), s.crps, s.pit, s.in50 ? 1 : 0,
-                       s.in95 ? 1 : 0, s.width,
+                       csvField(scene.run), scene.time, e.label, binCentre(e.bin), e.error,
+                       std::abs(e.error), s.in80 ? 1 : 0, name(e.origin), s.crps, s.pit,
+                       s.in50 ? 1 : 0, s.in95 ? 1 : 0, s.width,
                        e.novelty > 0.0 ? fmt::format("{:.4f}", e.novelty) : std::string());
     }
     return csv;

@@ -145,6 +145,14 @@ void printClaims(const std::vector<BinError>& errors, const std::vector<Scene>& 
 
 }  // namespace
 
+std::vector<std::string> reportFiles()
+{
+    return {"errors.csv", "fig8.csv",  "fig9.csv",        "pit.csv",     "coverage.csv",
+            "scores.csv", "steps.csv", "reliability.csv", "novelty.csv", "classes.csv",
+            "probes.csv", "fig8.png",  "fig8.svg",        "fig9.png",    "fig9.svg",
+            "pit.png",    "pit.svg"};
+}
+
 void printRun(const MethodRun& run)
 {
     say("{:<10} {} scenes, {} converged, {} ended by sweeps, {} by time, {} without an "

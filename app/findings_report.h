@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/findings.h"
 #include "core/result.h"
@@ -14,5 +15,8 @@ void printRun(const MethodRun& run);
 /// file that could not be written.
 /// findings: of all scenes, else std::invalid_argument.
 Status reportFindings(const Findings& findings, const std::string& directory);
+
+/// The names of all files that reportFindings() may write.
+std::vector<std::string> reportFiles();
 
 }  // namespace terratact

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/infer/obstacle.h"
-#include "core/learn/sha256.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -73,18 +72,17 @@ Status writeNewCard(const std::string& modelPath, const ModelData& model,
 }
 
 Status keepScores(const std::string& modelPath, const std::string& contentHash,
-                  const std::string& dataPath, std::vector<CardScores> scores)
+                  const std::string& dataPath, const std::string& dataHash,
+                  std::vector<CardScores> scores)
 {
     auto found = readModelCard(modelPath, contentHash);
     if (!found) return found.error();
-    auto hash = sha256OfFile(dataPath);
-    if (!hash) return hash.error();
     ModelCard card = found->value_or(ModelCard{});
     card.model = contentHash;
     for (CardScores& one : scores) {
         one.date = dateOfToday();
         one.data = nameOf(dataPath);
-        one.dataHash = *hash;
+        one.dataHash = dataHash;
         addScores(card, std::move(one));
     }
     return writeModelCard(modelPath, card);

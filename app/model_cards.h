@@ -33,9 +33,10 @@ std::string dateOfToday();
 Status writeNewCard(const std::string& modelPath, const ModelData& model,
                     const std::string& dataPath);
 
-/// Adds to the card of the model, or begins one.  date and data of the scores are filled in: today, and
-/// the name and hash of the scenes at dataPath.
+/// Adds to the card of the model, or begins one.  date, data and dataHash of the scores are filled in: today, the
+/// file name of dataPath, and the hash that its scenes came with.
 Status keepScores(const std::string& modelPath, const std::string& contentHash,
-                  const std::string& dataPath, std::vector<CardScores> scores);
+                  const std::string& dataPath, const std::string& dataHash,
+                  std::vector<CardScores> scores);
 
 }  // namespace terratact

@@ -104,8 +104,6 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     const auto file = readScenesWithTruth(plan.data);
     if (!file) return file.error();
     const std::vector<Scene>& known = file->scenes;
-    const auto hash = sha256OfFile(plan.data);
-    if (!hash) return hash.error();
     const auto before = toolboxFrom(plan.robot, plan.oldModel);
     if (!before) return before.error();
     const auto after = toolboxFrom(plan.robot, plan.newModel);
@@ -119,9 +117,10 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     ModelComparison comparison;
     comparison.inFile = known.size();
     comparison.tried = scenes.size();
+    comparison.dataHash = file->hash;
     comparison.newContent = (*after)->model.contentHash;
-    comparison.oldLearntThese = (*before)->model.data.dataHash == *hash;
-    comparison.newLearntThese = (*after)->model.data.dataHash == *hash;
+    comparison.oldLearntThese = (*before)->model.data.dataHash == file->hash;
+    comparison.newLearntThese = (*after)->model.data.dataHash == file->hash;
     Errors ofBefore, ofAfter;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const EstimatePair& pair = pairs[k];

@@ -37,6 +37,7 @@ struct ModelComparison {
     /// for fewer than kLeastRuns drives.
     std::optional<Interval> nearDifference;
     std::string newContent;       ///< contentHash() of the new model
+    std::string dataHash;         ///< of the file with the scenes, as they were read
     bool newLearntThese = false;  ///< the file is the one the new model was trained on
     bool oldLearntThese = false;
 };

@@ -57,7 +57,7 @@ Status trainInto(const std::string& path, const TrainingPlan& plan, const Traini
 Status keepInCard(const ComparisonPlan& plan, const ModelComparison& comparison)
 {
     const ErrorStatistics& all = comparison.after.all;
-    return keepScores(plan.newModel, comparison.newContent, plan.data,
+    return keepScores(plan.newModel, comparison.newContent, plan.data, comparison.dataHash,
                       {{.method = std::string(name(plan.settings.method)),
                         .date = {},
                         .data = {},

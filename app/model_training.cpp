@@ -187,8 +187,6 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
     const auto file = readScenes(plan.data);
     if (!file) return file.error();
     for (const std::string& notice : file->notices) tell(notice);
-    auto hash = sha256OfFile(plan.data);
-    if (!hash) return hash.error();
     TrainingSet set;
     try {
         set = prepareTraining(file->scenes, {.conditionalRows = plan.conditionalRows,
@@ -207,7 +205,7 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
     set.model.seed = plan.seed;
     set.model.inducing = plan.inducing;
     set.model.command = plan.commandLine;
-    set.model.dataHash = *std::move(hash);
+    set.model.dataHash = file->hash;
     return std::move(set.model);
 }
 

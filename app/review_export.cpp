@@ -5,8 +5,8 @@
 #include <QApplication>
 #include <QFileInfo>
 
-#include "app/csv_field.h"
 #include "app/review_difference.h"
+#include "core/csv_text.h"
 #include "core/file_write.h"
 #include "widgets/look.h"
 #include "widgets/numbers_table.h"

@@ -6,17 +6,16 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "app/csv_field.h"
 #include "app/mcap_writer.h"
 #include "app/payload_signals.h"
 #include "app/session_text.h"
+#include "app/text_output.h"
+#include "core/csv_text.h"
 #include "core/file_read.h"
-#include "core/file_write.h"
 #include "core/robot/robot_model.h"
 #include "core/text.h"
 #include "core/wire/can_codec.h"
@@ -31,16 +30,23 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
 
+/// What became of a frame.
+enum class Taken {
+    Written,
+    PassedOver,    ///< it says nothing of the kind that was asked for
+    Inexpressible  ///< the format cannot express it
+};
+
 /// Takes the selected rows of a session in the order of time, writes them as one format.
 class Exporter {
 public:
     virtual ~Exporter() = default;
     virtual bool wantsFrames() const { return true; }
     virtual void begin() {}
-    /// False: the format cannot express it.
-    virtual bool take(const FrameRow&) { return true; }
-    virtual void take(const EstimateRow&) {}
-    virtual void take(const EventRow&) {}
+    virtual Taken take(const FrameRow&) { return Taken::PassedOver; }
+    /// False: it is of a kind that was not asked for.
+    virtual bool take(const EstimateRow&) { return false; }
+    virtual bool take(const EventRow&) { return false; }
     virtual void end() {}
 };
 
@@ -56,12 +62,12 @@ class CandumpExporter final : public Exporter {
 public:
     CandumpExporter(std::ostream& out, const SessionStart& start) : out_(out), start_(start) {}
 
-    bool take(const FrameRow& row) override
+    Taken take(const FrameRow& row) override
     {
-        if (row.frame.isCut) return false;
+        if (row.frame.isCut) return Taken::Inexpressible;
         const double time = static_cast<double>(wallTimeOf(start_, row.time)) * 1e-9;
         out_ << candumpLine(time, interface_, row.frame) << '\n';
-        return true;
+        return Taken::Written;
     }
 
 private:
@@ -80,29 +86,29 @@ public:
         if (!base_) writeHeader(wallTimeOf(start_, 0));
     }
 
-    bool take(const FrameRow& row) override
+    Taken take(const FrameRow& row) override
     {
         const CanFrame& frame = row.frame;
         const std::int64_t wall = wallTimeOf(start_, row.time);
         if (!base_) writeHeader(wall);
         const std::int64_t time = wall - *base_;
-        if (frame.isCut || time < 0) return false;
+        if (frame.isCut || time < 0) return Taken::Inexpressible;
         const std::string moment = fmt::format("{:4}.{:06}", time / kSecond, time % kSecond / 1000);
         if (frame.error) {
             out_ << moment << " 1  ErrorFrame\n";
-            return true;
+            return Taken::Written;
         }
         const std::string id = fmt::format("{:X}{}", frame.id, frame.extended ? "x" : "");
         if (frame.fd) {
             writeFd(moment, id, row);
-            return true;
+            return Taken::Written;
         }
         out_ << fmt::format("{} 1  {:<15} {}   {} {:d}", moment, id, row.sent ? "Tx" : "Rx",
                             frame.remote ? 'r' : 'd', frame.length);
         for (std::size_t i = 0; i < frame.length && !frame.remote; ++i)
             out_ << fmt::format(" {:02X}", frame.data.at(i));
         out_ << '\n';
-        return true;
+        return Taken::Written;
     }
 
 private:
@@ -186,25 +192,27 @@ public:
         }
     }
 
-    bool take(const FrameRow& row) override
+    Taken take(const FrameRow& row) override
     {
         if (what_ == ExportKind::Frames) {
             const CanFrame& f = row.frame;
             out_ << fmt::format("{},{},{:d},{:d},{:d},{:d},{:d},{:d},{:d},{}\n", moment(row.time),
                                 f.id, f.extended, f.remote, f.error, f.fd, row.sent, row.local,
                                 f.length, hexBytes(f));
-        } else if (const auto content = unpack(row.frame);
-                   std::holds_alternative<Unpacked>(content)) {
-            takeSignals(row.time, std::get<Unpacked>(content));
-        } else if (const auto message = payload_.find(row.frame)) {
-            takePayload(row, payload_.messages()[*message]);
+            return Taken::Written;
         }
-        return true;
+        if (const auto content = unpack(row.frame); std::holds_alternative<Unpacked>(content))
+            takeSignals(row.time, std::get<Unpacked>(content));
+        else if (const auto message = payload_.find(row.frame))
+            takePayload(row, payload_.messages()[*message]);
+        else
+            return Taken::PassedOver;
+        return Taken::Written;
     }
 
-    void take(const EstimateRow& row) override
+    bool take(const EstimateRow& row) override
     {
-        if (what_ != ExportKind::Estimates) return;
+        if (what_ != ExportKind::Estimates) return false;
         const TerrainEstimate& e = row.estimate;
         const SceneRow* scene = session_.scene(row.scene);
         for (std::size_t i = 0; i < kBins; ++i)
@@ -215,15 +223,17 @@ public:
                 name(e.origin[i]), std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "",
                 e.rhat[i], e.ess[i], scene && scene->truth ? numberText(scene->truth->at(i)) : "",
                 name(e.touch[i]));
+        return true;
     }
 
-    void take(const EventRow& row) override
+    bool take(const EventRow& row) override
     {
-        if (what_ != ExportKind::Events) return;
+        if (what_ != ExportKind::Events) return false;
         out_ << fmt::format("{},{},{},{},{},{},{},{},{}\n", moment(row.time), row.id,
                             name(row.kind), csvField(row.subject), csvField(row.text),
                             row.number ? numberText(*row.number) : "", row.estimate, row.proposal,
                             csvField(row.shown));
+        return true;
     }
 
 private:
@@ -339,25 +349,33 @@ public:
                                                 {"start", utcText(wallTimeOf(start, 0))}});
     }
 
-    bool take(const FrameRow& row) override
+    Taken take(const FrameRow& row) override
     {
         const auto described = payload_.find(row.frame);
-        if (can_ != 0) write(can_, row.time, frameJson(row));
-        if (described && !channels_.empty())
+        Taken taken = Taken::PassedOver;
+        if (can_ != 0) {
+            write(can_, row.time, frameJson(row));
+            taken = Taken::Written;
+        }
+        if (described && !channels_.empty()) {
             write(channels_[*described], row.time,
                   jsonValuesOf(payload_.messages()[*described].described->message, row.frame));
-        if (measurement_ == 0 || !listener_ || row.sent) return true;
-        if (const auto measured = listener_->take(row.frame, secondsOf(row.time)))
-            write(measurement_, row.time, measurementJson(*measured));
-        return true;
+            taken = Taken::Written;
+        }
+        if (measurement_ == 0 || !listener_ || row.sent) return taken;
+        const auto measured = listener_->take(row.frame, secondsOf(row.time));
+        if (!measured) return taken;
+        write(measurement_, row.time, measurementJson(*measured));
+        return Taken::Written;
     }
-    void take(const EstimateRow& row) override
+    bool take(const EstimateRow& row) override
     {
         if (estimate_ != 0) write(estimate_, row.time, estimateJson(row));
+        return estimate_ != 0;
     }
-    void take(const EventRow& row) override
+    bool take(const EventRow& row) override
     {
-        if (event_ == 0) return;
+        if (event_ == 0) return false;
         const std::string number = row.number ? fmt::format(",\"number\":{}", *row.number) : "";
         write(
             event_, row.time,
@@ -365,6 +383,7 @@ public:
                 R"({{"id":{},"kind":{},"subject":{},"text":{}{},"estimate":{},"proposal":{},"shown":{}}})",
                 row.id, jsonText(name(row.kind)), jsonText(row.subject), jsonText(row.text), number,
                 row.estimate, row.proposal, jsonText(row.shown)));
+        return true;
     }
     void end() override { mcap_.finish(); }
 
@@ -441,7 +460,7 @@ private:
 };
 
 /// Rows besides frames, by time.
-using Other = std::pair<SessionTime, std::function<void(Exporter&)>>;
+using Other = std::pair<SessionTime, std::function<bool(Exporter&)>>;
 
 std::vector<Other> othersOf(const SessionReader& session, const ExportSelection& selection)
 {
@@ -449,7 +468,7 @@ std::vector<Other> othersOf(const SessionReader& session, const ExportSelection&
     const auto add = [&](const auto& rows) {
         for (const auto& row : rows)
             if (selection.covers(row.time))
-                others.emplace_back(row.time, [&row](Exporter& e) { e.take(row); });
+                others.emplace_back(row.time, [&row](Exporter& e) { return e.take(row); });
     };
     add(session.estimates());
     add(session.events());
@@ -492,11 +511,13 @@ std::optional<ExportCounts> run(SessionReader& session, Exporter& exporter,
         for (const FrameRow& frame : session.frames(i)) {
             if (!selection.covers(frame.time)) continue;
             for (; other != others.end() && other->first <= frame.time; ++other)
-                other->second(exporter);
-            ++(exporter.take(frame) ? counts.frames : counts.leftOut);
+                counts.others += other->second(exporter) ? 1 : 0;
+            const Taken taken = exporter.take(frame);
+            counts.frames += taken == Taken::Written ? 1 : 0;
+            counts.leftOut += taken == Taken::Inexpressible ? 1 : 0;
         }
     }
-    for (; other != others.end(); ++other) other->second(exporter);
+    for (; other != others.end(); ++other) counts.others += other->second(exporter) ? 1 : 0;
     exporter.end();
     return counts;
 }
@@ -515,6 +536,42 @@ std::unique_ptr<Exporter> exporterFor(std::ostream& out, const SessionReader& se
         return std::make_unique<McapExporter>(out, session, selection.what, payload);
     }
     return nullptr;
+}
+
+std::string_view nameOf(ExportKind kind)
+{
+    switch (kind) {
+    case ExportKind::Frames: return "frames";
+    case ExportKind::Signals: return "signals";
+    case ExportKind::Estimates: return "estimates";
+    case ExportKind::Events: break;
+    }
+    return "events";
+}
+
+std::string rangeText(const ExportSelection& selection)
+{
+    const bool begins = std::isfinite(selection.from), ends = std::isfinite(selection.to);
+    if (begins && ends) return fmt::format(" from {} s to {} s", selection.from, selection.to);
+    if (begins) return fmt::format(" from {} s on", selection.from);
+    return ends ? fmt::format(" until {} s", selection.to) : std::string();
+}
+
+/// Why nothing was written.
+Error nothingOf(const SessionReader& session, const ExportSelection& selection,
+                const ExportCounts& counts)
+{
+    if (counts.leftOut > 0)
+        return fileError(
+            session.path(),
+            fmt::format("none of the frames can be written in this format: {} left out",
+                        counts.leftOut));
+    const std::string kind =
+        selection.what ? fmt::format(": no {}", nameOf(*selection.what)) : std::string();
+    return fileError(session.path(),
+                     fmt::format("nothing was recorded{}{}: the session lasts {:.1f} s",
+                                 rangeText(selection), kind,
+                                 secondsOf(session.end() - session.begin())));
 }
 
 }  // namespace
@@ -538,10 +595,9 @@ std::optional<ExportFormat> exportFormatOf(const std::string& path)
 
 std::optional<ExportKind> exportKindFromName(std::string_view text)
 {
-    if (text == "frames") return ExportKind::Frames;
-    if (text == "signals") return ExportKind::Signals;
-    if (text == "estimates") return ExportKind::Estimates;
-    if (text == "events") return ExportKind::Events;
+    for (const ExportKind kind :
+         {ExportKind::Frames, ExportKind::Signals, ExportKind::Estimates, ExportKind::Events})
+        if (text == nameOf(kind)) return kind;
     return std::nullopt;
 }
 
@@ -552,17 +608,15 @@ Result<ExportCounts> writeExport(SessionReader& session, const std::string& path
     const bool framesOnly = format == ExportFormat::Candump || format == ExportFormat::Asc;
     if (framesOnly && selection.what.value_or(ExportKind::Frames) != ExportKind::Frames)
         return fileError(path, "a log of CAN frames holds nothing else; csv and mcap do");
-    Result<NewFile> file = NewFile::begin(path);
-    if (!file) return file.error();
-    std::ofstream out(file->temporaryPath(), std::ios::binary);
+    Result<TextOutput> out = TextOutput::begin(path);
+    if (!out) return out.error();
     const PayloadSignals payload = payloadOf(session, selection);
-    auto counts =
-        run(session, *exporterFor(out, session, format, selection, payload), selection, progress);
+    auto counts = run(session, *exporterFor(out->stream(), session, format, selection, payload),
+                      selection, progress);
     if (counts) counts->withoutColumns = payload.leftOut();
     if (!counts) return fileError(path, "not written: ended before it was whole");
-    out.close();
-    if (!out) return fileError(path, "cannot be written: is the disk full?");
-    if (Status done = file->commit(); !done) return done.error();
+    if (counts->frames + counts->others == 0) return nothingOf(session, selection, *counts);
+    if (Status done = out->commit(); !done) return done.error();
     return *counts;
 }
 

@@ -40,12 +40,14 @@ struct ExportSelection {
 };
 
 struct ExportCounts {
-    std::uint64_t frames = 0;        ///< written; rows of other kinds are not counted
+    std::uint64_t frames = 0;        ///< written
+    std::uint64_t others = 0;        ///< estimates and events that were written
     std::uint64_t leftOut = 0;       ///< frames that the format cannot express
     std::size_t withoutColumns = 0;  ///< messages of DBC files that found no room (PayloadSignals)
 };
 
-/// Writes under a temporary name, then renames.  Errors name a file; a selection that the format cannot hold.
+/// Writes as TextOutput does.  Errors name a file; a selection that the format cannot hold; a selection of which nothing
+/// was recorded, or nothing that the format can express: then no file is written.
 /// What is damaged is left out: session.damage() afterwards.  progress(share of the batches) may end it by
 /// returning false, which is an Error and leaves no file.
 Result<ExportCounts> writeExport(SessionReader& session, const std::string& path,

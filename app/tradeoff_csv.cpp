@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/learn/csv.h"
+#include "core/csv_reader.h"
 
 namespace terratact {
 
@@ -26,7 +26,7 @@ std::string_view mark(const TradeFronts& fronts, std::size_t point)
     return fronts.truth[point] ? "  +" : "";
 }
 
-Result<PresetCost> presetFrom(const CsvReader& csv)
+Result<PresetCost> presetFrom(CsvReader& csv)
 {
     const auto& fields = csv.fields();
     if (fields.size() != 11) return csv.error("has not eleven fields");

@@ -4,11 +4,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "core/content_kind.h"
 
 namespace terratact {
 namespace {
@@ -72,6 +76,23 @@ int flushToDisk(const std::string& path, int flags)
     return 0;
 }
 
+/// Of a session, or of what SQLite keeps beside one.
+bool isSessionName(const std::string& path)
+{
+    std::string name = std::filesystem::path(path).filename().string();
+    std::ranges::transform(name, name.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    });
+    return std::ranges::any_of(std::array{".tts", ".tts-wal", ".tts-shm", ".tts-journal"},
+                               [&name](const char* ending) { return name.ends_with(ending); });
+}
+
+bool isRecording(const std::string& path)
+{
+    const ContentKind kind = contentKindOfFile(path);
+    return kind == ContentKind::Session || kind == ContentKind::Journal;
+}
+
 std::string directoryOf(const std::string& path)
 {
     const std::string parent = std::filesystem::path(path).parent_path().string();
@@ -106,13 +127,26 @@ NewFile::~NewFile()
     discard();
 }
 
-Result<NewFile> NewFile::begin(const std::string& path)
+Status checkReplaceable(const std::string& path)
 {
     struct stat old {};
+    if (::stat(path.c_str(), &old) != 0) return Done{};
+    if (S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);
+    if (!S_ISREG(old.st_mode)) return cannotWrite(path, "it is not a regular file", 0);
+    if (isSessionName(path) || isRecording(path))
+        return cannotWrite(
+            path, "a recorded session is there, which is never replaced: name another file", 0);
+    if (::access(path.c_str(), W_OK) != 0) return cannotWrite(path, errno);
+    if ((old.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0)
+        return cannotWrite(path, "it is write-protected: name another file", EACCES);
+    return Done{};
+}
+
+Result<NewFile> NewFile::begin(const std::string& path)
+{
+    if (const Status allowed = checkReplaceable(path); !allowed) return allowed.error();
+    struct stat old {};
     const bool exists = ::stat(path.c_str(), &old) == 0;
-    if (exists && S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);
-    if (exists && !S_ISREG(old.st_mode)) return cannotWrite(path, "it is not a regular file", 0);
-    if (exists && ::access(path.c_str(), W_OK) != 0) return cannotWrite(path, errno);
     std::error_code none;
     const std::string target = exists ? std::filesystem::canonical(path, none).string() : path;
     if (none) return cannotWrite(path, none.value());

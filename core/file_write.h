@@ -7,14 +7,21 @@
 
 namespace terratact {
 
+/// Whether a new file may take the place of what is at `path`; Done where nothing is there.  Errors name it:
+///   it is a directory, a device or a pipe
+///   it is write-protected: no right to write it, or no one has (which holds for root as well)
+///   it is a recorded session or the journal of one, by its content or by its name (*.tts): a recording is never
+///   replaced
+Status checkReplaceable(const std::string& path);
+
 /// A file on its way into being.  It is written under a temporary name in the directory of its final
 /// name, which it takes only when it is whole: whoever looks sees the old file, or none, or the new one.
 /// Without commit() the temporary file is removed.
 class NewFile {
 public:
-    /// Creates the empty temporary file.  Errors name the file: no such directory, no right to write (nor
-    /// to write the file it would replace), or no file but a directory, device or pipe stands at `path`.  A symbolic link at
-    /// `path` is followed; an existing file's permissions are kept.
+    /// Creates the empty temporary file.  Errors name the file: no such directory, no right to write there, or
+    /// what stands at `path` is not to be replaced (checkReplaceable()).  A symbolic link at `path` is followed; an
+    /// existing file's permissions are kept.
     static Result<NewFile> begin(const std::string& path);
 
     NewFile(NewFile&& other) noexcept;

@@ -52,11 +52,12 @@ constexpr std::string_view kMagic("SQLite format 3\0", 16);
 using Header = std::array<char, 100>;
 Header headerOf(const std::string& path)
 {
-    std::error_code none;
-    const auto status = std::filesystem::status(path, none);
-    if (std::filesystem::is_directory(status)) throw SqliteError("is a directory");
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-        throw SqliteError("it is not a regular file");
+    std::error_code unknown;
+    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+    if (std::filesystem::is_directory(there)) throw SqliteError("is a directory");
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        throw SqliteError("is a pipe or a device, and an SQLite file is read back and forth: save "
+                          "it as a file first");
     Header header{};
     errno = 0;
     std::ifstream in(path, std::ios::binary);

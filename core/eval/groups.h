@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/csv_reader.h"
 #include "core/eval/evaluation.h"
 #include "core/result.h"
 
@@ -26,14 +27,13 @@ std::vector<GroupSummary> byNovelty(std::span<const BinError> errors);
 using Classes = std::map<std::string, std::string>;
 inline constexpr std::size_t kMostClassRows = 200'000;  ///< of an index file
 
-/// Reads the columns `row` and `column` of a CSV index; fields in double quotes may hold commas.
-/// Errors name the file, the line and the cause: a column is missing, a line has another number of fields,
-/// a quote does not end, a row appears twice; over
-/// kMostClassRows rows, 1000 fields or 4096 bytes of a field.
+/// Reads the columns `row` and `column` of a CSV index (core/csv_reader.h).
+/// Errors name the file, the line and the cause: those of CsvReader; a column is missing, a row appears twice; over
+/// kMostClassRows rows.
 Result<Classes> readClasses(const std::string& path, const std::string& column);
 
-/// The same for a text at hand, which errors call `name`.
-Result<Classes> classesFrom(const std::string& name, std::string text, const std::string& column);
+/// The same from its first line on.
+Result<Classes> readClasses(CsvReader csv, const std::string& column);
 
 /// What a scene's run is called where the index does not know it.
 inline constexpr std::string_view kNoClass = "(none)";

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/csv_text.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -9,7 +10,7 @@ namespace {
 
 constexpr double kMostHeight = 5.0;  // [m]
 
-Result<double> height(const CsvReader& csv, std::size_t field, std::string_view name)
+Result<double> height(CsvReader& csv, std::size_t field, std::string_view name)
 {
     Result<double> value = csv.number(field, name);
     if (value && std::abs(*value) > kMostHeight)
@@ -18,19 +19,15 @@ Result<double> height(const CsvReader& csv, std::size_t field, std::string_view 
     return value;
 }
 
-Result<ProbeReading> reading(const CsvReader& csv)
+Result<ProbeReading> reading(CsvReader& csv)
 {
-    const auto& fields = csv.fields();
-    if (fields.size() != 3)
-        return csv.error("has " + std::to_string(fields.size())
-                         + " fields where place,height_m,truth_m is expected");
     ProbeReading result;
-    result.place = fields[0];
+    result.place = csvText(csv.fields()[0]);
     if (result.place.empty()) return csv.error("names no place");
     const Result<double> read = height(csv, 1, "height_m");
     if (!read) return read.error();
     result.height = *read;
-    if (fields[2].empty()) return result;
+    if (csv.isMissing(2)) return result;
     const Result<double> truth = height(csv, 2, "truth_m");
     if (!truth) return truth.error();
     result.truth = *truth;
@@ -52,6 +49,7 @@ Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv)
     const auto& names = csv.fields();
     if (names.size() != 3 || names[0] != "place" || names[1] != "height_m" || names[2] != "truth_m")
         return csv.error("is not the header place,height_m,truth_m");
+    csv.takeHeader({"", "m", "m"});
     std::vector<ProbeReading> readings;
     for (;;) {
         const Result<bool> more = csv.next();

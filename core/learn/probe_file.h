@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/learn/csv.h"
+#include "core/csv_reader.h"
 #include "core/result.h"
 
 namespace terratact {
@@ -20,8 +20,8 @@ struct ProbeReading {
     bool operator==(const ProbeReading&) const = default;
 };
 
-/// Reads a CSV with the header place,height_m,truth_m; truth_m may be empty.
-/// Errors name file, line and cause: another header, wrong numbers, heights beyond ±5 m, a place without a
+/// Reads a CSV (core/csv_reader.h) with the header place,height_m,truth_m; truth_m may be missing in a line, or NaN.
+/// Errors name file, line and cause: another header, wrong numbers or units, heights beyond ±5 m, a place without a
 /// name, no reading at all, more than kMostProbeReadings.
 Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path);
 

@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/csv_text.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
 #include "core/learn/columns.h"
+#include "core/learn/sha256.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -26,6 +28,7 @@ constexpr int kFirstHeight = kFirstFeature + static_cast<int>(kFeatures);
 constexpr int kSlots = kFirstHeight + kBins;
 constexpr int kNeverEmpty = kFirstFeature + 3;  ///< run, time, pitch and flipper angles
 constexpr std::size_t kMostColumns = 200;
+constexpr std::size_t kLongestRunName = 4096;  ///< bytes
 
 std::size_t index(int slot, int first)
 {
@@ -38,6 +41,15 @@ std::string_view slotName(int slot)
     if (slot == kTime) return "t_s";
     if (slot < kFirstHeight) return featureColumns()[index(slot, kFirstFeature)].name;
     return heightColumns()[index(slot, kFirstHeight)].name;
+}
+
+std::string unitOf(int slot)
+{
+    if (slot == kRun) return {};
+    if (slot == kTime) return "s";
+    return std::string((slot < kFirstHeight ? featureColumns()[index(slot, kFirstFeature)]
+                                            : heightColumns()[index(slot, kFirstHeight)])
+                           .unit);
 }
 
 int slotNamed(std::string_view name)
@@ -57,7 +69,7 @@ bool looksLikeHeight(std::string_view name)
 
 bool isRunName(std::string_view text)
 {
-    return !text.empty() && text.size() <= CsvReader::kLongestField
+    return !text.empty() && text.size() <= kLongestRunName
         && std::none_of(text.begin(), text.end(),
                         [](char c) { return isControl(c) || c == ',' || c == '"'; });
 }
@@ -77,21 +89,23 @@ struct Layout {
     std::vector<std::string> notices;
 };
 
-Result<Layout> layoutOf(const CsvReader& csv)
+Result<Layout> layoutOf(CsvReader& csv)
 {
     if (csv.fields().size() > kMostColumns)
         return csv.error("has more than " + std::to_string(kMostColumns) + " columns");
     Layout layout;
+    std::vector<std::string> units;
     std::string unknown;
     for (const std::string_view name : csv.fields()) {
         const int slot = slotNamed(name);
+        units.push_back(slot == kUnknown ? "" : unitOf(slot));
         if (slot == kUnknown && looksLikeHeight(name))
             return csv.error(shown(name)
                              + " is not a height column, expected h_-0.3_m … h_+0.0_m … h_+0.7_m");
         if (slot != kUnknown && std::count(layout.slots.begin(), layout.slots.end(), slot) > 0)
             return csv.error("the column " + std::string(name) + " appears twice");
         layout.slots.push_back(slot);
-        if (slot != kUnknown) continue;
+        if (slot != kUnknown || name.empty()) continue;
         layout.notices.push_back(csv.name() + ": the column " + shown(name)
                                  + " is not known and was left out");
         unknown += (unknown.empty() ? "; not known: " : ", ") + shown(name);
@@ -99,6 +113,7 @@ Result<Layout> layoutOf(const CsvReader& csv)
     for (int slot = 0; slot < kFirstHeight; ++slot)
         if (std::count(layout.slots.begin(), layout.slots.end(), slot) == 0)
             return csv.error("the column " + std::string(slotName(slot)) + " is missing" + unknown);
+    csv.takeHeader(std::move(units));
     return layout;
 }
 
@@ -120,13 +135,15 @@ struct Draft {
     }
 };
 
-Status readField(const CsvReader& csv, std::size_t field, int slot, Draft& draft)
+Status readField(CsvReader& csv, std::size_t field, int slot, Draft& draft)
 {
-    const std::string_view text = csv.fields()[field];
-    if (slot == kUnknown || (text.empty() && slot >= kNeverEmpty)) return Done{};
-    if (text.empty()) return csv.error(std::string(slotName(slot)) + " is empty");
+    if (slot == kUnknown || (slot >= kNeverEmpty && csv.isMissing(field))) return Done{};
     if (slot == kRun) {
-        if (!isRunName(text)) return csv.error("run is not a name: " + shown(text));
+        const std::string_view text = csvText(csv.fields()[field]);
+        if (text.empty()) return csv.error("run is empty");
+        if (!isRunName(text))
+            return csv.error("run is not a name: " + shown(text)
+                             + ": it holds a comma, a quote or a control character");
         draft.run = text;
         return Done{};
     }
@@ -137,11 +154,8 @@ Status readField(const CsvReader& csv, std::size_t field, int slot, Draft& draft
     return Done{};
 }
 
-Result<Scene> readScene(const CsvReader& csv, const Layout& layout)
+Result<Scene> readScene(CsvReader& csv, const Layout& layout)
 {
-    if (csv.fields().size() != layout.slots.size())
-        return csv.error("has " + std::to_string(csv.fields().size())
-                         + " fields where the header has " + std::to_string(layout.slots.size()));
     Draft draft;
     for (std::size_t i = 0; i < layout.slots.size(); ++i)
         if (const Status status = readField(csv, i, layout.slots[i], draft); !status)
@@ -169,7 +183,7 @@ std::string lineOf(const Scene& scene)
 {
     if (!isRunName(scene.run))
         throw std::invalid_argument("writeScenes: run is not a name: " + shown(scene.run));
-    std::string line = scene.run + ',' + field(scene.time, kTime);
+    std::string line = csvField(scene.run) + ',' + field(scene.time, kTime);
     int slot = kFirstFeature;
     for (const std::optional<double>& value : featureValues(scene.s))
         (line += ',') += field(value, slot++);
@@ -181,9 +195,14 @@ std::string lineOf(const Scene& scene)
 
 Result<SceneFile> readScenes(const std::string& path)
 {
-    Result<CsvReader> csv = CsvReader::open(path);
+    Result<std::string> text = CsvReader::textOf(path);
+    if (!text) return text.error();
+    std::string hash = sha256Hex(*text);
+    Result<CsvReader> csv = CsvReader::over(path, *std::move(text));
     if (!csv) return csv.error();
-    return readScenes(*std::move(csv));
+    Result<SceneFile> file = readScenes(*std::move(csv));
+    if (file) file->hash = std::move(hash);
+    return file;
 }
 
 Result<SceneFile> readScenes(CsvReader csv)
@@ -205,6 +224,9 @@ Result<SceneFile> readScenes(CsvReader csv)
         file.scenes.push_back(*std::move(scene));
     }
     if (file.scenes.empty()) return csv.error("is the header, and no scene follows it");
+    if (csv.lacksLineEnd())
+        file.notices.push_back(csv.name()
+                               + ": the last line has no line end; it was read as it is");
     return file;
 }
 

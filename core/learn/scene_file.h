@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/learn/csv.h"
+#include "core/csv_reader.h"
 #include "core/learn/scene.h"
 #include "core/result.h"
 
@@ -15,16 +15,20 @@ inline constexpr std::size_t kMostScenes = 200'000;
 struct SceneFile {
     std::vector<Scene> scenes;
     std::vector<std::string> notices;  ///< e.g. unknown columns that were kept out
+    std::string
+        hash;  ///< SHA-256 of the file's bytes, in hexadecimal digits; empty where it had no file
 };
 
-/// Reads scenes as CSV: a header, then one scene per line.  Columns in any order:
+/// Reads scenes as CSV (core/csv_reader.h): a header, then one scene per line.  Columns in any order:
 ///   run,t_s,pitch_rad,front_rad,rear_rad,front_current_a,rear_current_a,
 ///   force_1_n … force_6_n,h_-0.3_m,h_-0.2_m,…,h_+0.0_m,…,h_+0.7_m
-/// The h columns may be missing; an empty field means unknown (allowed for currents, forces, heights);
-/// unknown columns are kept out with a notice; LF or CRLF.
+/// The h columns may be missing; an empty field, or NaN, NA and the like, means unknown (allowed for currents, forces,
+/// heights); unknown columns are kept out with a notice; so is a last line without its line end named.  A line of
+/// units below the header is passed over if they are these.
 /// Errors name file, line and cause: missing, doubled or misspelt columns, wrong numbers, NaN or
 /// infinity, heights beyond ±5 m, angles beyond ±π, forces below 0 or above 1000 N, currents beyond
-/// ±100 A, a wrong number of fields, a torn last line, an empty file, more than kMostScenes scenes.
+/// ±100 A, other units, a wrong number of fields, an empty file, more than kMostScenes scenes, what CsvReader refuses.
+/// The file is read once, so that it may be a pipe.
 Result<SceneFile> readScenes(const std::string& path);
 
 /// readScenes() of a file from its first line on.

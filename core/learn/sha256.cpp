@@ -4,6 +4,8 @@
 #include <sodium/utils.h>
 
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include "core/file_read.h"
 
@@ -52,6 +54,11 @@ std::string Sha256::take()
 
 Result<std::string> sha256OfFile(const std::string& path)
 {
+    std::error_code unknown;
+    const auto there = std::filesystem::status(path, unknown);
+    if (std::filesystem::is_fifo(there) || std::filesystem::is_character_file(there))
+        return fileError(path, "is a pipe or a device, which is read only once, and this is read "
+                               "twice: save it as a file first");
     constexpr std::size_t kMostHashed = std::size_t{1} << 30U;
     const auto bytes = readFile(path, kMostHashed);
     if (!bytes) return bytes.error();

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/content_kind.h"  // kSessionApplicationId
+
 namespace terratact {
 
 // Tables of a session file (`*.tts`), an SQLite file; docs/sessions.md explains them.  Whoever reads one
 // refuses any other schema.
 
-inline constexpr std::int64_t kSessionApplicationId =
-    0x54545331;  ///< "TTS1", see resources/desktop
 inline constexpr std::int64_t kSessionVersion = 2;
 /// Version 1 does not say how a bin was touched, and its forces and currents are all measured.
 inline constexpr std::int64_t kFirstSessionVersion = 1;

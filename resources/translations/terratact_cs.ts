@@ -1955,22 +1955,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je utržený</translation>
     </message>
     <message>
-        <source>the file does not end with a line end</source>
-        <translation>soubor nekončí koncem řádku</translation>
-    </message>
-    <message>
-        <source>is blank</source>
-        <translation>je prázdný</translation>
-    </message>
-    <message>
-        <source>has a quoted field, which is not supported</source>
-        <translation>má pole v uvozovkách, což není podporováno</translation>
-    </message>
-    <message>
-        <source>leave the quotes out</source>
-        <translation>uvozovky vynechte</translation>
-    </message>
-    <message>
         <source>has more than %1 fields</source>
         <translation>má více než %1 polí</translation>
     </message>
@@ -1999,16 +1983,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je hlavička a nenásleduje po ní žádná scéna</translation>
     </message>
     <message>
-        <source>expected a time and a note</source>
-        <translation>očekává se čas a poznámka</translation>
-    </message>
-    <message>
         <source>a quote does not end</source>
         <translation>uvozovka nekončí</translation>
-    </message>
-    <message>
-        <source>no line end</source>
-        <translation>chybí konec řádku</translation>
     </message>
     <message>
         <source>too many notes</source>
@@ -2021,10 +1997,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>expected the columns t_s,note</source>
         <translation>očekávají se sloupce t_s,note</translation>
-    </message>
-    <message>
-        <source>t_s is no number</source>
-        <translation>t_s není číslo</translation>
     </message>
     <message>
         <source>its robot</source>
@@ -3157,6 +3129,190 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>drive on %1 m and explore again</source>
         <translation>popojeďte o %1 m a prozkoumejte znovu</translation>
+    </message>
+    <message>
+        <source>is text in UTF-%1</source>
+        <translation>je text v UTF-%1</translation>
+    </message>
+    <message>
+        <source>save it as CSV in UTF-%1</source>
+        <translation>uložte ho jako CSV v UTF-%1</translation>
+    </message>
+    <message>
+        <source>is a workbook or an archive, not text</source>
+        <translation>je sešit tabulkového programu nebo archiv, ne text</translation>
+    </message>
+    <message>
+        <source>is a workbook of an office program, not text</source>
+        <translation>je sešit kancelářského programu, ne text</translation>
+    </message>
+    <message>
+        <source>save the sheet as CSV in UTF-%1</source>
+        <translation>uložte list jako CSV v UTF-%1</translation>
+    </message>
+    <message>
+        <source>is compressed by gzip, not text</source>
+        <translation>je komprimován programem gzip, není text</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>nejprve ho rozbalte</translation>
+    </message>
+    <message>
+        <source>is a PDF, not text</source>
+        <translation>je PDF, ne text</translation>
+    </message>
+    <message>
+        <source>export the numbers as CSV</source>
+        <translation>exportujte čísla jako CSV</translation>
+    </message>
+    <message>
+        <source>is a recorded session, not text</source>
+        <translation>je zaznamenaná relace, ne text</translation>
+    </message>
+    <message>
+        <source>terratact session scenes writes its scenes as CSV</source>
+        <translation>terratact session scenes zapíše její scény jako CSV</translation>
+    </message>
+    <message>
+        <source>is an SQLite file, not text</source>
+        <translation>je soubor SQLite, ne text</translation>
+    </message>
+    <message>
+        <source>holds bytes of value %1, which no text in UTF-%2 does</source>
+        <translation>obsahuje bajty s hodnotou %1, což žádný text v UTF-%2 nemá</translation>
+    </message>
+    <message>
+        <source>names a separator that is no comma, semicolon or tab</source>
+        <translation>uvádí oddělovač, který není čárka, středník ani tabulátor</translation>
+    </message>
+    <message>
+        <source>the fields are separated by |</source>
+        <translation>pole jsou oddělena znakem |</translation>
+    </message>
+    <message>
+        <source>the fields are separated by blanks</source>
+        <translation>pole jsou oddělena mezerami</translation>
+    </message>
+    <message>
+        <source>the fields are separated in more than one way</source>
+        <translation>pole jsou oddělena více způsoby</translation>
+    </message>
+    <message>
+        <source>save them separated by commas, numbers with a point</source>
+        <translation>uložte je oddělená čárkami, čísla s desetinnou tečkou</translation>
+    </message>
+    <message>
+        <source>has text behind a closing quote</source>
+        <translation>má text za koncovou uvozovkou</translation>
+    </message>
+    <message>
+        <source>has %1 fields where the header has %2, and the file does not end with a line end</source>
+        <translation>má %1 polí, kde jich záhlaví má %2, a soubor nekončí koncem řádku</translation>
+    </message>
+    <message>
+        <source>are there decimal commas? save numbers with a point</source>
+        <translation>jsou tam desetinné čárky? uložte čísla s desetinnou tečkou</translation>
+    </message>
+    <message>
+        <source>save numbers with a point, and nothing between thousands</source>
+        <translation>uložte čísla s desetinnou tečkou a bez oddělovače tisíců</translation>
+    </message>
+    <message>
+        <source>save all numbers with a decimal point</source>
+        <translation>uložte všechna čísla s desetinnou tečkou</translation>
+    </message>
+    <message>
+        <source>it holds a comma, a quote or a control character</source>
+        <translation>obsahuje čárku, uvozovku nebo řídicí znak</translation>
+    </message>
+    <message>
+        <source>the last line has no line end; it was read as it is</source>
+        <translation>poslední řádek nemá konec řádku; byl přečten tak, jak je</translation>
+    </message>
+    <message>
+        <source>a recorded session is there, which is never replaced</source>
+        <translation>je tam zaznamenaná relace, která se nikdy nepřepisuje</translation>
+    </message>
+    <message>
+        <source>it is write-protected</source>
+        <translation>je chráněn proti zápisu</translation>
+    </message>
+    <message>
+        <source>name another file</source>
+        <translation>zvolte jiný soubor</translation>
+    </message>
+    <message>
+        <source>none of the frames can be written in this format</source>
+        <translation>v tomto formátu nelze zapsat žádný rámec</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>vynecháno: %1</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>nic nebylo zaznamenáno</translation>
+    </message>
+    <message>
+        <source>nothing was recorded from %1 s to %2 s</source>
+        <translation>od %1 s do %2 s nebylo nic zaznamenáno</translation>
+    </message>
+    <message>
+        <source>nothing was recorded from %1 s on</source>
+        <translation>od %1 s dál nebylo nic zaznamenáno</translation>
+    </message>
+    <message>
+        <source>nothing was recorded until %1 s</source>
+        <translation>do %1 s nebylo nic zaznamenáno</translation>
+    </message>
+    <message>
+        <source>no frames</source>
+        <translation>žádné rámce</translation>
+    </message>
+    <message>
+        <source>no signals</source>
+        <translation>žádné signály</translation>
+    </message>
+    <message>
+        <source>no estimates</source>
+        <translation>žádné odhady</translation>
+    </message>
+    <message>
+        <source>no events</source>
+        <translation>žádné události</translation>
+    </message>
+    <message>
+        <source>the session lasts %1 s</source>
+        <translation>relace trvá %1 s</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, and an SQLite file is read back and forth</source>
+        <translation>není to obyčejný soubor, a soubor SQLite se čte na přeskáčku</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, which is read only once, and this is read twice</source>
+        <translation>je roura nebo zařízení, které lze číst jen jednou, a tohle se čte dvakrát</translation>
+    </message>
+    <message>
+        <source>save it as a file first</source>
+        <translation>nejprve to uložte jako soubor</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected a number, or its unit %3</source>
+        <translation>%1 je %2, čekalo se číslo nebo jeho jednotka %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal comma</source>
+        <translation>%1 je %2, a řádek %3 má desetinnou čárku</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal point</source>
+        <translation>%1 je %2, a řádek %3 má desetinnou tečku</translation>
+    </message>
+    <message>
+        <source>%1 is not measured</source>
+        <translation>%1 není změřeno</translation>
     </message>
 </context>
 <context>

@@ -1955,22 +1955,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist abgerissen</translation>
     </message>
     <message>
-        <source>the file does not end with a line end</source>
-        <translation>die Datei endet nicht mit einem Zeilenende</translation>
-    </message>
-    <message>
-        <source>is blank</source>
-        <translation>ist leer</translation>
-    </message>
-    <message>
-        <source>has a quoted field, which is not supported</source>
-        <translation>hat ein Feld in Anführungszeichen, was nicht unterstützt wird</translation>
-    </message>
-    <message>
-        <source>leave the quotes out</source>
-        <translation>die Anführungszeichen weglassen</translation>
-    </message>
-    <message>
         <source>has more than %1 fields</source>
         <translation>hat mehr als %1 Felder</translation>
     </message>
@@ -1999,16 +1983,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist die Kopfzeile, und keine Szene folgt ihr</translation>
     </message>
     <message>
-        <source>expected a time and a note</source>
-        <translation>erwartet werden eine Zeit und eine Notiz</translation>
-    </message>
-    <message>
         <source>a quote does not end</source>
         <translation>ein Anführungszeichen wird nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>no line end</source>
-        <translation>ohne Zeilenende</translation>
     </message>
     <message>
         <source>too many notes</source>
@@ -2021,10 +1997,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>expected the columns t_s,note</source>
         <translation>erwartet werden die Spalten t_s,note</translation>
-    </message>
-    <message>
-        <source>t_s is no number</source>
-        <translation>t_s ist keine Zahl</translation>
     </message>
     <message>
         <source>its robot</source>
@@ -3157,6 +3129,190 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>drive on %1 m and explore again</source>
         <translation>%1 m weiterfahren und erneut erkunden</translation>
+    </message>
+    <message>
+        <source>is text in UTF-%1</source>
+        <translation>ist Text in UTF-%1</translation>
+    </message>
+    <message>
+        <source>save it as CSV in UTF-%1</source>
+        <translation>speichern Sie ihn als CSV in UTF-%1</translation>
+    </message>
+    <message>
+        <source>is a workbook or an archive, not text</source>
+        <translation>ist eine Arbeitsmappe oder ein Archiv, kein Text</translation>
+    </message>
+    <message>
+        <source>is a workbook of an office program, not text</source>
+        <translation>ist eine Arbeitsmappe eines Büroprogramms, kein Text</translation>
+    </message>
+    <message>
+        <source>save the sheet as CSV in UTF-%1</source>
+        <translation>speichern Sie das Blatt als CSV in UTF-%1</translation>
+    </message>
+    <message>
+        <source>is compressed by gzip, not text</source>
+        <translation>ist mit gzip komprimiert, kein Text</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>entpacken Sie sie zuerst</translation>
+    </message>
+    <message>
+        <source>is a PDF, not text</source>
+        <translation>ist ein PDF, kein Text</translation>
+    </message>
+    <message>
+        <source>export the numbers as CSV</source>
+        <translation>exportieren Sie die Zahlen als CSV</translation>
+    </message>
+    <message>
+        <source>is a recorded session, not text</source>
+        <translation>ist eine aufgezeichnete Sitzung, kein Text</translation>
+    </message>
+    <message>
+        <source>terratact session scenes writes its scenes as CSV</source>
+        <translation>terratact session scenes schreibt ihre Szenen als CSV</translation>
+    </message>
+    <message>
+        <source>is an SQLite file, not text</source>
+        <translation>ist eine SQLite-Datei, kein Text</translation>
+    </message>
+    <message>
+        <source>holds bytes of value %1, which no text in UTF-%2 does</source>
+        <translation>enthält Bytes mit dem Wert %1, wie kein Text in UTF-%2</translation>
+    </message>
+    <message>
+        <source>names a separator that is no comma, semicolon or tab</source>
+        <translation>nennt ein Trennzeichen, das weder Komma, Semikolon noch Tabulator ist</translation>
+    </message>
+    <message>
+        <source>the fields are separated by |</source>
+        <translation>die Felder sind durch | getrennt</translation>
+    </message>
+    <message>
+        <source>the fields are separated by blanks</source>
+        <translation>die Felder sind durch Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>the fields are separated in more than one way</source>
+        <translation>die Felder sind auf mehr als eine Art getrennt</translation>
+    </message>
+    <message>
+        <source>save them separated by commas, numbers with a point</source>
+        <translation>speichern Sie sie durch Kommas getrennt, Zahlen mit Punkt</translation>
+    </message>
+    <message>
+        <source>has text behind a closing quote</source>
+        <translation>hat Text hinter einem schließenden Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>has %1 fields where the header has %2, and the file does not end with a line end</source>
+        <translation>hat %1 Felder, wo die Kopfzeile %2 hat, und die Datei endet ohne Zeilenende</translation>
+    </message>
+    <message>
+        <source>are there decimal commas? save numbers with a point</source>
+        <translation>gibt es Dezimalkommas? Speichern Sie Zahlen mit Punkt</translation>
+    </message>
+    <message>
+        <source>save numbers with a point, and nothing between thousands</source>
+        <translation>speichern Sie Zahlen mit Punkt und ohne Tausendertrennung</translation>
+    </message>
+    <message>
+        <source>save all numbers with a decimal point</source>
+        <translation>speichern Sie alle Zahlen mit Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>it holds a comma, a quote or a control character</source>
+        <translation>er enthält ein Komma, ein Anführungszeichen oder ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>the last line has no line end; it was read as it is</source>
+        <translation>die letzte Zeile hat kein Zeilenende; sie wurde gelesen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>a recorded session is there, which is never replaced</source>
+        <translation>dort ist eine aufgezeichnete Sitzung, die nie ersetzt wird</translation>
+    </message>
+    <message>
+        <source>it is write-protected</source>
+        <translation>sie ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>name another file</source>
+        <translation>nennen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>none of the frames can be written in this format</source>
+        <translation>keiner der Frames kann in diesem Format geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>%1 ausgelassen</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>nichts wurde aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing was recorded from %1 s to %2 s</source>
+        <translation>von %1 s bis %2 s wurde nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing was recorded from %1 s on</source>
+        <translation>ab %1 s wurde nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing was recorded until %1 s</source>
+        <translation>bis %1 s wurde nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>no frames</source>
+        <translation>keine Frames</translation>
+    </message>
+    <message>
+        <source>no signals</source>
+        <translation>keine Signale</translation>
+    </message>
+    <message>
+        <source>no estimates</source>
+        <translation>keine Schätzungen</translation>
+    </message>
+    <message>
+        <source>no events</source>
+        <translation>keine Ereignisse</translation>
+    </message>
+    <message>
+        <source>the session lasts %1 s</source>
+        <translation>die Sitzung dauert %1 s</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, and an SQLite file is read back and forth</source>
+        <translation>ist keine gewöhnliche Datei, und eine SQLite-Datei wird vor und zurück gelesen</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, which is read only once, and this is read twice</source>
+        <translation>ist eine Pipe oder ein Gerät, das nur einmal gelesen wird, und dies wird zweimal gelesen</translation>
+    </message>
+    <message>
+        <source>save it as a file first</source>
+        <translation>speichern Sie es zuerst als Datei</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected a number, or its unit %3</source>
+        <translation>%1 ist %2, erwartet wurde eine Zahl oder ihre Einheit %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal comma</source>
+        <translation>%1 ist %2, und Zeile %3 hat ein Dezimalkomma</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal point</source>
+        <translation>%1 ist %2, und Zeile %3 hat einen Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>%1 is not measured</source>
+        <translation>%1 ist nicht gemessen</translation>
     </message>
 </context>
 <context>

@@ -96,9 +96,9 @@ private:
     {
         // Names, units, and words that the languages have in common.
         static const QSet<QString> kSame{
-            "SQLite", "TOML",       "Terratact", "ISO",     "IEEE",          "CAN",        "DBC",
-            "FD",     "ERRORFRAME", "float",     "double",  "little-endian", "rad",        "in",
-            "model",  "text",       "bit",       "program", "offset",        "multiplexor"};
+            "SQLite",     "TOML",    "Terratact", "ISO",           "IEEE", "CAN", "DBC",   "FD",
+            "ERRORFRAME", "float",   "double",    "little-endian", "rad",  "in",  "model", "text",
+            "bit",        "program", "offset",    "multiplexor",   "CSV",  "PDF", "gzip"};
         const QStringList left = plainWords(translated);
         QStringList found;
         for (const QString& word : plainWords(english))
@@ -338,6 +338,12 @@ TEST(Refusals, ofPanelsAndCards)
     refusals.expectTranslated();
 }
 
+std::string semicolons(std::string text)
+{
+    std::replace(text.begin(), text.end(), ',', ';');
+    return text;
+}
+
 TEST(Refusals, ofScenes)
 {
     const TemporaryDirectory dir;
@@ -356,11 +362,43 @@ TEST(Refusals, ofScenes)
     const std::string header = good.substr(0, good.find('\n') + 1),
                       row = good.substr(header.size());
     for (const std::string& content :
-         {std::string(), good, header, good + good.substr(0, 9), "\n" + good, header + "\n",
-          header + "\"a\"\n", header + "a\n", header + row.substr(0, row.size() - 1) + ",\n",
-          "run,run\n" + row, "run,h_0.0_m\n" + row, "run,colour\n" + row,
-          "colour," + header + "1," + row, "run,t_s\n" + row,
-          header + std::string(70'000, 'x') + "\n", header + std::string(2'000, ',') + "\n",
+         {std::string(),
+          good,
+          header,
+          good + good.substr(0, 9),
+          "\n" + good,
+          header + "\n",
+          header + "\"a\"\n",
+          header + "a\n",
+          header + "\"a\n",
+          header + "\"a\"b\n",
+          header + "\"a,b\"" + row.substr(1),
+          header + "a",
+          good.substr(0, good.size() - 1),
+          header + row.substr(0, row.size() - 1) + ",1\n",
+          std::string("\xFF\xFE\0a", 4),
+          std::string("PK\x03\x04"),
+          std::string("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"),
+          std::string("\x1F\x8B"),
+          std::string("%PDF-"),
+          std::string("SQLite format 3\0", 16),
+          std::string("a\0,b\n", 5),
+          std::string("a b\n"),
+          std::string("a|b\n"),
+          std::string("a,b;c\n"),
+          std::string("sep=|\n"),
+          header + ",s,deg,rad,rad,A,A" + std::string(17, ',') + "\n",
+          semicolons(header) + "a;0,5;0.5" + std::string(21, ';') + "\n",
+          semicolons(header) + "a;0.5;0,5" + std::string(21, ';') + "\n",
+          semicolons(header) + "a;1.000,5;0" + std::string(21, ';') + "\n",
+          header + row.substr(0, row.size() - 1) + ",\n",
+          "run,run\n" + row,
+          "run,h_0.0_m\n" + row,
+          "run,colour\n" + row,
+          "colour," + header + "1," + row,
+          "run,t_s\n" + row,
+          header + std::string(70'000, 'x') + "\n",
+          header + std::string(2'000, ',') + "\n",
           std::string(300, ',') + "\n"})
         read(content);
     const auto commas = static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));

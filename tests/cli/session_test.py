@@ -133,7 +133,7 @@ class OtherPrograms(Session):
         again = self.path / "again.log"
         run("session", "export", out, "--out", again)
         self.assertEqual(again.read_text(), self.export("drive.log").read_text())
-        self.assertIn("is there already", complaint("session", "import", again, "--out", out))
+        self.assertIn("is never replaced", complaint("session", "import", again, "--out", out))
 
     def test_of_a_torn_log_the_whole_lines_are_taken(self):
         log = self.export("drive.log")

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/csv_text.h"
 #include "core/eval/groups.h"
 #include "core/learn/probe_file.h"
 #include "core/learn/profile_file.h"
@@ -17,7 +18,7 @@ namespace {
 void promiseProfile(const TerrainProfile& profile)
 {
     double x = profile.begin();
-    std::string text;
+    std::string text = "x_m,z_m\n";
     for (const Vec2& point : profile.points()) {
         promise(std::isfinite(point.x) && std::isfinite(point.z), "a profile's points are finite");
         promise(point.x >= x, "a profile's x never decreases");
@@ -50,7 +51,7 @@ void readArm(CsvReader csv)
     for (const ProbeReading& reading : *readings) {
         promise(std::isfinite(reading.height) && (!reading.truth || std::isfinite(*reading.truth)),
                 "an arm's reading is finite");
-        text += reading.place + "," + numberText(reading.height) + ","
+        text += csvField(reading.place) + "," + numberText(reading.height) + ","
               + (reading.truth ? numberText(*reading.truth) : "") + "\n";
     }
     const auto again = readProbeReadings(*CsvReader::over("g", text));
@@ -62,14 +63,13 @@ void readArm(CsvReader csv)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     if (size == 0) return 0;
-    std::string text = textOf(data + 1, size - 1);
+    Result<CsvReader> csv = CsvReader::over("f", textOf(data + 1, size - 1));
+    if (!csv) return promiseRefusal(csv.error(), "f"), 0;
     if (data[0] == 'c') {
-        const Result<Classes> classes = classesFrom("f", std::move(text), "class");
+        const Result<Classes> classes = readClasses(*std::move(csv), "class");
         if (!classes) promiseRefusal(classes.error(), "f");
         return 0;
     }
-    Result<CsvReader> csv = CsvReader::over("f", std::move(text));
-    if (!csv) return promiseRefusal(csv.error(), "f"), 0;
     if (data[0] == 'a')
         readArm(*std::move(csv));
     else

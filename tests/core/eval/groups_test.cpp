@@ -68,7 +68,7 @@ TEST_F(ClassIndex, thatIsWrongIsRefusedWithItsPlace)
     EXPECT_NE(complaint("row,source\n1,eth\n").find("line 1: has no column class"),
               std::string::npos);
     EXPECT_NE(complaint("source,class\n1,eth\n").find("no column row"), std::string::npos);
-    EXPECT_NE(complaint("row,class\n1,a\n2\n").find("line 3: has 1 fields, not 2"),
+    EXPECT_NE(complaint("row,class\n1,a\n2\n").find("line 3: has 1 fields where the header has 2"),
               std::string::npos);
     EXPECT_NE(complaint("row,class\n1,\"a\n").find("line 2: a quote does not end"),
               std::string::npos);
@@ -79,13 +79,9 @@ TEST_F(ClassIndex, thatIsWrongIsRefusedWithItsPlace)
 TEST_F(ClassIndex, isBoundedAndQuotedInPlainCharacters)
 {
     EXPECT_EQ(complaint("row,class\n\x1b[1m,a\n\x1b[1m,b\n").find('\x1b'), std::string::npos);
-    EXPECT_NE(complaint("row,class" + std::string(1000, ',') + "\n").find("more than 1000 fields"),
-              std::string::npos);
-    EXPECT_NE(complaint("row,class\n1," + std::string(4097, 'a') + "\n").find("4096 bytes"),
-              std::string::npos);
     std::string rows = "row,class\n";
     for (std::size_t i = 0; i < kMostClassRows; ++i) rows += std::to_string(i) + ",a\n";
-    EXPECT_TRUE(classesFrom("text", rows, "class"));
+    EXPECT_TRUE(readClasses(*CsvReader::over("text", rows), "class"));
     EXPECT_NE(complaint(rows + "x,a\n").find("one row more than the 200000"), std::string::npos);
 }
 

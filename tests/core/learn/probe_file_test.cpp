@@ -23,10 +23,13 @@ struct ProbeFileTest : testing::Test {
 
 TEST_F(ProbeFileTest, readsReadingsWithAndWithoutTruth)
 {
-    const auto readings = read("step,-0.12,-0.10\nstep,-0.08,-0.10\nfloor,-0.31,\n");
+    const auto readings =
+        read("step,-0.12,-0.10\nstep,-0.08,-0.10\nfloor,-0.31,\nfloor,-0.3,nan\n");
     ASSERT_TRUE(readings) << readings.error().text;
-    const std::vector<ProbeReading> expected{
-        {"step", -0.12, -0.10}, {"step", -0.08, -0.10}, {"floor", -0.31, std::nullopt}};
+    const std::vector<ProbeReading> expected{{"step", -0.12, -0.10},
+                                             {"step", -0.08, -0.10},
+                                             {"floor", -0.31, std::nullopt},
+                                             {"floor", -0.3, std::nullopt}};
     EXPECT_EQ(*readings, expected);
 }
 
@@ -36,7 +39,8 @@ TEST_F(ProbeFileTest, refusesWhatItCannotRead)
     EXPECT_TRUE(refuses("a,1\n", {"line 2", "2 fields"}));
     EXPECT_TRUE(refuses(",1,\n", {"line 2", "names no place"}));
     EXPECT_TRUE(refuses("a,1,2\na,x,\n", {"line 3", "height_m"}));
-    EXPECT_TRUE(refuses("a,1,nan\n", {"line 2", "truth_m"}));
+    EXPECT_TRUE(refuses("a,nan,1\n", {"line 2", "height_m", "not measured"}));
+    EXPECT_TRUE(refuses("-,mm,mm\na,1,1\n", {"line 2", "height_m is 'mm'", "its unit m"}));
     EXPECT_TRUE(refuses("a,-120,\n", {"line 2", "in mm"}));
     const auto other = readProbeReadings(dir.write("other.csv", "x,z\n1,2\n"));
     EXPECT_TRUE(refused(other, dir.file("other.csv"), {"line 1", "place,height_m,truth_m"}));

@@ -96,13 +96,13 @@ TEST_F(ProfileFileTest, refusesLinesOfOtherForms)
     EXPECT_TRUE(refuses("0\n1\n", {"line 1", "1 fields"}));
     EXPECT_TRUE(refuses("a,b,c\n0,0,0\n0,0,0,0\n", {"line 3", "4 fields", "header has 3"}));
     EXPECT_TRUE(refuses("a,b,c\n", {"line 1", "no profile"}));
-    EXPECT_TRUE(refuses("0,0,0\n\n0,0,0\n", {"line 2", "blank"}));
-    EXPECT_TRUE(refuses("1,\"a, b\",2\n", {"line 1", "quoted"}));
+    EXPECT_TRUE(refuses("1,\"a, b\",2\n", {"line 1", "field 2", "not a number"}));
+    EXPECT_TRUE(refuses("height\n0.1\n", {"line 1", "header of one column"}));
 }
 
 TEST_F(ProfileFileTest, refusesWhatIsNotAFiniteNumber)
 {
-    for (const char* bad : {"nan", "inf", "-Infinity"}) {
+    for (const char* bad : {"inf", "-Infinity"}) {
         EXPECT_TRUE(
             refuses("0,0,0\n0," + std::string(bad) + ",0\n", {"line 2", "field 2", "not finite"}));
         EXPECT_TRUE(
@@ -110,10 +110,41 @@ TEST_F(ProfileFileTest, refusesWhatIsNotAFiniteNumber)
         EXPECT_TRUE(
             refuses("0,0\n1," + std::string(bad) + "\n", {"line 2", "field 2", "not finite"}));
     }
-    for (const char* bad : {"x", "", "1e999", "0;1"})
+    EXPECT_TRUE(refuses("0,0,0\n0,,0\n", {"line 2", "field 2", "is empty"}));
+    EXPECT_TRUE(refuses("0,0,nan\n", {"line 1", "field 3", "not measured"}));
+    for (const char* bad : {"x", "1e999", "0;1"})
         EXPECT_TRUE(refuses("0,0,0\n0," + std::string(bad) + ",0\n",
                             {"line 2", "field 2", "not a number"}));
     EXPECT_TRUE(refuses("a,0,0\n0,0,0\n", {"line 1", "field 1", "not a number"}));
+}
+
+TEST_F(ProfileFileTest, refusesOneColumnWithDecimalCommas)
+{
+    EXPECT_TRUE(refuses("0,00\n0,00\n0,02\n0,05\n", {"x does not advance", "decimal commas"}));
+    EXPECT_TRUE(refuses("0,95\n0,98\n1,00\n", {"decimal commas"}));
+    EXPECT_TRUE(refuses("0,0\n0,5\n0,3\n1,0\n", {"decimal commas", "x_m,z_m"}));
+    EXPECT_TRUE(refuses("height\n0,00\n0,02\n", {"line 1", "header of one column"}));
+    EXPECT_TRUE(refuses("0,00,0,02,0,05\n", {"line 1", "decimal commas"}));
+    EXPECT_TRUE(refuses("0,0,0,1,0,2\n", {"line 1", "decimal commas"}));
+    EXPECT_TRUE(refuses("\"0,00\"\n\"0,02\"\n", {"line 1", "save numbers with a point"}));
+    EXPECT_TRUE(read("0,0\n1,0\n2,1\n"));
+    EXPECT_TRUE(read("0,0,1,1\n"));
+    EXPECT_TRUE(read("x_m,z_m\n0,0\n0,1\n0,2\n1,2\n"));
+}
+
+TEST_F(ProfileFileTest, readsPointsAndHeightsAsSpreadsheetsWriteThem)
+{
+    const Result<ProfileFile> plain = read("0,0\n0.5,0.05\n");
+    ASSERT_TRUE(plain);
+    for (const char* text : {"x;z\n0,0;0,0\n0,5;0,05\n", "x_m\tz_m\n0\t0\n0,5\t0,05",
+                             "\"x\",\"z\"\n\"m\",\"m\"\n0,0\n0.5,0.05\n\n",
+                             "# x,z\n0,0\n0.5,0.05\n", "0,0;0,0\n0,5;0,05\n"}) {
+        const Result<ProfileFile> file = read(text);
+        ASSERT_TRUE(file) << file.error().text;
+        EXPECT_EQ(file->profiles.at(0).points(), plain->profiles.at(0).points()) << text;
+    }
+    EXPECT_EQ(read("0,00;0,02;0,05\n")->profiles.at(0).points(),
+              read("0.00,0.02,0.05\n")->profiles.at(0).points());
 }
 
 TEST_F(ProfileFileTest, refusesHeightsThatSpeakOfMillimetres)
@@ -127,7 +158,7 @@ TEST_F(ProfileFileTest, refusesHeightsThatSpeakOfMillimetres)
 TEST_F(ProfileFileTest, refusesTornAndEmptyFiles)
 {
     EXPECT_TRUE(refuses("", {"is empty"}));
-    EXPECT_TRUE(refuses("0,0,0\n0,0,0", {"line 2", "torn"}));
+    EXPECT_TRUE(refuses("a,b,c\n0,0", {"line 2", "torn"}));
     const std::string none = dir.file("none.csv");
     EXPECT_TRUE(refused(readProfiles(none, 0.1, false), none, {"cannot be opened"}));
 }
