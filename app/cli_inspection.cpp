@@ -3,6 +3,7 @@
 #include "app/cli_options.h"
 #include "app/cli_subcommands.h"
 #include "app/commands.h"
+#include "core/learn/model_card.h"
 
 namespace terratact {
 namespace {
@@ -137,7 +138,7 @@ void addModelPredict(CLI::App& model, Job& job)
                    "the model against another program");
     const auto o = std::make_shared<Options>();
     addInput(*c, "model", o->model, "Model (*.ttm)")->required();
-    c->add_option("--data", o->data, "Scenes CSV with heights")->required();
+    addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
     c->callback([o, &job] { job = [o] { return predictConditionals(o->model, o->data); }; });
 }
 

@@ -55,8 +55,8 @@ int afterPrinting(int code)
     std::cout.flush();
     const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
     if (whole) return code;
-    say(stderr, "terratact: the standard output cannot be written{}{}\n",
-               errno != 0 ? ": " : "", errno != 0 ? std::generic_category().message(errno) : "");
+    say(stderr, "terratact: the standard output cannot be written{}{}\n", errno != 0 ? ": " : "",
+        errno != 0 ? std::generic_category().message(errno) : "");
     return code == kDone ? kFailed : code;
 }
 

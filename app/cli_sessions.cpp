@@ -33,7 +33,7 @@ void addSessionRecover(CLI::App& session, Job& job)
                                                 "ones, save what is whole");
     const auto o = std::make_shared<RecoverOptions>();
     addSessionFiles(*c, o->files);
-    c->add_option("--out", o->out,
+    addFileOutput(*c, "--out", o->out,
                   "Session to write where the file is damaged or cannot be written; without it "
                   "NAME-recovered.tts beside it");
     c->callback([o, &job] { job = [o] { return recoverSessions(*o); }; });

@@ -137,7 +137,8 @@ private:
         if (begin_ && !options_.summaryOnly)
             say(messages_, "\ntimes are since {:.6f} s of the log's clock\n", *begin_);
         for (const auto& [name, bus] : buses_) {
-            say(messages_, "\n{} in {}\n", name, options_.log == "-" ? "standard input" : options_.log);
+            say(messages_, "\n{} in {}\n", name,
+                options_.log == "-" ? "standard input" : options_.log);
             say(messages_, "{}",
                 Lines(summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
                                                             : std::nullopt)));

@@ -20,7 +20,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::size_t kMostRobotBytes = std::size_t{1} << 30U;
+constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;
 
 template <class Named, class Read>
 Result<std::vector<Named>> readParts(const std::vector<std::string>& paths, Read read)
@@ -36,10 +36,10 @@ Result<std::vector<Named>> readParts(const std::vector<std::string>& paths, Read
 
 Status mergeTraining(const MergeOptions& options)
 {
-    const auto robot = readRobotModel(options.robot);
-    if (!robot) return robot.error();
-    const auto bytes = readFile(options.robot, kMostRobotBytes);
+    const auto bytes = readFile(options.robot, kMostRobotFile);
     if (!bytes) return bytes.error();
+    const auto robot = robotModelFrom(options.robot, *bytes);
+    if (!robot) return robot.error();
     const auto parts = readParts<NamedModelPart>(options.parts, readModelPart);
     if (!parts) return parts.error();
     const auto model = mergeModelParts(*parts, *robot, sha256Hex(*bytes), options.out);

@@ -135,7 +135,7 @@ void printConditionals(const Scene& scene, const BinModels& models)
     for (int i = 0; i < kBins; ++i) {
         const Normal p = models.bin(i).predict(models.input(i, h, s));
         say("{},{},{},{:+.1f},{},{}\n", csvField(scene.run), scene.time, name(models.set()),
-                   binCentre(i), p.mean, std::sqrt(p.variance));
+            binCentre(i), p.mean, std::sqrt(p.variance));
     }
 }
 

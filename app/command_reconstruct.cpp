@@ -26,7 +26,7 @@ Status reconstructScenes(const ReconstructOptions& options)
     const auto noted = std::count_if(estimates.begin(), estimates.end(),
                                      [](const auto& e) { return !e.note.empty(); });
     say(messagesBeside(options.out), "{} scenes written to {}; {} of them with a note\n",
-               estimates.size(), options.out, noted);
+        estimates.size(), options.out, noted);
     return Done{};
 }
 

@@ -136,8 +136,8 @@ void tellRepeated(const std::string& path, std::size_t repeated, std::size_t all
                   const std::string& first)
 {
     if (repeated == 0) return;
-    say(stderr, "terratact: {}: {} of its {} scenes are in {} too{}: they are taken once\n",
-               path, repeated, all, first, repeated == all ? ", which is the same recording" : "");
+    say(stderr, "terratact: {}: {} of its {} scenes are in {} too{}: they are taken once\n", path,
+        repeated, all, first, repeated == all ? ", which is the same recording" : "");
 }
 
 Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
@@ -219,7 +219,7 @@ Status exportScenes(const SessionScenesOptions& options)
             std::count_if(scene.truth.begin(), scene.truth.end(),
                           [](const auto& height) { return height.has_value(); }));
     say(messagesBeside(options.out), "{} scenes with {} known heights written to {}\n",
-               scenes.size(), heights, options.out);
+        scenes.size(), heights, options.out);
     return Done{};
 }
 
@@ -244,9 +244,9 @@ Status exportSession(const SessionExportOptions& options)
     if (!counts) return counts.error();
     if (counts->withoutColumns > 0)
         say(stderr,
-                   "terratact: {}: {} messages of --dbc are left out: their signals and "
-                   "those before are more than {}\n",
-                   options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
+            "terratact: {}: {} messages of --dbc are left out: their signals and "
+            "those before are more than {}\n",
+            options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
     say(messagesBeside(options.out), "{} written\n", options.out);
     if (counts->leftOut > 0)
         say(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",

@@ -181,15 +181,16 @@ private:
     void print(const Rerun& r) const
     {
         const Differences& d = r.differences;
-        say(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id, r.row.scene,
-            momentText(r.row.time), name(r.row.estimate.settings.method));
+        say(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
+            r.row.scene, momentText(r.row.time), name(r.row.estimate.settings.method));
         const bool identical = d.likeness == Likeness::Identical;
         if (r.asRecorded && identical) {
             say(messages_, "reproduced bit for bit\n");
             return;
         }
         if (r.asRecorded && d.likeness == Likeness::LastBits) {
-            say(messages_, "reproduced but for the last bits of another processor or version, "
+            say(messages_,
+                "reproduced but for the last bits of another processor or version, "
                 "heights within {:.1g} m\n",
                 d.largest());
             return;
@@ -203,16 +204,17 @@ private:
                 identical ? ", the same bit for bit" : "");
         if (identical) return;
         say(messages_, "   bin   height [m]           sd [mm]      80 % band [m]\n"
-            "   [m]   then     now  moved  then  now   then              now\n");
+                       "   [m]   then     now  moved  then  now   then              now\n");
         for (std::size_t i = 0; i < kBins; ++i) {
             const TerrainEstimate &a = r.row.estimate, &b = r.again;
-            say(messages_, "  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
+            say(messages_,
+                "  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
                 "{:+.3f} … {:+.3f}\n",
                 binCentre(static_cast<int>(i)), a.height[i], b.height[i], 1000.0 * d.bin[i].height,
                 1000.0 * a.sd[i], 1000.0 * b.sd[i], a.q10[i], a.q90[i], b.q10[i], b.q90[i]);
         }
-        say(messages_, "  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n", binCentre(d.largestBin),
-            1000.0 * d.largest(), words(d.before), words(d.after));
+        say(messages_, "  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n",
+            binCentre(d.largestBin), 1000.0 * d.largest(), words(d.before), words(d.after));
     }
 
     void summarise() const
@@ -226,7 +228,8 @@ private:
             moved.push_back(r.differences.largest());
         }
         std::sort(moved.begin(), moved.end());
-        say(messages_, "\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
+        say(messages_,
+            "\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
             "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
             "median estimate, {:.0f} mm in the worst\n",
             reruns_.size(), sessions_.size(), same, lastBits, other,
@@ -250,7 +253,8 @@ private:
             for (const BinError& e : binErrors(k, scene, "now", reruns_[k].again)) now.push_back(e);
         }
         if (then.empty()) return;
-        say(messages_, "\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
+        say(messages_,
+            "\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
             "[mm]  in 80 % band\n");
         printRow("then", statistics(then));
         printRow("now", statistics(now));

@@ -172,8 +172,8 @@ Status simulate(const SimulateOptions& options)
     if (Status written = writeText(options.out, scenesText(recording->scenes)); !written)
         return written;
     std::FILE* const messages = messagesBeside(options.out);
-    say(messages, "{} scenes over {} written to {}", recording->scenes.size(),
-               options.terrain, options.out);
+    say(messages, "{} scenes over {} written to {}", recording->scenes.size(), options.terrain,
+        options.out);
     if (recording->skipped > 0)
         say(messages, " ({} stops left out: no rest pose)", recording->skipped);
     say(messages, "\n");

@@ -10,6 +10,7 @@
 #include "app/model_training.h"
 #include "app/progress.h"
 #include "app/say.h"
+#include "core/file_read.h"
 #include "core/learn/model_file.h"
 #include "core/learn/model_part.h"
 #include "core/learn/sha256.h"
@@ -18,6 +19,8 @@
 namespace terratact {
 
 namespace {
+
+constexpr std::size_t kMostTrainedRobot = std::size_t{1} << 20U;
 
 void printBins(const ModelData& model, const BinSet& bins)
 {
@@ -67,13 +70,11 @@ Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& ro
          .notice = [](const std::string& notice) { say(stderr, "terratact: {}\n", notice); }});
 }
 
-Status writePart(const TrainOptions& options, ModelData model)
+Status writePart(const TrainOptions& options, ModelData model, std::string robotHash)
 {
-    auto robotHash = sha256OfFile(options.robot);
-    if (!robotHash) return robotHash.error();
     const ModelPart part{
         std::move(model),
-        {*options.bins, *std::move(robotHash), options.commandBeforeOut, options.commandAfterOut}};
+        {*options.bins, std::move(robotHash), options.commandBeforeOut, options.commandAfterOut}};
     if (Status written = writeModelPart(options.out, part); !written) return written;
     printBins(part.model, *options.bins);
     say("bins {} of {}; written to {}, for `terratact merge`\n", text(*options.bins),
@@ -96,11 +97,13 @@ void printModel(const ModelData& model, const std::string& path)
 
 Status train(const TrainOptions& options)
 {
-    const auto robot = readRobotModel(options.robot);
+    const auto bytes = readFile(options.robot, kMostTrainedRobot);
+    if (!bytes) return bytes.error();
+    const auto robot = robotModelFrom(options.robot, *bytes);
     if (!robot) return robot.error();
     auto model = trainVisibly(options, *robot);
     if (!model) return model.error();
-    if (options.bins) return writePart(options, *std::move(model));
+    if (options.bins) return writePart(options, *std::move(model), sha256Hex(*bytes));
     if (Status written = writeModel(options.out, *model); !written) return written;
     if (Status card = writeNewCard(options.out, *model, options.data); !card) return card;
     printModel(*model, options.out);

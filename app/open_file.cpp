@@ -35,8 +35,8 @@ FileKind kindOfFile(const QString& path)
         && qFromBigEndian<quint32>(head.constData() + kApplicationId)
                == static_cast<quint32>(kSessionApplicationId))
         return FileKind::Session;
-    const QByteArray line = head.left(head.indexOf('\n'));
-    return line.contains("pitch_rad") && line.contains(',') ? FileKind::Scenes : FileKind::Log;
+    // A header, below remarks perhaps, in any of the dialects of core/csv_reader.h; no log has these words.
+    return head.contains("pitch_rad") && head.contains("t_s") ? FileKind::Scenes : FileKind::Log;
 }
 
 void openInAnotherWindow(const QString& path, const std::string& stopLine,

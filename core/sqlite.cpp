@@ -56,8 +56,9 @@ Header headerOf(const std::string& path)
     const std::filesystem::file_status there = std::filesystem::status(path, unknown);
     if (std::filesystem::is_directory(there)) throw SqliteError("is a directory");
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
-        throw SqliteError("is a pipe or a device, and an SQLite file is read back and forth: save "
-                          "it as a file first");
+        throw SqliteError(
+            "it is not a regular file, and an SQLite file is read back and forth: save "
+            "it as a file first");
     Header header{};
     errno = 0;
     std::ifstream in(path, std::ios::binary);

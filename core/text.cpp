@@ -89,7 +89,12 @@ std::string shown(std::string_view text)
 {
     constexpr std::size_t kLongest = 40;
     std::string line = "'";
-    for (const char c : text.substr(0, kLongest)) line += c >= ' ' && c <= '~' ? c : '?';
+    for (const char c : text.substr(0, kLongest)) {
+        if (c == '\t')
+            line += "<tab>";
+        else
+            line += c >= ' ' && c <= '~' ? c : '?';
+    }
     line += text.size() > kLongest ? "…'" : "'";
     return line;
 }

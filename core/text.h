@@ -51,7 +51,7 @@ constexpr bool isControl(char c)
 /// of a line, or a mark that turns the direction of reading; and whole: no byte that is no part of a character.
 bool isReadableName(std::string_view text);
 
-/// A piece of somebody's file for a message: in quotes, cut after 40 characters, unprintable ones as '?'.
+/// A piece of a file for a message: in quotes, cut after 40 characters, a tab as "<tab>", others unprintable as '?'.
 std::string shown(std::string_view text);
 
 /// A whole text of somebody's file for a terminal: one line that moves no cursor, changes no colour and hides nothing.

@@ -72,7 +72,7 @@ namespace terratact {
     QT_TRANSLATE_NOOP("core", "no events"),
     QT_TRANSLATE_NOOP("core", "the session lasts %1 s"),
     // Of a pipe where a file is needed.
-    QT_TRANSLATE_NOOP("core", "is a pipe or a device, and an SQLite file is read back and forth"),
+    QT_TRANSLATE_NOOP("core", "it is not a regular file, and an SQLite file is read back and forth"),
     QT_TRANSLATE_NOOP("core", "is a pipe or a device, which is read only once, and this is read twice"),
     QT_TRANSLATE_NOOP("core", "save it as a file first"),
     // Of notes.

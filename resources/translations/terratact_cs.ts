@@ -3287,10 +3287,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>relace trvá %1 s</translation>
     </message>
     <message>
-        <source>is a pipe or a device, and an SQLite file is read back and forth</source>
-        <translation>není to obyčejný soubor, a soubor SQLite se čte na přeskáčku</translation>
-    </message>
-    <message>
         <source>is a pipe or a device, which is read only once, and this is read twice</source>
         <translation>je roura nebo zařízení, které lze číst jen jednou, a tohle se čte dvakrát</translation>
     </message>
@@ -3313,6 +3309,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>%1 is not measured</source>
         <translation>%1 není změřeno</translation>
+    </message>
+    <message>
+        <source>it is not a regular file, and an SQLite file is read back and forth</source>
+        <translation>není to obyčejný soubor, a soubor SQLite se čte na přeskáčku</translation>
     </message>
 </context>
 <context>

@@ -3287,10 +3287,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Sitzung dauert %1 s</translation>
     </message>
     <message>
-        <source>is a pipe or a device, and an SQLite file is read back and forth</source>
-        <translation>ist keine gewöhnliche Datei, und eine SQLite-Datei wird vor und zurück gelesen</translation>
-    </message>
-    <message>
         <source>is a pipe or a device, which is read only once, and this is read twice</source>
         <translation>ist eine Pipe oder ein Gerät, das nur einmal gelesen wird, und dies wird zweimal gelesen</translation>
     </message>
@@ -3313,6 +3309,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>%1 is not measured</source>
         <translation>%1 ist nicht gemessen</translation>
+    </message>
+    <message>
+        <source>it is not a regular file, and an SQLite file is read back and forth</source>
+        <translation>ist keine gewöhnliche Datei, und eine SQLite-Datei wird vor und zurück gelesen</translation>
     </message>
 </context>
 <context>

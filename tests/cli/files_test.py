@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -149,6 +150,13 @@ class Overwriting(Folder):
         said = shell(f"$T reconstruct --data {self.scenes} --out {self.path}/e.csv >> {self.scenes}", code=1).stderr
         self.assertIn(REFUSED, said)
         self.assertEqual(self.scenes.read_bytes(), SCENES)
+
+
+    def test_every_command_declares_its_files(self):
+        """addInput() and its like: an option that says nothing of its file is not guarded."""
+        for source in pathlib.Path(SOURCE, "app").glob("cli_*.cpp"):
+            bare = re.findall(r'add_option\(\s*"(?:--(?:out|csv|data|model|robot|dbc|classes)|files?|log|parts)"', source.read_text())
+            self.assertEqual(bare, [], source.name)
 
 
 class Pipes(Folder):

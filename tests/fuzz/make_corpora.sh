@@ -15,11 +15,16 @@ head -n 4 "$scenes" >"$corpora/scene_file/scenes.csv"
 cut -d, -f1-13 "$corpora/scene_file/scenes.csv" | sed 's/$/\r/' >"$corpora/scene_file/without_heights.csv"
 awk -F, -v OFS=, 'NR == 1 { print $0, "colour" } NR > 1 { $6 = ""; $9 = ""; print $0, "grey" }' \
   "$corpora/scene_file/scenes.csv" >"$corpora/scene_file/gaps.csv"
+tr , ';' <"$corpora/scene_file/scenes.csv" | sed '2,$ s/\./,/g' >"$corpora/scene_file/semicolons.csv"
+sed -e 's/[^,]*/"&"/g' -e '1a "","s","rad","rad","rad","A","A","N","N","N","N","N","N"'"$(printf ',"m"%.0s' {1..11})" \
+  "$corpora/scene_file/scenes.csv" >"$corpora/scene_file/quoted_with_units.csv"
 
 # The first byte says which reader (csv_files.cpp).
 printf 'px_m,z_m\n0,0\n0.5,0\n0.5,0.12\n1.5,0.2\n' >"$corpora/csv_files/points.csv"
 printf 'p0,0.05,0.1,0.1\n-0.2,0,0\n' >"$corpora/csv_files/heights.csv"
 printf 'bh1,h2,h3\n0,0.1,0.2\n0.3,0.2,0.1\n' >"$corpora/csv_files/blocks.csv"
+printf 'p0,0;0,05\n0,5;0,1\n' >"$corpora/csv_files/decimal_commas.csv"
+printf 'psep=;\nx;z\nm;m\n0;0\n1;0' >"$corpora/csv_files/units.csv"
 printf 'aplace,height_m,truth_m\nedge,0.12,0.125\nedge,0.118,\nfloor,-0.01,0\n' >"$corpora/csv_files/arm.csv"
 printf 'crow,class\n1,"step, low"\n2,"a ""pallet"""\n3,stairs\r\n' >"$corpora/csv_files/classes.csv"
 
