@@ -40,8 +40,10 @@ Received received(const std::optional<Received>& before, Sample sample, const Ar
     return now;
 }
 
-Acquisition::Acquisition(MeasurementSource& source, std::function<void()> heard)
+Acquisition::Acquisition(MeasurementSource& source, std::function<void()> heard,
+                         const std::optional<RobotModel>& robot)
     : source_(source), heard_(std::move(heard)),
+      sensors_(robot ? std::optional<SensorWatch>(*robot) : std::nullopt),
       thread_([this](const std::stop_token& stop) { read(stop); })
 {
 }
@@ -49,9 +51,11 @@ Acquisition::Acquisition(MeasurementSource& source, std::function<void()> heard)
 void Acquisition::take(const Sample& sample)
 {
     const SteadyTime now = std::chrono::steady_clock::now();
+    if (sensors_) sensors_->take(sample.measurement);
     {
         const std::scoped_lock lock(mutex_);
         latest_ = received(latest_, sample, {now, sleeplessNow()});
+        if (sensors_) latest_->suspicions = sensors_->standing();
         arrivals_.push_back(now);
         while (now - arrivals_.front() > 1s) arrivals_.pop_front();
         trouble_.clear();

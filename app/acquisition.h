@@ -8,8 +8,11 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/steady_now.h"
+#include "core/robot/robot_model.h"
+#include "core/robot/sensor_watch.h"
 #include "drivers/measurement_source.h"
 
 namespace terratact {
@@ -36,6 +39,7 @@ struct Received {
     std::uint64_t count = 0;        ///< 1 for the first
     /// Count of the first since the last silence of more than kLongestSilence; a computer that slept has heard nothing.
     std::uint64_t unbrokenFrom = 1;
+    std::vector<SensorSuspicion> suspicions{};  ///< of sensors, at that line
     std::optional<Press> press{};  ///< how the present press began; the arm may probe during one
 };
 
@@ -47,7 +51,9 @@ Received received(const std::optional<Received>& before, Sample sample, const Ar
 class Acquisition {
 public:
     /// heard: called by that thread when there is a new latest(); empty: nobody is told.
-    explicit Acquisition(MeasurementSource& source, std::function<void()> heard = {});
+    /// robot: whose sensors are watched (SensorWatch), every line; empty: none are.
+    explicit Acquisition(MeasurementSource& source, std::function<void()> heard = {},
+                         const std::optional<RobotModel>& robot = {});
 
     std::optional<Received> latest() const;
     double rate() const;  ///< [Hz] over the last second
@@ -60,7 +66,8 @@ private:
 
     MeasurementSource& source_;
     std::function<void()> heard_;
-    mutable std::mutex mutex_;  // guards what follows
+    std::optional<SensorWatch> sensors_;  // of the thread alone
+    mutable std::mutex mutex_;            // guards what follows
     std::optional<Received> latest_;
     std::deque<SteadyTime> arrivals_;
     std::string trouble_;

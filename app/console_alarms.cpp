@@ -1,6 +1,7 @@
 #include "app/console_alarms.h"
 
 #include <QStringList>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,10 +12,13 @@
 namespace terratact {
 namespace {
 
-constexpr double kFlutter = 1.0;  // [s] such a state lasts now and then on a bus that works
+constexpr double kTiltFlutter = 0.15;  // [s] longer than a line of noise
+constexpr double kFlutter = 1.0;       // [s] such a state lasts now and then on a bus that works
 
 /// Causes of which nothing else on the screen tells in words.
-const std::set<std::string> kOnlyHere{"bus", "foreign", "dropped", "checksum", "sensors"};
+const std::set<std::string> kOnlyHere{"bus",      "foreign", "dropped",
+                                      "checksum", "sensors", std::string(kSensorAlarm),
+                                      "attitude", "halted"};
 
 bool comesAndGoes(BusState state)
 {
@@ -40,7 +44,38 @@ QString unsoundElements(const ElementForces& forces)
     return unsound.join(QStringLiteral(", "));
 }
 
+/// "Danger of tipping over: pitch +48°, tips over at +51°".
+QString tiltWords(const Measurement& m, const Attitude& attitude)
+{
+    QStringList angles;
+    if (attitude.pitch != AttitudeLevel::Level)
+        angles << ConsoleAlarms::tr("pitch %1, tips over at %2")
+                      .arg(words::degrees(m.pitch), words::degrees(attitude.pitchTips));
+    if (attitude.roll != AttitudeLevel::Level)
+        angles << ConsoleAlarms::tr("roll %1, tips over at %2")
+                      .arg(words::degrees(m.roll), words::degrees(attitude.rollTips));
+    const QString all = angles.join(QStringLiteral("; "));
+    return attitude.worst() == AttitudeLevel::Red
+             ? ConsoleAlarms::tr("Danger of tipping over: %1").arg(all)
+             : ConsoleAlarms::tr("Steep: %1").arg(all);
+}
+
 }  // namespace
+
+QString suspicionWords(const std::vector<SensorSuspicion>& suspicions)
+{
+    QStringList sentences;
+    std::map<SensorTrouble, QStringList> sensors;
+    std::map<SensorTrouble, QString> troubles;
+    for (const SensorSuspicion& suspicion : suspicions) {
+        sensors[suspicion.trouble] << words::sentence(describe(suspicion.sensor));
+        troubles[suspicion.trouble] = words::sentence(describeTrouble(suspicion));
+    }
+    for (const auto& [trouble, names] : sensors)
+        sentences << QStringLiteral("%1: %2").arg(names.join(QStringLiteral(", ")),
+                                                  troubles[trouble]);
+    return sentences.join(QStringLiteral("; "));
+}
 
 ConsoleAlarms::ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent)
     : QObject(parent), sounder_(std::move(sounder))
@@ -60,6 +95,9 @@ void ConsoleAlarms::look(double now, const AlarmSight& sight)
           tr("Exploration failed: %1").arg(sight.failedExploration), Severity::Caution);
     judge("recording", !sight.notRecorded.isEmpty(), tr("Not recorded: %1").arg(sight.notRecorded),
           Severity::Caution);
+    lookAtSuspicions(sight);
+    lookAtAttitude(sight);
+    lookAtHalt(sight);
     judge("stop", sight.isStopped, tr("The robot is stopped and moves only after a release"),
           Severity::Caution);
     if (list_.takeSound(now) && soundOn_) trySound();
@@ -130,6 +168,45 @@ void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
     const QString unsound = unsoundElements(forces);
     judge("sensors", !unsound.isEmpty(), tr("Force sensors not usable: %1").arg(unsound),
           Severity::Caution, kFlutter);
+}
+
+/// It stands as long as a verdict is withheld for it: then it tells what was suspected.
+void ConsoleAlarms::lookAtSuspicions(const AlarmSight& sight)
+{
+    if (!sight.suspicions.empty()) suspected_ = suspicionWords(sight.suspicions);
+    const bool stands = !sight.suspicions.empty() || sight.isSceneSuspected;
+    judge(std::string(kSensorAlarm), stands, tr("Do not trust this sensor: %1").arg(suspected_),
+          Severity::Critical);
+}
+
+void ConsoleAlarms::lookAtAttitude(const AlarmSight& sight)
+{
+    const Attitude& attitude = sight.attitude;
+    const bool stands = sight.measurement && attitude.worst() != AttitudeLevel::Level;
+    judge("attitude", stands, stands ? tiltWords(*sight.measurement, attitude) : QString(),
+          attitude.worst() == AttitudeLevel::Red ? Severity::Critical : Severity::Caution,
+          kTiltFlutter);
+}
+
+/// A robot that halts with a refusal was not told to: it says why.  It stands until the next drive or press.
+void ConsoleAlarms::lookAtHalt(const AlarmSight& sight)
+{
+    if (sight.measurement) {
+        const Measurement& m = *sight.measurement;
+        const bool hasHalted = m.activity == RobotActivity::Halted && m.refusal != Refusal::None;
+        const bool moved =
+            activity_ != RobotActivity::Halted && activity_ != RobotActivity::Stopped;
+        if (hasHalted && moved) {
+            halted_ = words::sentence(describe(m.refusal));
+            if (sight.attitude.worst() != AttitudeLevel::Level)
+                halted_ += QStringLiteral(". ") + tiltWords(m, sight.attitude);
+        } else if (m.activity != RobotActivity::Halted) {
+            halted_.clear();
+        }
+        activity_ = m.activity;
+    }
+    judge("halted", !halted_.isEmpty(), tr("The robot has halted by itself: %1").arg(halted_),
+          Severity::Caution);
 }
 
 void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& text,

@@ -7,12 +7,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/can_source.h"
 #include "app/growing_count.h"
 #include "app/sounder.h"
 #include "core/atem/alarms.h"
 #include "core/atem/link_watch.h"
+#include "core/robot/attitude.h"
+#include "core/robot/sensor_suspicion.h"
 
 namespace terratact {
 
@@ -24,8 +27,15 @@ struct AlarmSight {
     std::string busName{};
     std::uint64_t wrongChecksums = 0;  ///< since the bus was opened
     QString noModel{}, panelTrouble{}, failedExploration{}, notRecorded{};
-    bool isStopped = false;  ///< the robot says so
+    bool isStopped = false;                     ///< the robot says so
+    std::vector<SensorSuspicion> suspicions{};  ///< of sensors, now
+    bool isSceneSuspected = false;              ///< a verdict is withheld for one
+    std::optional<Measurement> measurement{};   ///< the newest, while it is heard
+    Attitude attitude{};                        ///< of it
 };
+
+/// "pitch angle: not changed for 12 s …; force 1, force 2: loaded while …", in the operator's language.
+QString suspicionWords(const std::vector<SensorSuspicion>& suspicions);
 
 /// Finds the alarms in what is seen and lets them sound.  A cause must be away for a while before its alarm
 /// returns, and what comes now and then on a sound bus must stay for a while before it is one.  GUI thread only.
@@ -66,12 +76,18 @@ private:
     void lookAtBus(const CanView& bus, const AlarmSight& sight);
     void lookAtArming(const ArmingState& arming);
     void lookAtSensors(const ElementForces& forces);
+    void lookAtSuspicions(const AlarmSight& sight);
+    void lookAtAttitude(const AlarmSight& sight);
+    void lookAtHalt(const AlarmSight& sight);
 
     std::unique_ptr<Sounder> sounder_;
     AlarmList list_;
     std::map<std::string, Cause> causes_;
     std::map<std::string, GrowingCount> counted_;
     std::optional<double> began_;
+    QString suspected_{};  ///< the last suspicions, in words
+    QString halted_{};     ///< why the robot has ended its last drive by itself; empty: it has not
+    RobotActivity activity_ = RobotActivity::Halted;
     bool wasArmed_ = false;
     std::optional<DisarmCause> disarmedBy_{};  ///< not the operator, who has not armed anew since
     double now_ = 0.0;

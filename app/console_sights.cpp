@@ -74,11 +74,25 @@ LinkSight ConsoleSights::link(double now, const std::optional<Received>& newest)
     return sight;
 }
 
+Attitude ConsoleSights::attitudeOf(const Measurement& line) const
+{
+    AttitudeLimits limits;
+    if (parts_.preferences)
+        limits = {parts_.preferences->current().tiltAmber, parts_.preferences->current().tiltRed};
+    return terratact::attitudeOf(line, model_, limits);
+}
+
 AlarmSight ConsoleSights::alarms(double now, const std::optional<Received>& newest,
                                  const LinkAccount& link) const
 {
     const Exploration& exploration = parts_.exploration;
     AlarmSight sight{.link = link};
+    if (newest) sight.suspicions = newest->suspicions;
+    if (newest && exploration.linkAlive()) {
+        sight.measurement = newest->sample.measurement;
+        sight.attitude = attitudeOf(*sight.measurement);
+    }
+    sight.isSceneSuspected = exploration.estimation().wasSuspected();
     if (newest) sight.isStopped = newest->sample.measurement.activity == RobotActivity::Stopped;
     sight.sourceTrouble = troubleWords(parts_.link, parts_.acquisition.trouble());
     if (CanSource* bus = parts_.link) {
@@ -110,6 +124,7 @@ TerrainSight ConsoleSights::terrain(double now, const std::optional<Received>& n
             sight.forcesAge = forcesAgeOf(parts_.link->tap(), now);
         }
         sight.count = newest->count;
+        sight.attitude = attitudeOf(*sight.measurement);
         sight.forces = &forcesOf(*newest);
         sight.truth = &newest->sample.truth;
     }

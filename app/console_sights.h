@@ -12,6 +12,7 @@
 #include "app/force_arrays.h"
 #include "app/link_status.h"
 #include "app/panel_control.h"
+#include "app/preference_store.h"
 #include "app/session_recorder.h"
 #include "app/terrain_page.h"
 
@@ -29,10 +30,11 @@ public:
         CanSource* link = nullptr;
         const PanelControl* panel = nullptr;
         const SessionRecorder* recorder = nullptr;
+        const PreferenceStore* preferences = nullptr;  ///< null: the defaults
     };
     /// All parts must outlive it.
     ConsoleSights(const Parts& parts, const RobotModel& robot)
-        : parts_(parts), robot_(robot.name), forceArrays_(robot)
+        : parts_(parts), model_(robot), robot_(robot.name), forceArrays_(robot)
     {
     }
 
@@ -48,8 +50,10 @@ public:
 
 private:
     const std::vector<ForceArray>& forcesOf(const Received& newest);
+    Attitude attitudeOf(const Measurement& line) const;
 
     Parts parts_;
+    RobotModel model_;
     std::string robot_;  ///< its name
     LinkWatch link_;
     ForceArrays forceArrays_;

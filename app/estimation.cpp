@@ -72,6 +72,8 @@ void Estimation::look(const std::optional<Received>& latest, bool heard)
     if (pose_) pose_->look(newest, latest->count);
     if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))
         emit unheard();
+    if (scene_ && !hasMoved() && latest->count >= capturedAt_ && !latest->suspicions.empty())
+        wasSuspected_ = true;
     if (latest->count == tracked_) return;
     if (track_ && latest->unbrokenFrom > tracked_) {
         track_->takeSilence();
@@ -135,6 +137,7 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     pose_.emplace(sample.measurement);
     capturedAt_ = isNew ? latest.press->count : latest.count;
     wasUnheard_ = false;
+    wasSuspected_ = !latest.suspicions.empty();
     readings_.clear();
     emit captured(*scene_);
     start();
@@ -186,7 +189,7 @@ void Estimation::forget(const QString& why)
     unadvised_ = false;
     scene_.reset();
     pose_.reset();
-    wasUnheard_ = false;
+    wasUnheard_ = wasSuspected_ = false;
     readings_.clear();
     whyNone_ = why;
 }
@@ -295,7 +298,8 @@ void Estimation::tellOf(const TerrainEstimate& estimate)
 std::optional<Verdict> Estimation::verdict() const
 {
     if (!estimate_ || !scene_) return std::nullopt;
-    return verdictOf(*estimate_, scene_->measurement, {.heard = heard_, .unbroken = !wasUnheard_},
+    return verdictOf(*estimate_, scene_->measurement,
+                     {.heard = heard_, .unbroken = !wasUnheard_, .sensorsSound = !wasSuspected_},
                      options_.stepLimit);
 }
 

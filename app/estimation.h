@@ -71,6 +71,8 @@ public:
     bool hasMoved() const { return pose_ && pose_->hasMoved(); }  ///< the robot, since scene()
     /// For so long, since scene(), that the robot may have moved all the same: only another scene tells.
     bool wasUnheard() const { return wasUnheard_; }
+    /// A sensor was suspected while the robot stood at scene().
+    bool wasSuspected() const { return wasSuspected_; }
     const Settings& wanted() const { return options_.settings; }           ///< of the next estimate
     const std::vector<ArmReading>& readings() const { return readings_; }  ///< in scene()
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
@@ -137,6 +139,7 @@ private:
     std::optional<PoseWatch> pose_;  ///< of scene_
     std::uint64_t capturedAt_ = 0;   ///< count of the telemetry that is scene_
     bool wasUnheard_ = false;
+    bool wasSuspected_ = false;
     std::vector<ArmReading> readings_;
 
     // Of the worker's jobs; 0: none is under way.

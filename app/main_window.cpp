@@ -55,7 +55,8 @@ MainWindow::MainWindow(Options options)
                                        : std::make_unique<PreferenceStore>()),
       presets_(std::move(options.presets)), robot_(std::move(options.robot)),
       source_(std::move(options.source)), link_(options.link),
-      acquisition_(std::make_unique<Acquisition>(*source_, [this] { lookSoon(); })),
+      acquisition_(std::make_unique<Acquisition>(
+          *source_, [this] { lookSoon(); }, robot_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
@@ -65,10 +66,10 @@ MainWindow::MainWindow(Options options)
 {
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
-    sights_ =
-        std::make_unique<ConsoleSights>(ConsoleSights::Parts{*acquisition_, *exploration_, *worker_,
-                                                             link_, panel_.get(), recorder_.get()},
-                                        robot_);
+    sights_ = std::make_unique<ConsoleSights>(
+        ConsoleSights::Parts{*acquisition_, *exploration_, *worker_, link_, panel_.get(),
+                             recorder_.get(), preferences_.get()},
+        robot_);
     setWindowTitle(tr("Terratact — %1").arg(words::sourceName(source_->name())));
     build(options);
     connectAll();

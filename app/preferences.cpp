@@ -172,6 +172,8 @@ void visit(Visitor visitor, Values& p)
     visitor.number("roll-limit", p.rollLimit, kRollRange);
     visitor.number("hazard-rate", p.hazardRate, kHazardRateRange);
     visitor.number("asymmetry-limit", p.asymmetryLimit, kAsymmetryRange);
+    visitor.number("tilt-amber", p.tiltAmber, kTiltRange);
+    visitor.number("tilt-red", p.tiltRed, kTiltRange);
     visitor.flag("record", p.record);
     visitor.number("keep-days", p.keepDays, 0, kMostDays);
     visitor.number("keep-gigabytes", p.keepGigabytes, 0, kMostGigabytes);

@@ -10,6 +10,7 @@
 #include "core/atem/probe_policy.h"
 #include "core/infer/quality.h"
 #include "core/result.h"
+#include "core/robot/attitude.h"
 #include "widgets/palette.h"
 
 namespace terratact {
@@ -34,10 +35,11 @@ struct Preferences {
     double rollLimit = Settings{}.rollLimit;    ///< [rad]
     double hazardRate =
         Settings{}.hazardRate;  ///< per bin that nothing has felt, core/infer/hazards.h
-    double asymmetryLimit = Settings{}.asymmetryLimit;  ///< [rad]
-    QString model, robot;                               ///< files; empty: the shipped ones
-    QStringList dbc;                                    ///< files, at most kMostDbcFiles
-    bool record = true;                                 ///< what happens at the console
+    double asymmetryLimit = Settings{}.asymmetryLimit;                          ///< [rad]
+    double tiltAmber = AttitudeLimits{}.amber, tiltRed = AttitudeLimits{}.red;  ///< [rad]
+    QString model, robot;                 ///< files; empty: the shipped ones
+    QStringList dbc;                      ///< files, at most kMostDbcFiles
+    bool record = true;                   ///< what happens at the console
     int keepDays = 0, keepGigabytes = 0;  ///< of recordings; 0: nothing is ever deleted
     bool mayDelete = false;               ///< recordings beyond them; else they are only told of
     QByteArray window;                    ///< QWidget::saveGeometry(); empty: none yet
@@ -56,6 +58,7 @@ inline constexpr PreferenceRange kProbeAboveRange{0.01, 0.50};                  
 inline constexpr PreferenceRange kHazardRateRange{0.001, 0.5};                    ///< per bin
 inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};       ///< [rad]
 inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};  ///< [rad]
+inline constexpr PreferenceRange kTiltRange{5.0 * kDegree, 80.0 * kDegree};       ///< [rad]
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;                      ///< [%]
 inline constexpr int kMostEstimateSeconds = 25;  ///< an exploration waits for 30 s
 inline constexpr int kMostDays = 10'000, kMostGigabytes = 100'000;

@@ -56,7 +56,10 @@ std::optional<Verdict> ReviewSights::verdict(const ReviewMoment& moment) const
 {
     if (!moment.estimate || !moment.scene) return std::nullopt;
     return verdictOf(moment.estimate->estimate, moment.scene->measurement,
-                     {.heard = isHeard(moment), .unbroken = moment.unbroken}, limit(moment));
+                     {.heard = isHeard(moment),
+                      .unbroken = moment.unbroken,
+                      .sensorsSound = moment.sensorsSound},
+                     limit(moment));
 }
 
 double ReviewSights::threshold(const ReviewMoment& moment, const Preferences& preferences)

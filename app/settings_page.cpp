@@ -237,6 +237,12 @@ void SettingsPage::buildEstimate(QFormLayout* form)
            tr("Then left and right ground differ"), &Preferences::rollLimit, kDegree);
     number(form, tr("… or left and right flippers apart by"), kAsymmetryRange, 1, tr("°"),
            tr("Then left and right ground differ"), &Preferences::asymmetryLimit, kDegree);
+    number(form, tr("Pitch or roll is steep from"), kTiltRange, 1, tr("°"),
+           tr("An amber alarm; 20° before the robot tips over in any case"),
+           &Preferences::tiltAmber, kDegree);
+    number(form, tr("Pitch or roll is dangerous from"), kTiltRange, 1, tr("°"),
+           tr("A red alarm that sounds; 10° before the robot tips over in any case"),
+           &Preferences::tiltRed, kDegree);
 }
 
 void SettingsPage::buildLook(QFormLayout* form)

@@ -259,6 +259,7 @@ void TerrainPage::showRobot(const TerrainSight& sight)
     if (sight.numbersDue || fresh != numbersFresh_) {
         numbersFresh_ = fresh;
         const bool isDrawn = !sight.scene || sight.scene == sight.measurement;
+        readout_->setAttitude(sight.attitude);
         const auto captured = isDrawn ? std::nullopt : std::optional(sight.scene->pitch);
         if (sight.ages)
             readout_->setMeasurement(*sight.measurement, sight.age, *sight.ages, captured);

@@ -10,6 +10,7 @@
 #include "core/infer/estimate.h"
 #include "core/infer/ghost.h"
 #include "core/infer/verdict.h"
+#include "core/robot/attitude.h"
 #include "core/robot/robot_model.h"
 #include "widgets/atem_panel.h"
 #include "widgets/force_bars.h"
@@ -38,6 +39,7 @@ struct TerrainSight {
     const Measurement* measurement = nullptr;  ///< the newest
     double age = 0.0;                          ///< [s] of it
     std::optional<RobotReadout::Ages> ages{};  ///< of its values; empty: all are of that age
+    Attitude attitude{};                       ///< of it, for the limits of now
     bool numbersDue = true;                    ///< its numbers are to be shown, not only drawn
     double numbersFor = 0.0;                   ///< [s] at most, until they are shown anew
     std::uint64_t count = 0;                   ///< another for another measurement

@@ -48,6 +48,15 @@ void RobotReadout::show(Row row, const QString& text, bool known)
     setTone(*label, known ? Tone::Strong : Tone::Muted);
 }
 
+void RobotReadout::showAngle(Row row, double angle, AttitudeLevel level)
+{
+    const QString value = words::degrees(angle);
+    if (level == AttitudeLevel::Level) return show(row, value, true);
+    const bool isRed = level == AttitudeLevel::Red;
+    values_[row]->setText(isRed ? tr("%1 DANGER").arg(value) : tr("%1 STEEP").arg(value));
+    setTone(*values_[row], isRed ? Tone::Bad : Tone::Doubt);
+}
+
 void RobotReadout::setMeasurement(const Measurement& m, double age, std::optional<double> captured)
 {
     Ages same{};
@@ -72,11 +81,11 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     const auto amperes = [](double value) {
         return words::signedNumber(value, 2) + QStringLiteral(" A");
     };
-    put(Pitch, words::degrees(m.pitch));
+    fresh ? showAngle(Pitch, m.pitch, attitude_.pitch) : put(Pitch, {});
     // Two lines of telemetry differ by the sensor's noise, if by nothing else.
     if (captured)
         values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), words::degrees(*captured)));
-    put(Roll, words::degrees(m.roll));
+    fresh ? showAngle(Roll, m.roll, attitude_.roll) : put(Roll, {});
     put(FrontFlippers, pair(words::degrees(m.frontLeft), words::degrees(m.frontRight)));
     put(RearFlippers, pair(words::degrees(m.rearLeft), words::degrees(m.rearRight)));
     put(FrontCurrents, pair(amperes(m.frontLeftCurrent), amperes(m.frontRightCurrent)));

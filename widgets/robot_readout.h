@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "core/robot/attitude.h"
 #include "core/robot/measurement.h"
 #include "widgets/card.h"
 
@@ -24,6 +25,9 @@ public:
     enum Row { Pitch, Roll, FrontFlippers, RearFlippers, FrontCurrents, RearCurrents, kRows };
     using Ages = std::array<double, kRows>;  ///< [s]; not finite: it has never arrived
 
+    /// Of the measurement that is set next: pitch and roll read "STEEP", amber, or "DANGER", red.
+    void setAttitude(const Attitude& attitude) { attitude_ = attitude; }
+
     /// Values of one line of telemetry, which is of `age` [s] ago.  captured: pitch of the scene that is drawn [rad];
     /// empty: what is drawn is the measurement.
     void setMeasurement(const Measurement& measurement, double age,
@@ -38,9 +42,11 @@ public:
 
 private:
     void show(Row row, const QString& text, bool known);
+    void showAngle(Row row, double angle, AttitudeLevel level);
 
     std::array<QLabel*, kRows> values_{};
     std::array<QString, kRows> ages_;
+    Attitude attitude_;
 };
 
 }  // namespace terratact

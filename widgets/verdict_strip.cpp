@@ -48,6 +48,7 @@ QString briefly(Doubt doubt)
     case Doubt::UnlikeTraining: return VerdictStrip::tr("unlike all training");
     case Doubt::Roll: return VerdictStrip::tr("the robot rolls");
     case Doubt::Asymmetry: return VerdictStrip::tr("the flippers differ");
+    case Doubt::SensorFault: return VerdictStrip::tr("a sensor may lie");
     }
     return {};
 }

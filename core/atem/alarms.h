@@ -4,9 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace terratact {
+
+/// Of the alarm that a sensor is suspected; a session that holds it withholds the verdict (core/log/review_moment.h).
+inline constexpr std::string_view kSensorAlarm = "sensor-fault";
 
 /// How much an alarm matters.
 enum class Severity : std::uint8_t {

@@ -20,6 +20,7 @@ std::vector<Doubt> doubtsOf(const TerrainEstimate& estimate, const Measurement& 
     if (estimate.novelty > 1.0) doubts.push_back(Doubt::UnlikeTraining);
     if (std::abs(scene.roll) > settings.rollLimit) doubts.push_back(Doubt::Roll);
     if (flipperAsymmetry(scene) > settings.asymmetryLimit) doubts.push_back(Doubt::Asymmetry);
+    if (!since.sensorsSound) doubts.push_back(Doubt::SensorFault);
     return doubts;
 }
 
@@ -118,6 +119,7 @@ std::string describe(Doubt doubt)
     case Doubt::UnlikeTraining: return "the scene is unlike all training";
     case Doubt::Roll: return "the robot rolls, left and right ground differ";
     case Doubt::Asymmetry: return "the flippers differ, left and right ground differ";
+    case Doubt::SensorFault: return "a sensor may lie, see the alarms";
     }
     throw std::invalid_argument("describe: no such Doubt");
 }

@@ -24,7 +24,8 @@ enum class Doubt : std::uint8_t {
     NotConverged,    ///< more sweeps might say something else
     UnlikeTraining,  ///< the scene is unlike all that the model has learnt
     Roll,            ///< left and right ground differ, the estimate knows one profile
-    Asymmetry        ///< so say the flippers
+    Asymmetry,       ///< so say the flippers
+    SensorFault      ///< SensorWatch suspected a sensor at the scene
 };
 
 /// "the chains have not converged" and the like.
@@ -100,6 +101,8 @@ inline constexpr double kSteepFlipper = 0.35;
 struct Aftermath {
     bool heard = true;     ///< its telemetry is live
     bool unbroken = true;  ///< and there was no silence of more than kLongestSilence
+    bool sensorsSound =
+        true;  ///< no sensor was suspected, in the scene or since, while the robot stood there
 };
 
 /// The horizon is the front border of the last bin ahead that is felt, or before which a loaded element lies

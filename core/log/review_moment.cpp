@@ -165,6 +165,7 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
     std::map<std::string, Alarm> alarms;
     std::optional<SessionTime> lost;
     const EventRow* nextUp = nullptr;
+    bool suspected = false;  // a sensor
     // Of sessions without EventKind::Unheard.
     const auto endsSilence = [&](const EventRow& up) {
         return lost && moment.scene && *lost > moment.scene->time
@@ -199,7 +200,13 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
             if (moment.scene && event.time >= moment.scene->time) moment.unbroken = false;
             break;
         case EventKind::Override: moment.overridden = event.text; break;
-        case EventKind::Alarm: takeAlarm(alarms, event); break;
+        case EventKind::Alarm:
+            takeAlarm(alarms, event);
+            if (event.subject != kSensorAlarm) break;
+            if (suspected && moment.scene && event.time >= moment.scene->time)
+                moment.sensorsSound = false;
+            suspected = event.number.value_or(0.0) >= 2.0;
+            break;
         case EventKind::Forgotten: moment.forgotten = event.text; break;
         case EventKind::Decision:
             if (moment.proposal && event.proposal == moment.proposal->id
@@ -217,6 +224,7 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         moment.linkAlive = true;
         if (endsSilence(*nextUp)) moment.unbroken = false;
     }
+    if (suspected) moment.sensorsSound = false;
     for (auto& [id, alarm] : alarms) moment.alarms.push_back(std::move(alarm));
     moment.state.approvalExpired =
         moment.proposal && !moment.decision && moment.state.phase == AtemPhase::Presenting;

@@ -28,6 +28,7 @@ struct ReviewMoment {
     bool telemetryAlone = false;               ///< where it is not: other frames of the robot came
     SessionTime linkSince = 0;                 ///< it has been so
     bool unbroken = true;  ///< no silence of more than kLongestSilence has ended since the scene
+    bool sensorsSound = true;  ///< kSensorAlarm did not stand at the scene, nor since
     std::string overridden{};  ///< what the operator had overridden, in words; empty: nothing
     std::optional<SessionDamage> damage{};  ///< in which this time lies
 

@@ -245,6 +245,9 @@ RobotModel robotOf(TomlSection& file)
         robot.travelledSdShare = s.number("travelled_sd_share", kShare);
         robot.pitchSd = s.number("pitch_sd_rad", kAngleSd);
     });
+    if (file.has("tip_over"))
+        file.section("tip_over",
+                     [&](TomlSection& s) { robot.halfWidth = s.number("half_width_m", kLength); });
     return robot;
 }
 

@@ -68,6 +68,9 @@ struct RobotModel {
     double travelledSdShare = 0.0;  ///< sd of a travelled way, as a share of it: the tracks slip
     double pitchSd = 0.0;           ///< [rad] sd of the IMU's pitch
 
+    /// [m] from the middle to the outer edge of a track, for tipping over sideways (core/robot/attitude.h).
+    double halfWidth = 0.25;
+
     double totalMass() const { return bodyMass + front.mass + rear.mass; }
 
     /// Whether the arm can touch the ground at the bin's centre.  Throws std::invalid_argument unless
@@ -79,12 +82,14 @@ inline constexpr std::size_t kMostForceArrays = 4;        ///< that a console ca
 inline constexpr std::size_t kLongestForceArrayName = 6;  ///< [bytes]
 
 /// Reads a robot file (TOML; resources/robots/absolem.toml shows every key with its unit).  Every key is
-/// required and no other allowed but one to four tables
+/// required and no other allowed but these: one to four tables
 ///   [[force_array]]
 ///   name = "L"             # 1 to 6 bytes
 ///   side = "left"          # or "right": whose six elements the link carries
 ///   elements = [1, 2, 3]   # of them, 1 at the pivot and 6 at the tip
-/// Without them there are two arrays, all of the left and all of the right elements.
+/// Without them there are two arrays, all of the left and all of the right elements.  And one more table:
+///   [tip_over]
+///   half_width_m = 0.25    # from the middle to the outer edge of a track; 0.25 where the table is missing
 /// Errors name the file, the line, the key and what was expected.  Files over 64 KiB or nested deeper than
 /// 16 levels are refused before they are parsed.
 Result<RobotModel> readRobotModel(const std::string& path);

@@ -6,8 +6,8 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kFirstForce = indexOf(Sensor::Force1);
-constexpr std::array kNames{"pitch",
-                            "roll",
+constexpr std::array kNames{"pitch angle",
+                            "roll angle",
                             "front left flipper angle",
                             "front right flipper angle",
                             "rear left flipper angle",
@@ -22,7 +22,7 @@ constexpr std::array kNames{"pitch",
                             "force 4",
                             "force 5",
                             "force 6",
-                            "odometry"};
+                            "track odometry"};
 static_assert(kNames.size() == kSensors);
 
 /// Pitch to the rear right current, in the order of Sensor.

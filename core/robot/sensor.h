@@ -46,7 +46,7 @@ constexpr Sensor sensorAt(std::size_t index)
 }
 SensorKind kindOf(Sensor sensor);
 
-/// "pitch", "front left flipper angle", "rear right flipper current", "force 3", "odometry".
+/// "pitch angle", "front left flipper angle", "rear right flipper current", "force 3", "track odometry".
 std::string_view describe(Sensor sensor);
 
 /// Empty where the robot did not measure it.

@@ -19,22 +19,23 @@ enum class SensorTrouble : std::uint8_t {
     NoLoad,        ///< feels nothing although the flippers press
     LoadedFree,    ///< feels a load although nothing can press on it
     SidesDiffer,   ///< left and right differ by the same amount at every press
-    Offset,        ///< ground felt ahead is found higher or lower once the robot has come there
 };
-inline constexpr int kSensorTroubles = 10;
+inline constexpr int kSensorTroubles = 9;
 
 struct SensorSuspicion {
     Sensor sensor = Sensor::Pitch;
     SensorTrouble trouble = SensorTrouble::Stuck;
     double since = 0.0;   ///< [s] of the telemetry: first evidence
     double until = 0.0;   ///< [s] stands up to that time without more evidence
-    double amount = 0.0;  ///< see describe()
+    double amount = 0.0;  ///< [s] of Stuck; else the reading or the change, in the sensor's unit
     double way = 0.0;     ///< [m] of Stuck: driven meanwhile
     bool operator==(const SensorSuspicion&) const = default;
 };
 
-/// One sentence that names the sensor and the kind:
-///   "pitch has not changed for 12 s while the robot drove 0.6 m: stuck?"
+/// What is wrong, without the sensor: "not changed for 12 s while the robot drove 0.6 m, stuck?".
+std::string describeTrouble(const SensorSuspicion& suspicion);
+
+/// One sentence: "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?".
 std::string describe(const SensorSuspicion& suspicion);
 
 }  // namespace terratact

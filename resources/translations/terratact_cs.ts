@@ -3314,6 +3314,98 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>it is not a regular file, and an SQLite file is read back and forth</source>
         <translation>není to obyčejný soubor, a soubor SQLite se čte na přeskáčku</translation>
     </message>
+    <message>
+        <source>pitch angle</source>
+        <translation>podélný náklon</translation>
+    </message>
+    <message>
+        <source>roll angle</source>
+        <translation>příčný náklon</translation>
+    </message>
+    <message>
+        <source>front left flipper angle</source>
+        <translation>úhel levého předního ramene</translation>
+    </message>
+    <message>
+        <source>front right flipper angle</source>
+        <translation>úhel pravého předního ramene</translation>
+    </message>
+    <message>
+        <source>rear left flipper angle</source>
+        <translation>úhel levého zadního ramene</translation>
+    </message>
+    <message>
+        <source>rear right flipper angle</source>
+        <translation>úhel pravého zadního ramene</translation>
+    </message>
+    <message>
+        <source>front left flipper current</source>
+        <translation>proud levého předního ramene</translation>
+    </message>
+    <message>
+        <source>front right flipper current</source>
+        <translation>proud pravého předního ramene</translation>
+    </message>
+    <message>
+        <source>rear left flipper current</source>
+        <translation>proud levého zadního ramene</translation>
+    </message>
+    <message>
+        <source>rear right flipper current</source>
+        <translation>proud pravého zadního ramene</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>síla %1</translation>
+    </message>
+    <message>
+        <source>track odometry</source>
+        <translation>odometrie pásů</translation>
+    </message>
+    <message>
+        <source>not changed for %1 s while the robot drove %2 m, stuck?</source>
+        <translation>beze změny %1 s, zatímco robot ujel %2 m, zaseknutý?</translation>
+    </message>
+    <message>
+        <source>not changed for %1 s, not even by noise, stuck?</source>
+        <translation>beze změny %1 s, ani šum, zaseknutý?</translation>
+    </message>
+    <message>
+        <source>jumps away and comes back, loose contact?</source>
+        <translation>skočí a vrátí se, volný kontakt?</translation>
+    </message>
+    <message>
+        <source>reads what the robot cannot do</source>
+        <translation>ukazuje, co robot nedokáže</translation>
+    </message>
+    <message>
+        <source>changes the wrong way, sign flipped?</source>
+        <translation>mění se opačně, obrácené znaménko?</translation>
+    </message>
+    <message>
+        <source>moves with the other axle, front and rear swapped?</source>
+        <translation>pohybuje se s druhou nápravou, zaměněný předek a zadek?</translation>
+    </message>
+    <message>
+        <source>still changes when the robot stands still, late?</source>
+        <translation>mění se, i když robot stojí, zpožděný?</translation>
+    </message>
+    <message>
+        <source>no load while the flippers press, disconnected?</source>
+        <translation>bez zátěže, i když ramena tlačí, odpojený?</translation>
+    </message>
+    <message>
+        <source>loaded while nothing presses, drifted?</source>
+        <translation>zatížený, i když nic netlačí, posunutý?</translation>
+    </message>
+    <message>
+        <source>left and right differ by the same at every press</source>
+        <translation>levý a pravý se liší stejně při každém přítlaku</translation>
+    </message>
+    <message>
+        <source>a sensor may lie, see the alarms</source>
+        <translation>snímač možná neměří správně, viz poplachy</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -3911,6 +4003,30 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Disarmed: %1</source>
         <translation>Už není aktivní: %1</translation>
+    </message>
+    <message>
+        <source>pitch %1, tips over at %2</source>
+        <translation>podélný náklon %1, překlopí se při %2</translation>
+    </message>
+    <message>
+        <source>roll %1, tips over at %2</source>
+        <translation>příčný náklon %1, překlopí se při %2</translation>
+    </message>
+    <message>
+        <source>Danger of tipping over: %1</source>
+        <translation>Hrozí překlopení: %1</translation>
+    </message>
+    <message>
+        <source>Steep: %1</source>
+        <translation>Strmě: %1</translation>
+    </message>
+    <message>
+        <source>Do not trust this sensor: %1</source>
+        <translation>Tomuto snímači nevěřte: %1</translation>
+    </message>
+    <message>
+        <source>The robot has halted by itself: %1</source>
+        <translation>Robot se sám zastavil: %1</translation>
     </message>
 </context>
 <context>
@@ -5977,6 +6093,14 @@ F1</translation>
         <source>; beside it that of the captured scene: the robot is drawn as it stood then</source>
         <translation>; vedle je náklon zachycené scény: robot je nakreslen, jak tehdy stál</translation>
     </message>
+    <message>
+        <source>%1 DANGER</source>
+        <translation>%1 POZOR</translation>
+    </message>
+    <message>
+        <source>%1 STEEP</source>
+        <translation>%1 STRMĚ</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScenesWindow</name>
@@ -6392,6 +6516,22 @@ F1</translation>
     <message>
         <source>Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers&apos; reach; lower rates accept ground that the flippers span</source>
         <translation>Propasti a stěny. Od 5 % potřebuje VOLNO ohmatané všechny úseky, kam přední flippery sahají; nižší hodnoty připouštějí terén, který flippery překlenují</translation>
+    </message>
+    <message>
+        <source>Pitch or roll is steep from</source>
+        <translation>Náklon je strmý od</translation>
+    </message>
+    <message>
+        <source>An amber alarm; 20° before the robot tips over in any case</source>
+        <translation>Žlutý poplach; v každém případě 20° před překlopením</translation>
+    </message>
+    <message>
+        <source>Pitch or roll is dangerous from</source>
+        <translation>Náklon je nebezpečný od</translation>
+    </message>
+    <message>
+        <source>A red alarm that sounds; 10° before the robot tips over in any case</source>
+        <translation>Červený poplach se zvukem; v každém případě 10° před překlopením</translation>
     </message>
 </context>
 <context>
@@ -7550,6 +7690,10 @@ vpředu</translation>
     <message>
         <source>to %1 m</source>
         <translation>do %1 m</translation>
+    </message>
+    <message>
+        <source>a sensor may lie</source>
+        <translation>snímač možná neměří správně</translation>
     </message>
 </context>
 <context>

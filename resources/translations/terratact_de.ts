@@ -3314,6 +3314,98 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>it is not a regular file, and an SQLite file is read back and forth</source>
         <translation>ist keine gewöhnliche Datei, und eine SQLite-Datei wird vor und zurück gelesen</translation>
     </message>
+    <message>
+        <source>pitch angle</source>
+        <translation>Nickwinkel</translation>
+    </message>
+    <message>
+        <source>roll angle</source>
+        <translation>Rollwinkel</translation>
+    </message>
+    <message>
+        <source>front left flipper angle</source>
+        <translation>Winkel des Flippers vorn links</translation>
+    </message>
+    <message>
+        <source>front right flipper angle</source>
+        <translation>Winkel des Flippers vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear left flipper angle</source>
+        <translation>Winkel des Flippers hinten links</translation>
+    </message>
+    <message>
+        <source>rear right flipper angle</source>
+        <translation>Winkel des Flippers hinten rechts</translation>
+    </message>
+    <message>
+        <source>front left flipper current</source>
+        <translation>Strom des Flippers vorn links</translation>
+    </message>
+    <message>
+        <source>front right flipper current</source>
+        <translation>Strom des Flippers vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear left flipper current</source>
+        <translation>Strom des Flippers hinten links</translation>
+    </message>
+    <message>
+        <source>rear right flipper current</source>
+        <translation>Strom des Flippers hinten rechts</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>Kraft %1</translation>
+    </message>
+    <message>
+        <source>track odometry</source>
+        <translation>Odometrie der Ketten</translation>
+    </message>
+    <message>
+        <source>not changed for %1 s while the robot drove %2 m, stuck?</source>
+        <translation>unverändert seit %1 s, während der Roboter %2 m fuhr, hängt er?</translation>
+    </message>
+    <message>
+        <source>not changed for %1 s, not even by noise, stuck?</source>
+        <translation>unverändert seit %1 s, auch ohne Rauschen, hängt er?</translation>
+    </message>
+    <message>
+        <source>jumps away and comes back, loose contact?</source>
+        <translation>springt weg und zurück, Wackelkontakt?</translation>
+    </message>
+    <message>
+        <source>reads what the robot cannot do</source>
+        <translation>zeigt, was der Roboter nicht kann</translation>
+    </message>
+    <message>
+        <source>changes the wrong way, sign flipped?</source>
+        <translation>ändert sich falsch herum, Vorzeichen vertauscht?</translation>
+    </message>
+    <message>
+        <source>moves with the other axle, front and rear swapped?</source>
+        <translation>bewegt sich mit der anderen Achse, vorn und hinten vertauscht?</translation>
+    </message>
+    <message>
+        <source>still changes when the robot stands still, late?</source>
+        <translation>ändert sich noch, wenn der Roboter steht, verspätet?</translation>
+    </message>
+    <message>
+        <source>no load while the flippers press, disconnected?</source>
+        <translation>keine Last, während die Flipper drücken, nicht verbunden?</translation>
+    </message>
+    <message>
+        <source>loaded while nothing presses, drifted?</source>
+        <translation>belastet, obwohl nichts drückt, weggedriftet?</translation>
+    </message>
+    <message>
+        <source>left and right differ by the same at every press</source>
+        <translation>links und rechts unterscheiden sich bei jedem Andrücken gleich</translation>
+    </message>
+    <message>
+        <source>a sensor may lie, see the alarms</source>
+        <translation>ein Sensor misst vielleicht falsch, siehe Alarme</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -3911,6 +4003,30 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Disarmed: %1</source>
         <translation>Nicht mehr freigegeben: %1</translation>
+    </message>
+    <message>
+        <source>pitch %1, tips over at %2</source>
+        <translation>Nickwinkel %1, kippt bei %2</translation>
+    </message>
+    <message>
+        <source>roll %1, tips over at %2</source>
+        <translation>Rollwinkel %1, kippt bei %2</translation>
+    </message>
+    <message>
+        <source>Danger of tipping over: %1</source>
+        <translation>Kippgefahr: %1</translation>
+    </message>
+    <message>
+        <source>Steep: %1</source>
+        <translation>Steil: %1</translation>
+    </message>
+    <message>
+        <source>Do not trust this sensor: %1</source>
+        <translation>Diesem Sensor nicht trauen: %1</translation>
+    </message>
+    <message>
+        <source>The robot has halted by itself: %1</source>
+        <translation>Der Roboter hat von selbst angehalten: %1</translation>
     </message>
 </context>
 <context>
@@ -5977,6 +6093,14 @@ F1</translation>
         <source>; beside it that of the captured scene: the robot is drawn as it stood then</source>
         <translation>; daneben die der erfassten Szene: gezeichnet ist der Roboter, wie er damals stand</translation>
     </message>
+    <message>
+        <source>%1 DANGER</source>
+        <translation>%1 GEFAHR</translation>
+    </message>
+    <message>
+        <source>%1 STEEP</source>
+        <translation>%1 STEIL</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ScenesWindow</name>
@@ -6392,6 +6516,22 @@ F1</translation>
     <message>
         <source>Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers&apos; reach; lower rates accept ground that the flippers span</source>
         <translation>Abgründe und Wände. Ab 5 % braucht FREI jeden Abschnitt ertastet, so weit die vorderen Flipper reichen; niedrigere Werte lassen Boden gelten, den die Flipper überspannen</translation>
+    </message>
+    <message>
+        <source>Pitch or roll is steep from</source>
+        <translation>Nick- oder Rollwinkel ist steil ab</translation>
+    </message>
+    <message>
+        <source>An amber alarm; 20° before the robot tips over in any case</source>
+        <translation>Ein gelber Alarm; in jedem Fall 20° vor dem Kippen</translation>
+    </message>
+    <message>
+        <source>Pitch or roll is dangerous from</source>
+        <translation>Nick- oder Rollwinkel ist gefährlich ab</translation>
+    </message>
+    <message>
+        <source>A red alarm that sounds; 10° before the robot tips over in any case</source>
+        <translation>Ein roter Alarm mit Ton; in jedem Fall 10° vor dem Kippen</translation>
     </message>
 </context>
 <context>
@@ -7550,6 +7690,10 @@ voraus</translation>
     <message>
         <source>to %1 m</source>
         <translation>bis %1 m</translation>
+    </message>
+    <message>
+        <source>a sensor may lie</source>
+        <translation>ein Sensor misst vielleicht falsch</translation>
     </message>
 </context>
 <context>

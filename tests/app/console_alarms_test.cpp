@@ -49,6 +49,72 @@ TEST_F(Alarming, aSoundRobotMakesNone)
     EXPECT_EQ(sounds, 0);
 }
 
+TEST_F(Alarming, namesASensorThatMayLieAndItsKind)
+{
+    sight.suspicions = {{.sensor = Sensor::Pitch, .amount = 12.0, .way = 0.6}};
+    pass(0.1);
+    EXPECT_TRUE(says("sensor-fault",
+                     "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?"));
+    EXPECT_EQ(sounds, 1);
+    sight.suspicions.clear();
+    sight.isSceneSuspected = true;
+    pass(5.0);
+    EXPECT_TRUE(stands("sensor-fault")) << "a verdict is withheld for it";
+    sight.isSceneSuspected = false;
+    pass(2.0);
+    EXPECT_FALSE(stands("sensor-fault"));
+}
+
+TEST_F(Alarming, joinsSensorsWithTheSameTrouble)
+{
+    for (const Sensor sensor : {Sensor::Force1, Sensor::Force2})
+        sight.suspicions.push_back({.sensor = sensor, .trouble = SensorTrouble::NoLoad});
+    pass(0.1);
+    EXPECT_TRUE(says("sensor-fault", "force 1, force 2: no load while the flippers press"));
+}
+
+TEST_F(Alarming, tellsOfASteepRobotAndSoundsBeforeItTips)
+{
+    sight.measurement = Measurement{};
+    sight.measurement->pitch = 0.6;
+    sight.attitude = {.pitch = AttitudeLevel::Amber, .pitchTips = 0.9};
+    pass(1.0);
+    EXPECT_TRUE(says("attitude", "Steep: pitch +34"));
+    EXPECT_EQ(sounds, 0);
+    sight.attitude.pitch = AttitudeLevel::Red;
+    pass(1.0);
+    EXPECT_TRUE(says("attitude", "Danger of tipping over: pitch +34"));
+    EXPECT_EQ(sounds, 1);
+    sight.attitude = {};
+    pass(2.0);
+    EXPECT_FALSE(stands("attitude"));
+}
+
+TEST_F(Alarming, saysWhyTheRobotHasHaltedByItself)
+{
+    sight.measurement = Measurement{};
+    sight.measurement->activity = RobotActivity::Driving;
+    pass(1.0);
+    sight.measurement->activity = RobotActivity::Halted;
+    sight.measurement->refusal = Refusal::NoRestPose;
+    pass(1.0);
+    EXPECT_TRUE(says("halted", "halted by itself: the robot finds no pose to rest in there"));
+    sight.measurement->activity = RobotActivity::Driving;
+    sight.measurement->refusal = Refusal::None;
+    pass(2.0);
+    EXPECT_FALSE(stands("halted"));
+}
+
+TEST_F(Alarming, aHaltThatWasWantedIsNone)
+{
+    sight.measurement = Measurement{};
+    sight.measurement->activity = RobotActivity::Driving;
+    pass(1.0);
+    sight.measurement->activity = RobotActivity::Halted;
+    pass(1.0);
+    EXPECT_FALSE(find("halted"));
+}
+
 TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
 {
     sight.link = kLost;

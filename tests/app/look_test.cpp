@@ -22,6 +22,7 @@
 #include "core/infer/estimate_words.h"
 #include "core/infer/verdict.h"
 #include "core/robot/force_sensor.h"
+#include "core/robot/sensor_suspicion.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
@@ -139,12 +140,18 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     }
     QStringList said = allTo(AtemPhase::Failed) + allTo(AtemFailure::Disarmed)
                      + allTo(DisarmCause::EpochChanged) + allTo(GateRefusal::OtherBin)
-                     + allTo(Doubt::Asymmetry) + allTo(RobotActivity::Stopped)
+                     + allTo(Doubt::SensorFault) + allTo(RobotActivity::Stopped)
                      + allTo(Refusal::OutOfLimits)
                      + allTo(ElementState::Short).mid(1)  // a sound one is not told of
                      + QStringList{"yes", "no", "none", "not measured"};
     for (int i = 0; i <= static_cast<int>(AtemPhase::Failed); ++i)
         said << QString::fromStdString(describeFollowed(static_cast<AtemPhase>(i)));
+    for (std::size_t i = 0; i < kSensors; ++i)
+        said << QString::fromStdString(std::string(describe(sensorAt(i))));
+    for (int i = 0; i < kSensorTroubles; ++i)
+        for (const double way : {0.0, 0.6})
+            said << QString::fromStdString(describeTrouble(
+                {.trouble = static_cast<SensorTrouble>(i), .amount = 12.0, .way = way}));
     for (const double limit : {0.1, 0.9})  // open, and all but certain
         for (const std::string& sentence : hiddenByBands(estimate, limit))
             said << QString::fromStdString(sentence);

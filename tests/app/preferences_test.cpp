@@ -42,6 +42,8 @@ Preferences unlikeTheDefaults()
     p.probeAbove = 0.05;
     p.rollLimit = 0.2;
     p.asymmetryLimit = 0.3;
+    p.tiltAmber = 0.4;
+    p.tiltRed = 0.5;
     p.record = false;
     p.keepDays = 30;
     p.keepGigabytes = 7;
@@ -83,26 +85,12 @@ TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
     now.sound = false;
     EXPECT_EQ(changesOf(kDefaults, now).section("; ", 0, 0), "sound: true → false");
     const QString all = changesOf(kDefaults, unlikeTheDefaults());
-    for (const char* key : {"theme",
-                            "font-scale",
-                            "language",
-                            "layout",
-                            "sound",
-                            "obstacle-limit",
-                            "method",
-                            "quality",
-                            "estimate-seconds",
-                            "force-threshold",
-                            "probe-policy",
-                            "probe-above",
-                            "roll-limit",
-                            "asymmetry-limit",
-                            "record",
-                            "keep-days",
-                            "keep-gigabytes",
-                            "model",
-                            "robot",
-                            "dbc"})
+    for (const char* key :
+         {"theme",          "font-scale",  "language",   "layout",           "sound",
+          "obstacle-limit", "method",      "quality",    "estimate-seconds", "force-threshold",
+          "probe-policy",   "probe-above", "roll-limit", "asymmetry-limit",  "tilt-amber",
+          "tilt-red",       "record",      "keep-days",  "keep-gigabytes",   "model",
+          "robot",          "dbc"})
         EXPECT_TRUE(all.contains(QLatin1String(key) + ": ")) << key;
     EXPECT_TRUE(changesOf(kDefaults, now).contains("quality: balanced → fast; ")
                 && changesOf(kDefaults, now).endsWith(" → 0.125"));

@@ -334,7 +334,9 @@ TEST(SettingsPageAlone, showsWhateverTheFileMayHold)
               {"roll-limit", "The verdict is withheld above a roll of", &Preferences::rollLimit,
                kDegrees},
               {"asymmetry-limit", "… or left and right flippers apart by",
-               &Preferences::asymmetryLimit, kDegrees}};
+               &Preferences::asymmetryLimit, kDegrees},
+              {"tilt-amber", "Pitch or roll is steep from", &Preferences::tiltAmber, kDegrees},
+              {"tilt-red", "Pitch or roll is dangerous from", &Preferences::tiltRed, kDegrees}};
     TemporaryDirectory directory;
     int files = 0;  // another each time: QSettings remembers what it has read
     PreferenceStore store(LoadedPreferences{}, Preferences{});

@@ -144,6 +144,8 @@ TEST(Verdict, isWithheldForEachDoubtByItself)
     };
     const Case cases[]{
         {Doubt::Stale, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.heard = false; }},
+        {Doubt::SensorFault,
+         [](TerrainEstimate&, Measurement&, Aftermath& a) { a.sensorsSound = false; }},
         {Doubt::Unheard, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.unbroken = false; }},
         {Doubt::NotConverged,
          [](TerrainEstimate& e, Measurement&, Aftermath&) { e.converged = false; }},

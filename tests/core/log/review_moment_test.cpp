@@ -152,6 +152,29 @@ TEST_F(Review, tellsWhetherTheRobotWasHeardAllAlongSinceTheScene)
     EXPECT_FALSE(at(3.2).unbroken);
 }
 
+TEST_F(Review, tellsWhetherASensorWasSuspectedInTheScene)
+{
+    auto writer = robotSession(path, 3.3);
+    ASSERT_TRUE(writer) << writer.error().text;
+    std::int64_t id = 100;
+    const auto alarm = [&](double when, double state) {
+        return writer->add(EventRow{.id = ++id,
+                                    .time = sessionTimeOf(when),
+                                    .kind = EventKind::Alarm,
+                                    .subject = std::string(kSensorAlarm),
+                                    .number = state});
+    };
+    ASSERT_TRUE(alarm(At::kScene - 0.2, 3.0));
+    ASSERT_TRUE(alarm(At::kScene - 0.1, 0.0)) << "of a scene before";
+    ASSERT_TRUE(alarm(3.1, 3.0));
+    ASSERT_TRUE(alarm(3.2, 0.0));
+    ASSERT_TRUE(writer->seal());
+    ASSERT_TRUE(at(3.05).scene);
+    EXPECT_TRUE(at(3.05).sensorsSound);
+    EXPECT_FALSE(at(3.15).sensorsSound);
+    EXPECT_FALSE(at(3.25).sensorsSound) << "the scene stays what it was";
+}
+
 TEST_F(Review, showsWhatWasOverridden)
 {
     auto writer = robotSession(path, 3.0);

@@ -97,7 +97,7 @@ TEST(SensorWatch, NamesTheSensorAndTheKind)
     later.amount = 12.0;
     later.way = 0.6;
     EXPECT_EQ(describe(later),
-              "pitch has not changed for 12 s while the robot drove 0.6 m: stuck?");
+              "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?");
 }
 
 TEST(SensorWatch, ForgetsWhatHasMended)

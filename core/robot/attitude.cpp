@@ -1,0 +1,66 @@
+#include "core/robot/attitude.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/robot/kinematics.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kAsLow =
+    0.005;  // [m] a flipper's tip carries the robot where it lies at most so much higher
+
+/// A point of a flipper's axis, base frame.
+Vec2 along(const FlipperGeometry& flipper, double angle, double distance)
+{
+    const Vec2 axis = flipperAxis(flipper, angle);
+    return {flipper.pivot.x + distance * axis.x, flipper.pivot.z + distance * axis.z};
+}
+
+AttitudeLevel levelOf(double angle, double tips, const AttitudeLimits& limits)
+{
+    const double size = std::abs(angle);
+    if (size >= std::min(limits.red, std::abs(tips) - kRedReserve)) return AttitudeLevel::Red;
+    if (size >= std::min(limits.amber, std::abs(tips) - kAmberReserve)) return AttitudeLevel::Amber;
+    return AttitudeLevel::Level;
+}
+
+}  // namespace
+
+TipOver tipOver(const RobotModel& robot, double front, double rear)
+{
+    const double total = robot.totalMass();
+    Vec2 com{robot.bodyMass * robot.bodyCom.x / total, robot.bodyMass * robot.bodyCom.z / total};
+    const double ground = robot.trackZ - robot.trackRadius;
+    double foremost = robot.trackAxle / 2.0, rearmost = -foremost;
+    const auto add = [&](const FlipperGeometry& flipper, double angle) {
+        const Vec2 mass = along(flipper, angle, flipper.comDistance);
+        com.x += flipper.mass * mass.x / total;
+        com.z += flipper.mass * mass.z / total;
+        const Vec2 tip = along(flipper, angle, flipper.axleDistance);
+        if (tip.z - flipper.tipRadius > ground + kAsLow) return;
+        foremost = std::max(foremost, tip.x);
+        rearmost = std::min(rearmost, tip.x);
+    };
+    add(robot.front, front);
+    add(robot.rear, rear);
+    const double height = com.z - ground;
+    return {.noseUp = std::atan2(com.x - rearmost, height),
+            .noseDown = std::atan2(foremost - com.x, height),
+            .side = std::atan2(robot.halfWidth, height)};
+}
+
+Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const AttitudeLimits& limits)
+{
+    const Proprioception s = proprioception(line);
+    const TipOver tips = tipOver(robot, s.front, s.rear);
+    Attitude attitude;
+    attitude.pitchTips = line.pitch >= 0.0 ? tips.noseUp : -tips.noseDown;
+    attitude.rollTips = line.roll >= 0.0 ? tips.side : -tips.side;
+    attitude.pitch = levelOf(line.pitch, attitude.pitchTips, limits);
+    attitude.roll = levelOf(line.roll, attitude.rollTips, limits);
+    return attitude;
+}
+
+}  // namespace terratact
