@@ -90,7 +90,7 @@ void PressWatch::take(const Measurement& line)
     const SensorReadings readings = readingsOf(line);
     const bool presses = line.activity == RobotActivity::Pressing;
     if (presses && activity_ != RobotActivity::Pressing) {
-        press_.emplace();
+        press_.emplace(Press{});
         press_->began = line.travelled;
         for (const SensorReadings& before : before_) press_->reference.add(before);
         if (before_.empty()) press_->reference.add(readings);

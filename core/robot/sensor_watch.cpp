@@ -16,7 +16,7 @@ auto keyOf(const SensorSuspicion& s)
 }  // namespace
 
 SensorWatch::SensorWatch(const RobotModel& robot)
-    : spikes_(robot), presses_(robot), pitchSign_(robot), unloaded_(robot)
+    : spikes_(robot), presses_(robot), pitchSign_(robot)
 {
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/robot/robot_model.h"
 #include "core/robot/sensor_suspicion.h"
 
 namespace terratact {
@@ -21,7 +20,6 @@ public:
     static constexpr double kLongWay = 1.5;  ///< [m]
     static constexpr double kHold = 60.0;    ///< [s] suspected for, after the last such line
 
-    explicit UnloadedWatch(const RobotModel& robot) : tip_(robot.forceSaturation) {}
     void take(const Measurement& line);
     const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
     void reset();
@@ -34,7 +32,6 @@ private:
     };
     void suspect(std::size_t element, double now);
 
-    double tip_;
     std::optional<double> travelled_;
     std::array<Element, kForceElements> elements_{};
     std::vector<SensorSuspicion> found_;
