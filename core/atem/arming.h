@@ -41,15 +41,16 @@ struct ArmingState {
 };
 
 struct ArmingInput {
-    double now = 0.0;              ///< [s] any monotonic clock
-    bool wanted = false;           ///< first action, an edge
-    bool confirmed = false;        ///< second action, an edge
-    bool disarmed = false;         ///< the operator gives it up
-    bool stopLatched = false;      ///< here or on the robot
-    bool operatorPresent = false;  ///< window and panel have answered within 100 ms
-    bool foreignSender = false;    ///< a frame of the console's came from outside
-    double linkGoodFor = 0.0;      ///< [s] without interruption; 0: the link is not good
-    bool robotArmed = false;       ///< of the newest RobotStatus
+    double now = 0.0;          ///< [s] any monotonic clock
+    bool wanted = false;       ///< first action, an edge
+    bool confirmed = false;    ///< second action, an edge
+    bool disarmed = false;     ///< the operator gives it up
+    bool stopLatched = false;  ///< here or on the robot
+    /// Window and panel have answered within 100 ms, or 1 s where nothing moves (operatorPatience()).
+    bool operatorPresent = false;
+    bool foreignSender = false;  ///< a frame of the console's came from outside
+    double linkGoodFor = 0.0;    ///< [s] without interruption; 0: the link is not good
+    bool robotArmed = false;     ///< of the newest RobotStatus
     std::uint8_t robotEpoch = 0;
 };
 

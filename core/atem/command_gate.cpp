@@ -139,13 +139,18 @@ GateRefusal refusalOf(FrameFault fault)
 
 }  // namespace
 
+double operatorPatience(const GateView& view, const GateLimits& limits)
+{
+    return view.moves ? limits.operatorAge : limits.operatorPause;
+}
+
 GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits)
 {
     const auto unpacked = unpack(frame);
     if (const auto* fault = std::get_if<FrameFault>(&unpacked)) return refusalOf(*fault);
     const auto& content = std::get<Unpacked>(unpacked);
     if (content.kind == FrameKind::ConsoleHeartbeat)
-        return isFresh(view.operatorAge, limits.operatorAge) ? None : OperatorAbsent;
+        return isFresh(view.operatorAge, operatorPatience(view, limits)) ? None : OperatorAbsent;
     const std::optional<ReceivedCommand> sent = commandOf(content);
     return sent ? std::visit(Judge{view, limits, sent->epoch}, sent->command) : NotAllowed;
 }

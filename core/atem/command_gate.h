@@ -49,6 +49,8 @@ struct GateView {
     double statusAge = kNever;            ///< [s] of the last sound RobotStatus
     double answerAge = kNever;            ///< [s] Freshness::age
     double operatorAge = kNever;          ///< [s] since the slower of window and panel answered
+    /// Something of the robot moves or was told to: then a heartbeat, too, needs an operator who answers now.
+    bool moves = true;
     bool foreignSender = false;
     bool stopLatched = true;  ///< in the console
     ArmingState arming;
@@ -60,7 +62,8 @@ struct GateView {
 struct GateLimits {
     double statusAge = 0.15;                               ///< [s]
     double answerAge = 0.25;                               ///< [s]
-    double operatorAge = 0.1;                              ///< [s]
+    double operatorAge = 0.1;                              ///< [s] of what commands or moves
+    double operatorPause = 1.0;                            ///< [s] while nothing moves
     double approvalAge = 30.0;                             ///< [s]
     double speed = 0.6;                                    ///< [m/s] either way
     double torque = 60.0;                                  ///< [N m]
@@ -68,9 +71,12 @@ struct GateLimits {
     double lowestFlipper = -1.6, highestFlipper = 3.1416;  ///< [rad]
 };
 
+/// For how long [s] the operator may fail to answer before he counts as absent.
+double operatorPatience(const GateView& view, const GateLimits& limits);
+
 /// The last thing that every outgoing frame passes: judges the bytes themselves, so that it relies on
 /// nobody who made them.  Deny by default.  Stop, Halt, AbortAtem and disarming always pass when well
-/// formed; a heartbeat while the operator's window and panel answer; all else needs operator, link, the
+/// formed; a heartbeat while the operator's window and panel answer, or pause while nothing moves; all else needs operator, link, the
 /// robot's epoch and the state that its row in the table of tests/core/atem/command_gate_test.cpp shows.
 /// Pure; a NaN in view or limits refuses.
 GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits);

@@ -14,6 +14,15 @@ bool endsApproval(const Command& command)
         || std::holds_alternative<ProbeCommand>(command);
 }
 
+bool isMotion(const Command& command)
+{
+    return std::holds_alternative<DriveCommand>(command)
+        || std::holds_alternative<PressCommand>(command)
+        || std::holds_alternative<ProbeCommand>(command)
+        || std::holds_alternative<HoldFlippersCommand>(command)
+        || std::holds_alternative<AdvanceCommand>(command);
+}
+
 double orNever(std::optional<double> age)
 {
     return age.value_or(GateView::kNever);
@@ -81,6 +90,7 @@ GateView ConsoleLink::gateView(double now) const
                   .statusAge = orNever(listener_.age(FrameKind::RobotStatus, now)),
                   .answerAge = orNever(freshness_.age(now)),
                   .operatorAge = operatorSeen_ ? now - *operatorSeen_ : GateView::kNever,
+                  .moves = moves(now),
                   .foreignSender = foreignSender(now),
                   .stopLatched = stopLatched_,
                   .arming = arming_,
@@ -88,6 +98,16 @@ GateView ConsoleLink::gateView(double now) const
                   .approval = std::nullopt};
     if (approved_) view.approval = ProbeApproval{approved_->bin, now - approved_->at};
     return view;
+}
+
+bool ConsoleLink::moves(double now) const
+{
+    const auto& robot = listener_.status();
+    if (driving_ || !robot || arming_.cause == DisarmCause::OperatorAbsent) return true;
+    const bool stands = robot->activity == RobotActivity::Halted
+                     || robot->activity == RobotActivity::Pressed
+                     || robot->activity == RobotActivity::Stopped;
+    return !stands || (motionSent_ && now - *motionSent_ < kMotionShows);
 }
 
 std::variant<CanFrame, GateRefusal> ConsoleLink::send(const Command& command, double now)
@@ -109,6 +129,7 @@ std::variant<CanFrame, GateRefusal> ConsoleLink::send(const Command& command, do
     if (endsApproval(command)) approved_.reset();
     if (refusal != GateRefusal::None) return refusal;
     ++counter;
+    if (isMotion(command)) motionSent_ = now;
     if (const auto* drive = std::get_if<DriveCommand>(&command)) driving_ = Driving{*drive, now};
     return frame;
 }
@@ -143,7 +164,8 @@ void ConsoleLink::arm(double now, std::vector<CanFrame>& out)
         .confirmed = std::exchange(confirmed_, false),
         .disarmed = std::exchange(disarmed_, false),
         .stopLatched = stopLatched_ || (robot && robot->activity == RobotActivity::Stopped),
-        .operatorPresent = gate.operatorAge >= 0.0 && gate.operatorAge <= options_.gate.operatorAge,
+        .operatorPresent =
+            gate.operatorAge >= 0.0 && gate.operatorAge <= operatorPatience(gate, options_.gate),
         .foreignSender = gate.foreignSender,
         .linkGoodFor = view(now).goodFor,
         .robotArmed = robot && robot->armed,

@@ -33,6 +33,8 @@ public:
     static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]
     static constexpr double kDrivePeriod = 0.02;     ///< [s]
     static constexpr double kForeignFor = 5.0;       ///< [s] a foreign sender is remembered
+    static constexpr double kMotionShows =
+        0.5;  ///< [s] after which the robot's status shows a motion
 
     struct Options {
         GateLimits gate{};
@@ -44,7 +46,9 @@ public:
     /// Takes a frame from the bus; `echo` is one that left from here.  The measurement it completes.
     std::optional<Measurement> receive(const CanFrame& frame, bool echo, double now);
 
-    /// Window and panel have both answered just now.
+    /// Window and panel have both answered just now.  Without an answer for 0.1 s a drive is halted, and the robot is
+    /// disarmed where anything moves or was told to.  Where nothing does, only commands are refused, for up to 1 s:
+    /// heartbeats go on, and the arming stands.
     void operatorAlive(double now);
 
     // The operator's actions, see core/atem/arming.h; they take effect at the next tick.
@@ -69,6 +73,8 @@ public:
 
 private:
     GateView gateView(double now) const;
+    bool moves(double now)
+        const;  ///< the robot, as far as is known; once nobody answered, it counts as moving
     bool linkGood(double now) const;
     bool foreignSender(double now) const;
     std::optional<CanFrame> passed(const Command& command, double now);
@@ -83,7 +89,7 @@ private:
     ArmingState arming_;
     bool wanted_ = false, confirmed_ = false, disarmed_ = false;
     bool stopLatched_ = false;
-    std::optional<double> operatorSeen_, foreignSeen_, goodSince_, lastBeat_;
+    std::optional<double> operatorSeen_, foreignSeen_, goodSince_, lastBeat_, motionSent_;
     struct Approved {
         int bin;
         double at;

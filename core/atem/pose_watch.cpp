@@ -4,26 +4,49 @@
 
 namespace terratact {
 
+namespace {
+
+/// Two different lines in a row have to say so; the first that does is kept in `since`.
+bool confirmed(bool says, std::uint64_t count, std::uint64_t& since)
+{
+    if (!says)
+        since = 0;
+    else if (since == 0)
+        since = count;
+    else
+        return count > since;
+    return false;
+}
+
+}  // namespace
+
 void PoseWatch::look(const Measurement& newest, std::uint64_t count)
 {
-    if (moved_) return;
-    if (!differs(newest))
-        suspectedAt_ = 0;
-    else if (suspectedAt_ == 0)
-        suspectedAt_ = count;
-    else
-        moved_ = count > suspectedAt_;
+    moved_ = moved_ || confirmed(differs(newest), count, suspectedAt_);
+    left_ = left_ || confirmed(bodyMoved(newest), count, suspectedLeftAt_);
+}
+
+bool PoseWatch::tilted(const Measurement& newest) const
+{
+    return std::abs(turnBetween(scene_.pitch, newest.pitch)) > kTilt
+        || std::abs(turnBetween(scene_.roll, newest.roll)) > kTilt;
+}
+
+bool PoseWatch::bodyMoved(const Measurement& newest) const
+{
+    const bool tells = newest.travelled && scene_.travelled && newest.turned && scene_.turned;
+    return tilted(newest) || tracksMoved(newest)
+        || (newest.activity == RobotActivity::Driving && !tells);
 }
 
 bool PoseWatch::differs(const Measurement& newest) const
 {
-    const auto beyond = [&](double Measurement::*value, double limit) {
-        return std::abs(turnBetween(scene_.*value, newest.*value)) > limit;
+    const auto beyond = [&](double Measurement::*value) {
+        return std::abs(turnBetween(scene_.*value, newest.*value)) > kFlipper;
     };
-    return newest.activity == RobotActivity::Driving || beyond(&Measurement::pitch, kTilt)
-        || beyond(&Measurement::roll, kTilt) || beyond(&Measurement::frontLeft, kFlipper)
-        || beyond(&Measurement::frontRight, kFlipper) || beyond(&Measurement::rearLeft, kFlipper)
-        || beyond(&Measurement::rearRight, kFlipper) || tracksMoved(newest);
+    return newest.activity == RobotActivity::Driving || tilted(newest)
+        || beyond(&Measurement::frontLeft) || beyond(&Measurement::frontRight)
+        || beyond(&Measurement::rearLeft) || beyond(&Measurement::rearRight) || tracksMoved(newest);
 }
 
 /// By its tracks, where both lines tell.

@@ -25,14 +25,20 @@ public:
     void look(const Measurement& newest, std::uint64_t count);
 
     bool hasMoved() const { return moved_; }
+    /// The body has moved, so that heights of the scene are of another place: by tilt or tracks, or it drives and says
+    /// nothing of its tracks.  A drive that moved nothing, and a flipper alone, leave the ground below where it was.
+    bool hasLeft() const { return left_; }
 
 private:
     bool differs(const Measurement& newest) const;
+    bool tilted(const Measurement& newest) const;
+    bool bodyMoved(const Measurement& newest) const;
     bool tracksMoved(const Measurement& newest) const;
 
     Measurement scene_;
     std::uint64_t suspectedAt_ = 0;  ///< count of the first that said so; 0: the newest does not
-    bool moved_ = false;
+    std::uint64_t suspectedLeftAt_ = 0;  ///< likewise
+    bool moved_ = false, left_ = false;
 };
 
 }  // namespace terratact

@@ -342,6 +342,28 @@ TEST(Gate, asksOnlyForTheOperatorBeforeAHeartbeat)
     EXPECT_EQ(judge(heartbeat, view, kLimits), OperatorAbsent);
 }
 
+TEST(Gate, letsHeartbeatsGoOnInAPauseOfASecondWhileNothingMoves)
+{
+    const CanFrame heartbeat = consoleHeartbeat(4711, 1);
+    GateView view;
+    view.moves = false;
+    view.operatorAge = kLimits.operatorPause;
+    EXPECT_EQ(judge(heartbeat, view, kLimits), None);
+    view.operatorAge = kLimits.operatorPause + 1e-6;
+    EXPECT_EQ(judge(heartbeat, view, kLimits), OperatorAbsent);
+    for (const double bad : {kNan, -0.001}) {
+        view.operatorAge = bad;
+        EXPECT_EQ(judge(heartbeat, view, kLimits), OperatorAbsent);
+    }
+    // Nothing but the heartbeat: what moves needs an answer of now.
+    for (const Case& c : conditional()) {
+        GateView paused = approved();
+        paused.moves = false;
+        paused.operatorAge = 0.3;
+        EXPECT_EQ(verdict(c.command, paused), OperatorAbsent);
+    }
+}
+
 TEST(Gate, neverSendsAFrameOfTheRobot)
 {
     for (const CanFrame& frame : {frameOf(RobotStatus{}, 0), robotHeartbeat(1, 0)})

@@ -182,6 +182,65 @@ TEST_F(Wire, operatorWhoDoesNotAnswerEndsTheDriveAndTheArming)
     EXPECT_NE(activity(), RobotActivity::Driving);
 }
 
+TEST_F(Wire, aWindowThatFreezesWhileNothingMovesOnlyPauses)
+{
+    arm();
+    operatorThere = false;
+    pass(0.9);
+    EXPECT_EQ(phase(), ArmingPhase::Armed);
+    EXPECT_EQ(command(DriveCommand{0.2}), GateRefusal::OperatorAbsent);
+    EXPECT_EQ(command(PressCommand{18.0}), GateRefusal::OperatorAbsent);
+    operatorThere = true;
+    pass(0.1);
+    EXPECT_EQ(phase(), ArmingPhase::Armed);
+    EXPECT_EQ(activity(), RobotActivity::Halted) << "nothing was caught up on";
+    EXPECT_EQ(command(DriveCommand{0.2}), GateRefusal::None);
+    pass(0.1);
+    EXPECT_EQ(activity(), RobotActivity::Driving);
+}
+
+TEST_F(Wire, aWindowThatFreezesForMoreThanASecondDisarms)
+{
+    arm();
+    operatorThere = false;
+    pass(1.1);
+    EXPECT_EQ(phase(), ArmingPhase::Disarmed);
+    EXPECT_EQ(cause(), DisarmCause::OperatorAbsent);
+}
+
+TEST_F(Wire, aWindowThatFreezesWhileFlippersOrArmMoveDisarmsAtOnce)
+{
+    arm();
+    command(BeginAtemCommand{});
+    pass(0.1);
+    ASSERT_EQ(command(PressCommand{18.0}), GateRefusal::None);
+    operatorThere = false;
+    pass(0.12);
+    EXPECT_EQ(cause(), DisarmCause::OperatorAbsent) << "told to press, of which no status says yet";
+}
+
+TEST_F(Wire, aWindowThatFreezesDuringAnExplorationAtRestPauses)
+{
+    arm();
+    command(BeginAtemCommand{});
+    pass(0.1);
+    ASSERT_EQ(command(PressCommand{18.0}), GateRefusal::None);
+    ASSERT_TRUE(does(RobotActivity::Pressed, 15.0));
+    pass(0.6);
+    operatorThere = false;
+    pass(0.9);
+    EXPECT_EQ(phase(), ArmingPhase::Armed);
+    EXPECT_EQ(activity(), RobotActivity::Pressed);
+    operatorThere = true;
+    pass(0.1);
+    console.approve(4, now);
+    EXPECT_EQ(command(ProbeCommand{4}), GateRefusal::None);
+    pass(0.2);
+    operatorThere = false;
+    pass(0.12);
+    EXPECT_EQ(cause(), DisarmCause::OperatorAbsent) << "the arm moves";
+}
+
 TEST_F(Wire, cutWireDisarmsBothAndNothingStartsAgain)
 {
     arm();

@@ -9,6 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "core/atem/drive_watch.h"
+#include "core/atem/stall_watch.h"
+
 #include "core/sim/sensor_noise.h"
 
 namespace terratact {
@@ -160,6 +163,72 @@ TEST(PoseWatch, believesTwoLinesInARow)
     watch.look(scene(), 5);
     watch.look(scene(), 6);
     EXPECT_TRUE(watch.hasMoved()) << "the scene is not the same any more";
+}
+
+TEST(PoseWatch, aDriveThatMovesNothingLeavesNoPlace)
+{
+    Measurement scene;
+    scene.travelled = 1.0;
+    scene.turned = 0.0;
+    PoseWatch watch(scene);
+    Measurement m = scene;
+    m.activity = RobotActivity::Driving;
+    m.frontLeft += 0.5;  // it comes up first
+    for (std::uint64_t count = 1; count <= 20; ++count) watch.look(m, count);
+    EXPECT_TRUE(watch.hasMoved()) << "another pose to rest on";
+    EXPECT_FALSE(watch.hasLeft());
+    *m.travelled += PoseWatch::kTravelled + 0.001;
+    watch.look(m, 21);
+    EXPECT_FALSE(watch.hasLeft()) << "one outlier";
+    watch.look(m, 22);
+    EXPECT_TRUE(watch.hasLeft());
+    watch.look(scene, 23);
+    EXPECT_TRUE(watch.hasLeft()) << "once left it stays left";
+}
+
+TEST(PoseWatch, aDriveWithoutOdometryLeavesThePlace)
+{
+    PoseWatch watch(Measurement{});
+    Measurement m;
+    m.activity = RobotActivity::Driving;
+    watch.look(m, 1);
+    watch.look(m, 2);
+    EXPECT_TRUE(watch.hasLeft());
+}
+
+TEST(DriveWatch, tellsOnceOfADriveThatGetsNowhere)
+{
+    DriveWatch watch;
+    Measurement m;
+    m.activity = RobotActivity::Driving;
+    m.travelled = 0.0;
+    double now = 10.0;
+    const auto pass = [&](double seconds, double speed) {
+        int told = 0;
+        for (int i = 0; i < static_cast<int>(seconds / 0.05 + 0.5); ++i) {
+            *m.travelled += speed * 0.05;
+            told += watch.look(m, now += 0.05);
+        }
+        return told;
+    };
+    EXPECT_EQ(pass(5.0, 0.2), 0);
+    EXPECT_EQ(pass(5.0, 0.0), 1);
+    EXPECT_EQ(pass(1.0, -0.2), 0);
+    EXPECT_EQ(pass(5.0, 0.0), 1) << "anew after a move";
+    m.activity = RobotActivity::Halted;
+    EXPECT_EQ(pass(5.0, 0.0), 0);
+}
+
+TEST(StallWatch, tellsForHowLongNobodyLooked)
+{
+    StallWatch watch;
+    EXPECT_FALSE(watch.look(5.0)) << "nothing came before";
+    EXPECT_FALSE(watch.look(5.01));
+    EXPECT_FALSE(watch.look(5.1));
+    const auto frozen = watch.look(5.41);
+    ASSERT_TRUE(frozen);
+    EXPECT_NEAR(*frozen, 0.31, 1e-12);
+    EXPECT_FALSE(watch.look(5.43));
 }
 
 }  // namespace
