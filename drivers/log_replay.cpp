@@ -172,7 +172,11 @@ Result<std::unique_ptr<LogReplay>> LogReplay::open(const std::string& path, cons
     replay->remarks_ = std::move(found->remarks);
     const auto& silences = found->interfaces[*interface].silences;
     replay->remarks_.insert(replay->remarks_.end(), silences.begin(), silences.end());
+    replay->again_ = [from = *source] { return from.read(); };
     if (const Status done = replay->fetch(); !done) return done.error();
+    replay->firstTime_ = replay->logTime_;
+    replay->told_.at = 0.0;
+    replay->told_.length = found->interfaces[*interface].last - replay->firstTime_;
     return replay;
 }
 
@@ -201,17 +205,78 @@ Status LogReplay::fetch()
     const double wait = (logTime_ - before) / options_.speed;
     if (due_) *due_ += wait > kLongestWait ? kShortWait : wait;
     const std::lock_guard lock(mutex_);
+    told_.at = next_ ? logTime_ - firstTime_ : told_.length;
     counters_.dropped = log_.dropped();
     ended_ = !next_;
     return Done{};
+}
+
+/// What was asked for since the last time.
+Status LogReplay::obey(double now)
+{
+    std::optional<double> to;
+    bool paused = false;
+    {
+        const std::lock_guard lock(mutex_);
+        to = std::exchange(wanted_, std::nullopt);
+        paused = told_.paused;
+        if (!to && ended_ && told_.repeats && told_.length > 0.0) to = 0.0;
+    }
+    if (to) {
+        if (const Status done = goTo(*to, now); !done) return done;
+    }
+    if (paused && !pausedAt_) pausedAt_ = now;
+    if (!paused && pausedAt_) *due_ += now - *std::exchange(pausedAt_, std::nullopt);
+    return Done{};
+}
+
+Status LogReplay::goTo(double seconds, double now)
+{
+    if (!next_ || firstTime_ + seconds < logTime_) {
+        Result<LogReader> log = again_();
+        if (!log) return log.error();
+        log_ = *std::move(log);
+        logTime_ = 0.0;
+        if (const Status done = fetch(); !done) return done;
+    }
+    while (next_ && logTime_ < firstTime_ + seconds)
+        if (const Status done = fetch(); !done) return done;
+    due_ = now;
+    if (pausedAt_) pausedAt_ = now;
+    return Done{};
+}
+
+void LogReplay::setPaused(bool paused)
+{
+    const std::lock_guard lock(mutex_);
+    told_.paused = paused;
+}
+
+void LogReplay::setRepeats(bool repeats)
+{
+    const std::lock_guard lock(mutex_);
+    told_.repeats = repeats;
+}
+
+void LogReplay::seek(double seconds)
+{
+    const std::lock_guard lock(mutex_);
+    wanted_ = std::max(0.0, seconds);
+}
+
+LogReplay::Progress LogReplay::progress() const
+{
+    const std::lock_guard lock(mutex_);
+    return told_;
 }
 
 Result<std::size_t> LogReplay::takeDue(std::span<BusFrame> frames)
 {
     const double now = clock_.now();
     if (!due_) due_ = now;
+    if (const Status done = obey(now); !done) return done.error();
     std::size_t count = 0;
-    for (; count < frames.size() && next_ && *due_ <= now; ++count) {
+    for (; !pausedAt_ && count < frames.size() && next_ && *due_ <= now; ++count) {
         frames[count] = {.frame = next_->frame,
                          .time = *due_,
                          .wallTime = *next_->time,
@@ -237,7 +302,8 @@ Result<std::size_t> LogReplay::receive(std::span<BusFrame> frames,
         if (!count || *count > 0) return count;
         const double now = clock_.now();
         if (now >= until) return std::size_t{0};
-        clock_.sleep((next_ ? std::min(*due_, until) : until) - now);
+        const bool waitsForFrame = next_ && !pausedAt_ && *due_ > now;
+        clock_.sleep((waitsForFrame ? std::min(*due_, until) : until) - now);
     }
 }
 

@@ -26,6 +26,11 @@ public:
         };                   ///< of which frames are replayed; empty: of the only one there is
         double speed = 1.0;  ///< seconds of the log per second
     };
+    /// How far it is.
+    struct Progress {
+        double at = 0.0, length = 0.0;  ///< [s] of the log since its first frame
+        bool paused = false, repeats = false;
+    };
     struct Clock {
         std::function<double()> now;        ///< [s] steady
         std::function<void(double)> sleep;  ///< [s]
@@ -51,6 +56,13 @@ public:
     Result<std::size_t> receive(std::span<BusFrame> frames,
                                 std::chrono::milliseconds patience) override;
 
+    // From any thread; what is asked for last holds at the next receive().
+    void setPaused(bool paused);    ///< brings nothing meanwhile, and misses nothing
+    void setRepeats(bool repeats);  ///< begins again after the last frame
+    /// Goes on with the first frame at or after so many seconds of the log, also from its end.  A receiver sees a gap.
+    void seek(double seconds);
+    Progress progress() const;
+
     /// Always an Error.
     Status send(const CanFrame& frame) override;
 
@@ -70,17 +82,24 @@ public:
 private:
     LogReplay(std::string name, LogReader log, Options options, Clock clock);
     Status fetch();
+    Status obey(double now);
+    Status goTo(double seconds, double now);
     Result<std::size_t> takeDue(std::span<BusFrame> frames);
 
     std::string name_;
     LogReader log_;
+    std::function<Result<LogReader>()> again_;  ///< the log from its begin
     Options options_;
     Clock clock_;
     std::optional<LoggedFrame> next_;
     std::vector<std::string> remarks_;
-    double logTime_ = 0.0;       ///< [s] of next_, since the log's beginning, on its even clock
-    std::optional<double> due_;  ///< of next_, on the clock; empty before the first receive()
-    mutable std::mutex mutex_;   ///< guards the two below
+    double logTime_ = 0.0;    ///< [s] of next_, since the log's beginning, on its even clock
+    double firstTime_ = 0.0;  ///< [s] likewise, of the first frame
+    std::optional<double> pausedAt_;  ///< [s] on the clock
+    std::optional<double> due_;       ///< of next_, on the clock; empty before the first receive()
+    mutable std::mutex mutex_;        ///< guards those below
+    Progress told_;
+    std::optional<double> wanted_;  ///< [s] to seek
     BusCounters counters_;
     bool ended_ = false;
 };

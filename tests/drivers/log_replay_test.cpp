@@ -243,5 +243,52 @@ TEST_F(Replaying, needsNoClockToBeGiven)
     EXPECT_EQ(receive(**bus, 10'000ms), 1U) << "due after half a millisecond";
 }
 
+TEST_F(Replaying, pausesAndMissesNothing)
+{
+    const auto bus = open(kThree);
+    ASSERT_TRUE(bus);
+    receive(**bus, 0ms);
+    (*bus)->setPaused(true);
+    EXPECT_EQ(receive(**bus, 10s), 0U);
+    EXPECT_TRUE((*bus)->progress().paused);
+    (*bus)->setPaused(false);
+    const double on = now;
+    ASSERT_EQ(receive(**bus, 10s), 1U);
+    EXPECT_NEAR(now, on + 0.5, 1e-9) << "as long as there was left";
+}
+
+TEST_F(Replaying, goesToATimeAlsoBackFromItsEnd)
+{
+    const auto bus = open(kThree);
+    ASSERT_TRUE(bus);
+    EXPECT_NEAR((*bus)->progress().length, 0.5, 1e-9);
+    receive(**bus, 0ms);
+    (*bus)->seek(0.3);
+    ASSERT_EQ(receive(**bus, 0ms), 1U) << "at once, with the first frame from then on";
+    EXPECT_EQ(frames[0].wallTime, 1000.5);
+    EXPECT_EQ((*bus)->state(), BusState::Ended);
+    (*bus)->seek(0.0);
+    ASSERT_EQ(receive(**bus, 0ms), 2U);
+    EXPECT_EQ(frames[0].frame.id, 0x44U);
+    EXPECT_GE(frames[0].time, 5000.0) << "ages count on the clock";
+    EXPECT_EQ((*bus)->state(), BusState::Up);
+    (*bus)->seek(99.0);
+    EXPECT_EQ(receive(**bus, 0ms), 0U);
+    EXPECT_EQ((*bus)->state(), BusState::Ended);
+}
+
+TEST_F(Replaying, repeatsWhereThatIsWanted)
+{
+    const auto bus = open(kThree);
+    ASSERT_TRUE(bus);
+    (*bus)->setRepeats(true);
+    std::size_t count = 0;
+    for (int i = 0; i < 40; ++i) count += receive(**bus, 100ms);
+    EXPECT_GE(count, 9U);
+    (*bus)->setRepeats(false);
+    for (int i = 0; i < 40; ++i) receive(**bus, 100ms);
+    EXPECT_EQ((*bus)->state(), BusState::Ended);
+}
+
 }  // namespace
 }  // namespace terratact
