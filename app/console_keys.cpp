@@ -24,11 +24,27 @@ void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, 
         {std::move(of), meaning, [button] { button->hold(); }, [button] { button->letGoSoon(); }});
 }
 
-/// A key acts only where one sees what it acts on.
-std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act)
+/// A key that is held to drive, and says why where it does not.
+void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning,
+                 HeldButton* button, MainWindow& window)
 {
-    return [button, act = std::move(act)] {
-        if (button->isVisible() && button->isEnabled()) act();
+    const auto press = [button, &window] {
+        if (button->isEnabled() && button->isVisible()) return button->hold();
+        const QString why = window.exploration().whyNotDriving();
+        window.sayWhyNot(
+            MainWindow::tr("not driven: %1")
+                .arg(why.isEmpty() ? MainWindow::tr("it is done on the page Terrain (F2)") : why));
+    };
+    keys.add({std::move(of), meaning, press, [button] { button->letGoSoon(); }});
+}
+
+/// A key acts only where one sees what it acts on.
+enum class Needs { Sight, Use };
+std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
+                             Needs needs = Needs::Use)
+{
+    return [button, needs, act = std::move(act)] {
+        if (button->isVisible() && (button->isEnabled() || needs == Needs::Sight)) act();
     };
 }
 
@@ -75,10 +91,10 @@ void addRobotKeys(KeyTable& keys, MainWindow& window)
               .pressed = [exploration] { exploration->stop(); },
               .everywhere = true});
     addHeld(keys, {Qt::Key_R}, MainWindow::tr("release STOP"), window.atemPanel()->releaseButton());
-    addHeld(keys, {Qt::Key_W, Qt::Key_Up}, MainWindow::tr("drive forward"),
-            window.drivePad()->forwardButton());
-    addHeld(keys, {Qt::Key_S, Qt::Key_Down}, MainWindow::tr("drive back"),
-            window.drivePad()->backButton());
+    addDriveKey(keys, {Qt::Key_W, Qt::Key_Up}, MainWindow::tr("drive forward"),
+                window.drivePad()->forwardButton(), window);
+    addDriveKey(keys, {Qt::Key_S, Qt::Key_Down}, MainWindow::tr("drive back"),
+                window.drivePad()->backButton(), window);
     if (window.link())
         keys.add({{Qt::Key_M},
                   MainWindow::tr("arm the robot: press, then hold; again disarms it"),
@@ -98,6 +114,9 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               MainWindow::tr("override what is doubtful about exploring"),
               ifSeen(panel->overrideButton(), [exploration] { exploration->overrideDoubts(); })});
     addAnswerKeys(keys, window.probeCard());
+    keys.add({{Qt::Key_B},
+              MainWindow::tr("ask for a probe: of the bin shown up close, else the best"),
+              ifSeen(window.viewButton(), [&window] { window.askProbe(); })});
     keys.add({{Qt::Key_P}, MainWindow::tr("what each command needs, one after the other"), [panel] {
                   if (panel->isVisible()) panel->lookUpNext();
               }});
@@ -106,13 +125,22 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               MainWindow::tr("show some of the draws as thin lines"),
               ifSeen(window.viewButton(), [&draws] { draws.toggle(); })});
     keys.add({{Qt::Key_Escape},
-              MainWindow::tr("abort the exploration, or clear its result"),
-              [exploration, panel] {
-                  // What runs is aborted from every page; what stands is cleared only where it is seen.
-                  const bool seen = panel->abortButton()->isVisible();
-                  if (!seen && !exploring(exploration->state().phase)) return;
-                  if (panel->abortButton()->isEnabled()) exploration->abort();
+              MainWindow::tr("abort the exploration; its result stays"),
+              [exploration] {
+                  // From every page.  One that only follows has nothing to abort.
+                  if (exploring(exploration->state().phase) && !exploration->following())
+                      exploration->abort();
               }});
+    keys.add({{Qt::Key_Delete},
+              MainWindow::tr("forget the estimate"),
+              ifSeen(
+                  panel->requestButton(), [exploration] { exploration->forgetResult(); },
+                  Needs::Sight)});
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_Z)},
+              MainWindow::tr("bring back the estimate that was forgotten"),
+              ifSeen(
+                  panel->requestButton(), [exploration] { exploration->restoreResult(); },
+                  Needs::Sight)});
 }
 
 }  // namespace terratact

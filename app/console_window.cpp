@@ -1,6 +1,7 @@
 #include "app/console_window.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QKeySequence>
 #include <QLabel>
@@ -19,6 +20,7 @@
 
 #include "app/about.h"
 #include "app/letters.h"
+#include "app/preferences.h"
 #include "app/remote_stop.h"
 #include "app/text_sheet.h"
 #include "app/vector_registers.h"
@@ -36,7 +38,8 @@ namespace {
 
 const QString kPageArea = QStringLiteral("pageArea");
 constexpr QKeyCombination kKeysKey(Qt::Key_F1), kAboutKey(Qt::CTRL, Qt::Key_F1);
-constexpr int kAboutWide = 620;  // [px] at 100 %
+constexpr int kAboutWide = 620;    // [px] at 100 %
+constexpr int kPrepareEvery = 20;  // [ms]
 
 }  // namespace
 
@@ -74,6 +77,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
     qApp->installEventFilter(new CalmWheel(this));
+    connect(&prepare_, &QTimer::timeout, this, &ConsoleWindow::prepareSome);
 }
 
 QLabel* ConsoleWindow::addStrip(const QString& look)
@@ -233,8 +237,10 @@ void ConsoleWindow::addRemoteStop()
 void ConsoleWindow::showKeys()
 {
     if (!keySheet_) keySheet_ = new TextSheet(tr("Keys"), {Qt::Key_F1, Qt::Key_Question}, this);
-    keySheet_->setText(keys_.html() + QStringLiteral("<p>%1</p>").arg(aboutLine().toHtmlEscaped()),
-                       roomBelowHeader());
+    QString html = keys_.html();
+    for (const QString& line : {keysNote_, aboutLine()})
+        if (!line.isEmpty()) html += QStringLiteral("<p>%1</p>").arg(line.toHtmlEscaped());
+    keySheet_->setText(html, roomBelowHeader());
     showSheet(*keySheet_);
 }
 
@@ -264,10 +270,14 @@ void ConsoleWindow::setRoom(QSize room)
 
 void ConsoleWindow::setLook(ThemeName theme, int wanted)
 {
+    const bool sameLetters = wanted == wanted_ && fits_;
     if (theme == theme_ && wanted == wanted_) return arrange();
     theme_ = theme;
     wanted_ = wanted;
-    fitLetters();
+    if (!sameLetters) return fitLetters();
+    // No colour needs more room than another.
+    applyLook(*qApp, theme_, lookInForce().fontScale);
+    arrange();
 }
 
 QSize ConsoleWindow::room() const
@@ -352,20 +362,35 @@ void ConsoleWindow::putBelowHeader(QWidget& other) const
     other.move(corner + QPoint(spare.width() / 2, spare.height() / 2));
 }
 
+int ConsoleWindow::largestToTry() const
+{
+    const bool known = tooLarge_ && tooLarge_->room == room()
+                    && tooLarge_->arrangement == arrangement() && tooLarge_->percent <= wanted_;
+    return known ? std::max(tooLarge_->percent - kLetterStep, kSmallestFont) : wanted_;
+}
+
 void ConsoleWindow::fitLetters()
 {
-    const auto needsWith = [this](int percent) {
+    std::optional<std::pair<int, QSize>> last;
+    const auto needsWith = [this, &last](int percent) {
+        if (last && last->first == percent) return last->second;
         if (percent != lookInForce().fontScale || theme_ != lookInForce().theme)
             applyLook(*qApp, theme_, percent);
         arrange();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         forgetSizes(*this);
-        return needs();
+        last = {percent, needs()};
+        if (last->second.expandedTo(room()) != room())
+            tooLarge_ = TooLarge{percent, room(), arrangement()};
+        return last->second;
     };
     fits_ = false;  // in the making
     letScroll(false);
-    const int percent = lettersThatFit(wanted_, room(), needsWith);
+    const int percent = lettersThatFit(largestToTry(), room(), needsWith);
     setLeast(needsWith(percent));
+    arrange();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    forgetSizes(*this);
     fits_ = true;
     arrange();
     keepOnScreen();
@@ -406,9 +431,24 @@ bool ConsoleWindow::event(QEvent* event)
     return done;
 }
 
+void ConsoleWindow::prepareSome()
+{
+    constexpr qint64 kBudget = 5;  // [ms] nobody notices
+    QElapsedTimer since;
+    since.start();
+    while (!unprepared_.isEmpty() && since.elapsed() < kBudget)
+        if (QWidget* const widget = unprepared_.takeLast()) widget->ensurePolished();
+    if (unprepared_.isEmpty()) prepare_.stop();
+}
+
 void ConsoleWindow::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    if (!prepare_.isActive() && !event->spontaneous()) {
+        for (QWidget* widget : pages_->findChildren<QWidget*>())
+            if (!widget->isVisible()) unprepared_ << widget;
+        prepare_.start(kPrepareEvery);
+    }
     if (event->spontaneous() || fits_) return;
     const auto refit = [this] { QTimer::singleShot(0, this, &ConsoleWindow::fitLetters); };
     const auto watch = [this, refit](const QScreen* screen) {

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <QList>
+#include <QPointer>
 #include <QSize>
+#include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "app/key_table.h"
 #include "widgets/palette.h"
@@ -74,6 +78,8 @@ protected:
 
     KeyTable& keyTable() { return keys_; }
     void addPageKeys();  ///< of the pages there are
+    /// Below the keys in their sheet: what must be known of all of them.
+    void setKeysNote(const QString& note) { keysNote_ = note; }
     void addHelpKeys();  ///< F1 and ? show the sheet of the keys, Ctrl+F1 what this program is
 
     /// For a window without a robot: STOP, button and key, stops that of the console that opened the window, and says
@@ -85,6 +91,8 @@ protected:
     /// Lays out anew what depends on the letters in force, and as for the smallest window while it is measured.
     virtual void arrange() {}
     bool isMeasured() const { return !fits_; }
+    /// Another for another arrangement, which may need another room.
+    virtual int arrangement() const { return 0; }
 
     bool event(QEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -102,13 +110,26 @@ private:
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
     void fitLetters();
+    int largestToTry() const;
+    /// Styles some widgets of pages that were never seen, so that a page is there at once when it is first chosen.
+    void prepareSome();
     void keepOnScreen();
 
     KeyTable keys_;
+    QString keysNote_;
     ThemeName theme_;
     int wanted_;         ///< letters [%]
     QSize room_;         ///< invalid: the screen's
     bool fits_ = false;  ///< the letters have been fitted
+    /// The smallest letters [%] that were too large, and for what: larger ones need not be tried.
+    struct TooLarge {
+        int percent;
+        QSize room;
+        int arrangement;
+    };
+    std::optional<TooLarge> tooLarge_;
+    QTimer prepare_;
+    QList<QPointer<QWidget>> unprepared_;
     bool unasked_ = false;
 
     // Qt's parents own the widgets.

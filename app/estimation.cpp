@@ -49,6 +49,7 @@ void Estimation::listenToModels()
                    const QString& content) {
                 model_ = {.name = name, .details = details, .content = content};
                 if (!estimate_) track_.reset();  // it rests on the model before
+                aside_.reset();
                 emit modelChanged();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
                 resume();
@@ -70,6 +71,10 @@ void Estimation::look(const std::optional<Received>& latest, bool heard)
     if (!latest) return;
     const Measurement& newest = latest->sample.measurement;
     if (pose_) pose_->look(newest, latest->count);
+    if (aside_) {
+        aside_->pose.look(newest, latest->count);
+        aside_->wasUnheard = aside_->wasUnheard || latest->unbrokenFrom > aside_->capturedAt;
+    }
     if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))
         emit unheard();
     if (scene_ && !hasMoved() && latest->count >= capturedAt_ && !latest->suspicions.empty())
@@ -133,6 +138,7 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
 {
     const bool isNew = latest.press && latest.press->count > since;
     const Sample& sample = isNew ? latest.press->sample : latest.sample;
+    aside_.reset();
     scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
     pose_.emplace(sample.measurement);
     capturedAt_ = isNew ? latest.press->count : latest.count;
@@ -192,6 +198,33 @@ void Estimation::forget(const QString& why)
     wasUnheard_ = wasSuspected_ = false;
     readings_.clear();
     whyNone_ = why;
+}
+
+void Estimation::setAside(const QString& why)
+{
+    if (estimate_ && scene_ && pose_)
+        aside_ = Aside{*scene_,   *pose_,     capturedAt_, wasUnheard_,
+                       readings_, *estimate_, second_,     track_};
+    forgetGhost();
+    forget(why);
+}
+
+bool Estimation::restore()
+{
+    if (!isAside() || scene_) return false;
+    Aside aside = *std::exchange(aside_, std::nullopt);
+    scene_ = std::move(aside.scene);
+    pose_ = aside.pose;
+    capturedAt_ = aside.capturedAt;
+    wasUnheard_ = aside.wasUnheard;
+    readings_ = std::move(aside.readings);
+    estimate_ = std::move(aside.estimate);
+    second_ = std::move(aside.second);
+    track_ = std::move(aside.track);
+    whyNone_.clear();
+    emit stands(false);
+    adviseAnew();  // where the limit has changed meanwhile
+    return true;
 }
 
 EstimateRequest Estimation::requestFor(Method method) const
@@ -291,7 +324,7 @@ void Estimation::tellOf(const TerrainEstimate& estimate)
     emit happened(tr("estimate in %1").arg(words::age(seconds_)), Weight::Note);
     for (const std::string& warning : estimate.warnings)
         emit happened(words::sentence(warning), Weight::Doubt);
-    for (const std::string& sentence : hiddenByBands(estimate))
+    for (const std::string& sentence : hiddenByBands(estimate, options_.stepLimit))
         emit happened(words::sentence(sentence), Weight::Note);
 }
 

@@ -65,10 +65,16 @@ public:
     /// The scene, its readings and estimates, and an answer that is still to come; not the ghost, nor a preview.
     void forget(const QString& why);
     void forgetGhost() { track_.reset(); }
+    /// forget() and forgetGhost(), which restore() takes back as long as the robot has not left the place, another scene
+    /// was not captured and the model is the same.
+    void setAside(const QString& why);
+    bool isAside() const { return aside_ && !aside_->pose.hasLeft(); }
+    bool restore();  ///< false: nothing is aside
 
     // What there is.
     const std::optional<CapturedScene>& scene() const { return scene_; }
     bool hasMoved() const { return pose_ && pose_->hasMoved(); }  ///< the robot, since scene()
+    bool hasLeft() const { return pose_ && pose_->hasLeft(); }    ///< the place of scene()
     /// For so long, since scene(), that the robot may have moved all the same: only another scene tells.
     bool wasUnheard() const { return wasUnheard_; }
     /// A sensor was suspected while the robot stood at scene().
@@ -112,6 +118,18 @@ private:
         bool operator==(const Processes&) const = default;
     };
 
+    /// An estimate that the operator has taken off the screen.
+    struct Aside {
+        CapturedScene scene;
+        PoseWatch pose;
+        std::uint64_t capturedAt;
+        bool wasUnheard;
+        std::vector<ArmReading> readings;
+        TerrainEstimate estimate;
+        std::optional<TerrainEstimate> second;
+        std::optional<GhostTrack> track;
+    };
+
     void listenToModels();
     void takeAdvice(int job, const ProbeAdvice& advice);
     void offer();
@@ -141,6 +159,7 @@ private:
     bool wasUnheard_ = false;
     bool wasSuspected_ = false;
     std::vector<ArmReading> readings_;
+    std::optional<Aside> aside_;
 
     // Of the worker's jobs; 0: none is under way.
     int job_ = 0, secondJob_ = 0, liveJob_ = 0, warmUpJob_ = 0;

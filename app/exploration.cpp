@@ -38,7 +38,8 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
 
 void Exploration::takeAdvice()
 {
-    const ProbeOffer offer = probes_.offer();
+    ProbeOffer offer = probes_.offer();
+    if (const auto asked = std::exchange(askedBin_, std::nullopt)) offer = {.bin = asked};
     pending_.estimateReady = true;
     pending_.probeWanted = offer.bin.has_value();
     offered_ = pending_.probeWanted;
@@ -92,10 +93,72 @@ QString Exploration::wordsOf(NoProbe why) const
 void Exploration::request()
 {
     if (following() || armIsOut()) return;
+    askedBin_.reset();
+    explore();
+}
+
+void Exploration::explore()
+{
     emit decided("explore", {});
     pending_.requested = true;
     driving_ = false;  // the halt comes from the exploration
     driveWanted_.reset();
+}
+
+bool Exploration::inReach(int bin) const
+{
+    return bin >= 0 && bin < kBins && robot_.armSd > 0.0 && robot_.armReaches(bin);
+}
+
+QString Exploration::whyNotAsking(int bin) const
+{
+    if (following()) return following_->why();
+    if (!inReach(bin)) return tr("the arm does not reach bin %1").arg(words::binName(bin));
+    if (state_.phase == AtemPhase::ProposingProbe)
+        return probes_.stands() ? QString() : Preconditions::stands(false).text;
+    if (exploring(state_.phase)) return tr("an exploration is running");
+    for (const Precondition& need : preconditions())
+        if (need.level == Precondition::Level::Missing
+            || need.level == Precondition::Level::Doubtful)
+            return need.text;
+    return {};
+}
+
+void Exploration::askProbe(int bin)
+{
+    if (const QString why = whyNotAsking(bin); !why.isEmpty())
+        return void(emit happened(tr("no probe is asked for: %1").arg(why), Weight::Doubt));
+    if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
+    emit decided("choose", words::binName(bin));
+    emit happened(tr("a probe at %1 is wanted: the robot presses anew, then it is asked")
+                      .arg(words::binName(bin)),
+                  Weight::Note);
+    askedBin_ = bin;
+    explore();
+}
+
+void Exploration::forgetResult()
+{
+    if (exploring(state_.phase)) return;
+    const bool stood = estimation_.estimate().has_value();
+    emit decided("forget", {});
+    estimation_.setAside(tr("No estimate: explore the terrain (A)"));
+    probes_.withdraw();
+    const bool ends = state_.phase == AtemPhase::Presenting || state_.phase == AtemPhase::Failed;
+    if (ends || following()) pending_.aborted = true;
+    if (stood)
+        emit happened(tr("the estimate is off the screen: Ctrl+Z brings it back"), Weight::Note);
+}
+
+void Exploration::restoreResult()
+{
+    if (!exploring(state_.phase) && estimation_.restore()) {
+        pending_.aborted = false;
+        emit decided("restore", {});
+        emit happened(tr("the estimate is back"), Weight::Note);
+    } else {
+        emit happened(tr("no estimate can be brought back"), Weight::Note);
+    }
 }
 
 void Exploration::abort()
@@ -122,7 +185,7 @@ void Exploration::refuse(quint64 proposal)
 
 void Exploration::choose(quint64 proposal, int bin)
 {
-    if (!probes_.isCurrent(proposal) || !probes_.stands() || !probes_.mayPropose(bin)) return;
+    if (!probes_.isCurrent(proposal) || !probes_.stands() || !inReach(bin)) return;
     emit decided("choose", words::binName(bin));
     probes_.propose(bin);
     emit proposed();
@@ -379,13 +442,25 @@ void Exploration::advance()
         estimation_.forgetGhost();
         if (estimation_.estimate()) forget(tr("No estimate: explore the terrain (A)"));
     }
-    if (estimation_.hasMoved() && estimation_.estimate())
+    if (estimation_.hasLeft() && estimation_.estimate())
         forget(tr("The robot has moved: explore again (A)"));
 
     const AtemState before = state_;
     state_ = nextState(state_, in, options_.limits);
     if (state_.phase != before.phase) enter(before);
     driveOn();
+    watchDrive();
+}
+
+/// A drive that gets nowhere is told of: at the end of the built-in ground nothing else tells.
+void Exploration::watchDrive()
+{
+    if (!latest_ || !linkAlive_ || !driveWatch_.look(latest_->sample.measurement, now_)) return;
+    emit happened(
+        source_.name() == "SIMULATED ROBOT"
+            ? tr("the built-in ground ends here: drive back, or start with another --terrain")
+            : tr("the robot says that it drives, and its tracks do not move"),
+        Weight::Bad);
 }
 
 void Exploration::preview()
@@ -401,6 +476,7 @@ void Exploration::enter(const AtemState& before)
     // Also one that was offered in the very tick that ended the exploration.
     if (state_.phase != AtemPhase::ProposingProbe && state_.phase != AtemPhase::Probing)
         probes_.withdraw();
+    if (!exploring(state_.phase)) askedBin_.reset();
     switch (state_.phase) {
     case AtemPhase::Halting:
         forget(tr("Exploring: the robot halts"));

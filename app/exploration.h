@@ -12,6 +12,7 @@
 #include "app/preconditions.h"
 #include "app/probe_proposals.h"
 #include "core/atem/atem_machine.h"
+#include "core/atem/drive_watch.h"
 #include "core/robot/robot_model.h"
 #include "drivers/measurement_source.h"
 #include "widgets/atem_panel.h"
@@ -52,7 +53,13 @@ public:
     void approve(quint64 proposal);
     void refuse(quint64 proposal);
     void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
-    void setStepLimit(double metres);        ///< what counts as an obstacle
+    /// A probe of this bin, whatever the advice says of it: in place of the question that stands, or by exploring anew at
+    /// this pose, after which it is what is asked.  It is approved and sent like any other.
+    void askProbe(int bin);
+    QString whyNotAsking(int bin) const;  ///< a probe of it; empty: askProbe() may
+    void forgetResult();   ///< takes estimate and ghost off the screen, while nothing is explored
+    void restoreResult();  ///< brings back what forgetResult() took
+    void setStepLimit(double metres);  ///< what counts as an obstacle
     /// Probes are offered by it from the next estimate on; what bestProbe() ranks by changes at once.
     void setProbePolicy(ProbePolicy policy) { options_.probes = policy; }
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
@@ -87,7 +94,8 @@ public:
     bool armed() const;  ///< true without a link: such a source needs no arming
     bool following() const { return following_ != nullptr; }
     bool ended() const { return ended_; }  ///< a log that is replayed
-    QString whyNoEstimate() const;         ///< and what brings one
+    bool canRestore() const { return estimation_.isAside() && !estimation_.scene(); }
+    QString whyNoEstimate() const;  ///< and what brings one
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
     /// What a probe would buy by the estimate that stands, whether or not one is proposed; empty: nothing can be told.
     std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
@@ -114,6 +122,8 @@ signals:
 
 private:
     void takeAdvice();
+    void explore();
+    bool inReach(int bin) const;
     QString wordsOf(NoProbe why) const;
     /// The same probe by the newest advice: another question, with an id of its own.
     void askAnew();
@@ -134,6 +144,7 @@ private:
     void preview();
 
     void driveOn();
+    void watchDrive();
     void command(const Command& command);
     bool answered() const;    ///< the newest telemetry was measured after the last command
     bool hasPressed() const;  ///< the flippers, as they were last commanded to
@@ -148,7 +159,9 @@ private:
     Options options_;
     Estimation estimation_;
     ProbeProposals probes_;
-    bool offered_ = false;                  ///< a probe, when the estimate that stands came
+    bool offered_ = false;  ///< a probe, when the estimate that stands came
+    std::optional<int>
+        askedBin_;  ///< of the operator, before the estimate that it is to be asked with
     std::unique_ptr<Following> following_;  ///< null: commands leave
 
     AtemState state_;
@@ -162,6 +175,7 @@ private:
     std::uint64_t commandedAt_ = 0;
 
     bool driving_ = false;
+    DriveWatch driveWatch_;
     std::optional<DriveCommand> driveWanted_;  ///< that has not been sent yet
     double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;

@@ -35,7 +35,7 @@ void Following::tick(AtemState& state, FollowInput in, const Received& latest)
     const AtemState before = state;
     state = nextFollowed(state, in, limits_);
     if (state != before) enter(state, latest);
-    if (estimation_.hasMoved() && estimation_.estimate()) estimation_.forget(whyMoved());
+    if (estimation_.hasLeft() && estimation_.estimate()) estimation_.forget(whyMoved());
 }
 
 void Following::enter(const AtemState& state, const Received& latest)

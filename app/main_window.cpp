@@ -17,6 +17,7 @@
 #include "app/page.h"
 #include "app/preset_words.h"
 #include "app/profile_menu.h"
+#include "app/replay_bar.h"
 #include "app/session_scribe.h"
 #include "app/settings_page.h"
 #include "app/signals_page.h"
@@ -25,6 +26,7 @@
 #include "widgets/alarm_table.h"
 #include "widgets/arming_control.h"
 #include "widgets/atem_panel.h"
+#include "widgets/bin_inspector.h"
 #include "widgets/drive_pad.h"
 #include "widgets/elided_label.h"
 #include "widgets/estimate_strip.h"
@@ -120,6 +122,7 @@ void MainWindow::build(const Options& options)
     connect(addTool(tr("Open"), tr("Review a session, a log or scenes in a window of its own; "
                                    "this one goes on (Ctrl+O)")),
             &QPushButton::clicked, this, &MainWindow::open);
+    if (options.replay) addBelowPages(replayBar_ = new ReplayBar(*options.replay, this));
     addViewTool(*preferences_, tr("opens the console anew"));
     addHelpTool(demonstration(), [this](const QString& path) {
         openInAnotherWindow(path, sharedStop_->line(), notOpened());
@@ -206,6 +209,11 @@ void MainWindow::addTraining(const Options& options)
     connect(worker_.get(), &EstimatorWorker::modelLoaded, training_, &TrainingPage::adoptionDone);
     for (const auto failed : {&EstimatorWorker::modelKept, &EstimatorWorker::modelFailed})
         connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
+}
+
+int MainWindow::arrangement() const
+{
+    return static_cast<int>(preferences_->current().layout);
 }
 
 void MainWindow::arrange()
@@ -335,6 +343,9 @@ void MainWindow::connectExploration()
     Exploration* exploration = exploration_.get();
     connect(atemPanel(), &AtemPanel::requested, exploration, &Exploration::request);
     connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
+    connect(atemPanel(), &AtemPanel::forgetWanted, exploration, &Exploration::forgetResult);
+    connect(atemPanel(), &AtemPanel::probeWanted, exploration, &Exploration::askProbe);
+    connect(terrain(), &TerrainProfileView::binChosen, exploration, &Exploration::askProbe);
     connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideDoubts);
     connect(atemPanel(), &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
     connect(strip(), &EstimateStrip::cancelled, exploration, &Exploration::abort);
@@ -399,6 +410,7 @@ void MainWindow::look()
 {
     lookComes_ = false;
     const double now = steadyNow();
+    if (const auto frozen = stalls_.look(now)) tellOfStall(*frozen);
     sharedStop_->look();
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
@@ -415,6 +427,15 @@ void MainWindow::look()
                    || (exploration_->estimation().estimate().has_value() && !showsEstimate());
     const bool isLive = exploring(phase) || (latest_ && latest_->count != drawn_);
     if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);
+}
+
+/// Where commands can leave: the robot has been kept from moving for so long, or has been halted for it.
+void MainWindow::tellOfStall(double seconds)
+{
+    if (link_ && exploration_->armed())
+        tell(tr("this window froze for %1 ms: no command could leave")
+                 .arg(words::number(seconds * 1e3, 0)),
+             Weight::Doubt);
 }
 
 void MainWindow::redraw(double now)
@@ -436,6 +457,7 @@ void MainWindow::redraw(double now)
     const bool elsewhere = stop.state == StopSight::State::NoEffect && sharedStop_->hasOther();
     stopDisplay_->show(elsewhere ? StopSight{.state = StopSight::State::Elsewhere} : stop);
     showPanelLost();
+    if (replayBar_) replayBar_->look();
     notice_->look(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
@@ -545,6 +567,24 @@ void MainWindow::tell(const QString& text, Weight weight)
     events()->add(text, weight, QTime::currentTime());
 }
 
+void MainWindow::sayWhyNot(const QString& text)
+{
+    tell(text, Weight::Doubt);
+    notice_->say(text, steadyNow());
+}
+
+void MainWindow::askProbe()
+{
+    const int seen = terrain()->inspector()->bin();
+    const auto best = exploration_->bestProbe();
+    if (seen >= 0)
+        exploration_->askProbe(seen);
+    else if (best)
+        exploration_->askProbe(best->bin);
+    else
+        tell(tr("no probe is asked for: point at a bin first"), Weight::Doubt);
+}
+
 void MainWindow::defineKeys()
 {
     KeyTable& keys = keyTable();
@@ -562,7 +602,11 @@ void MainWindow::defineKeys()
         keys.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
 
     addExplorationKeys(keys, *this, profileMenu_->draws());
+    if (replayBar_) replayBar_->addKeys(keys);
 
+    setKeysNote(
+        tr("In the window of a review the same keys move in time, and no robot: A, B, M, P, K, "
+           "1 to 8, Space, Page Up and Down, Up and Down mean something else there."));
     keys.addGroup(tr("View"));
     addViewKeys(keys, *preferences_);
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});

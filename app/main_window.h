@@ -28,6 +28,7 @@
 #include "app/stop_display.h"
 #include "app/terrain_page.h"
 #include "app/tradeoff_csv.h"
+#include "core/atem/stall_watch.h"
 
 class QLabel;
 class QPushButton;
@@ -35,6 +36,8 @@ class QPushButton;
 namespace terratact {
 
 class AlarmsPage;
+class LogReplay;
+class ReplayBar;
 class SessionScribe;
 class ArmingControl;
 class SettingsPage;
@@ -53,6 +56,7 @@ public:
         QString robotDetails{};  ///< where it is from, and its hash
         std::unique_ptr<MeasurementSource> source;
         CanSource* link = nullptr;             ///< the source again, where it is a bus
+        LogReplay* replay = nullptr;           ///< of the source, where it is a log
         std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
         ModelLoader model;
         std::string modelPath;  ///< what `model` loads, for the page that compares models
@@ -91,6 +95,11 @@ public:
     ConsoleAlarms& alarms() { return *alarms_; }
     const LoopMeter& meter() const { return meter_; }
     void restartMeter();
+    void sayWhyNot(
+        const QString&
+            text);  ///< of what a key or a button did not do: an event, and a banner for a while
+    /// Of the bin that is shown up close, else the one that a probe is best spent on.
+    void askProbe();
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
@@ -120,6 +129,7 @@ private:
     /// At telemetry, panel and estimator: as telemetry and estimates come, and every 10 ms.  Draws at 25 Hz at most.
     void look();
     void lookSoon();  ///< from any thread
+    void tellOfStall(double seconds);
     void redraw(double now);
     void showTerrain(double now);
     void tickPanel(double now);
@@ -132,6 +142,7 @@ private:
     void applyPreferences(const Preferences& before);
     /// The terrain page in the layout in force, at the font scale in force.
     void arrange() override;
+    int arrangement() const override;
     /// Forces, robot and events: on the page of the terrain, or on one of their own.
     void placeCards();
     void showCards();  ///< of model and robot, on the page of the settings
@@ -168,6 +179,7 @@ private:
     std::uint64_t drawn_ = 0;  ///< Received::count of the telemetry that was drawn last
     QTimer look_;
     std::optional<Received> latest_;
+    StallWatch stalls_;           ///< of look()
     double redrawn_ = 0.0;        ///< [s] steady clock
     double numbersShown_ = 0.0;   ///< [s] those of the robot
     double closeRefused_ = -1e9;  ///< [s] the armed robot's window was to be closed, and asked
@@ -180,6 +192,7 @@ private:
     TerrainPage* terrainPage_ = nullptr;
     TrainingPage* training_ = nullptr;
     QPushButton* recording_ = nullptr;
+    ReplayBar* replayBar_ = nullptr;  ///< may be null
     ProfileMenu* profileMenu_ = nullptr;
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;

@@ -83,7 +83,9 @@ void NumbersPage::refresh(double /*now*/)
     shown_ = *sight.estimate;
     shownLimit_ = sight.stepLimit;
     table_->setEstimate(*shown_, shownLimit_);
-    summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m")
+    summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "
+                         "The verdict's P counts steps over two bins (0.2 m) anywhere ahead, the "
+                         "column those to the next bin alone")
                           .arg(words::text(name(shown_->settings.method)))
                           .arg(shown_->draws.size())
                           .arg(shown_->settings.seed)

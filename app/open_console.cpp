@@ -162,6 +162,7 @@ Result<int> openOnce(Application& application, const ConsoleOptions& options, La
 
     MainWindow::Options parts = windowOptions(options, std::move(*chosen));
     parts.link = connection->source.get();
+    parts.replay = connection->replay;
     parts.source = std::move(connection->source);
     parts.panel = std::move(*panel);
     parts.recorder = recorder;

@@ -16,6 +16,19 @@ ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
             .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2};
 }
 
+/// Of those in the arm's reach that it has not measured.
+std::optional<int> leastCertain(const ProbeBasis& basis)
+{
+    std::optional<int> widest;
+    for (int bin = 0; bin < kBins && basis.robot.armSd > 0.0; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        if (!basis.robot.armReaches(bin) || basis.estimate.origin[i] == Origin::Arm) continue;
+        if (!widest || basis.estimate.sd[i] > basis.estimate.sd[static_cast<std::size_t>(*widest)])
+            widest = bin;
+    }
+    return widest;
+}
+
 }  // namespace
 
 ProbeProposal describeProbe(const ProbeBasis& basis, int bin)
@@ -50,8 +63,10 @@ std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis)
     const std::vector<ProbeGain> gains = ranked(basis.advice, basis.policy);
     const bool isRanked = basis.policy == ProbePolicy::Question && !gains.empty();
     if (basis.advice.bin && !isRanked) return describeProbe(basis, *basis.advice.bin);
-    if (gains.empty()) return std::nullopt;
-    return describeProbe(basis, gains.front().bin);
+    if (!gains.empty()) return describeProbe(basis, gains.front().bin);
+    if (basis.advice.stepLimit <= 0.0) return std::nullopt;  // not told yet
+    const std::optional<int> widest = leastCertain(basis);
+    return widest ? std::optional(describeProbe(basis, *widest)) : std::nullopt;
 }
 
 ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
@@ -80,12 +95,6 @@ void ProbeProposals::propose(int bin)
     current_ = describeProbe(basis(), bin);
     current_->id = ++last_;
     proposedOn_ = grounds();
-}
-
-bool ProbeProposals::mayPropose(int bin) const
-{
-    return std::ranges::any_of(estimation_.advice().gains,
-                               [bin](const ProbeGain& gain) { return gain.bin == bin; });
 }
 
 bool ProbeProposals::stands() const

@@ -19,7 +19,8 @@ struct ProbeBasis {
     ProbePolicy policy;
 };
 ProbeProposal describeProbe(const ProbeBasis& basis, int bin);  ///< its id is 0
-/// Of the bin that a probe is best spent on, whether or not it is asked for; empty where nothing can be told.
+/// Of the bin that a probe is best spent on, whether or not it is asked for: without a ranking, the least certain one in
+/// the arm's reach that it has not measured.  Empty where there is none.
 std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
 
 /// The probes that are put to the operator, one at a time, each with an id of its own: what the estimate says of a
@@ -42,7 +43,6 @@ public:
 
     const std::optional<ProbeProposal>& current() const { return current_; }
     bool isCurrent(quint64 id) const { return current_ && current_->id == id; }
-    bool mayPropose(int bin) const;  ///< the advice ranks it
     /// Fingerprint of what current() rested on when it was proposed.
     const std::string& proposedOn() const { return proposedOn_; }
     /// There is a question, and what it rests on is as it was then.

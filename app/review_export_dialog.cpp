@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalBlocker>
+#include <QStandardPaths>
 #include <QVBoxLayout>
 #include <array>
 #include <utility>
@@ -32,6 +33,7 @@ enum class From : std::uint8_t { Picture, Numbers, Report, Rows };
 
 struct Choice {
     const char* name;
+    const char* part;     ///< of the name of a file
     QStringList formats;  ///< endings of the file
     From from = From::Rows;
     std::optional<ExportKind> rows{};  ///< empty: all that the format has room for
@@ -42,29 +44,40 @@ const std::array<Choice, 8>& choices()
 {
     static const std::array<Choice, 8> all{
         {{QT_TRANSLATE_NOOP("ReviewExport", "Picture of the terrain"),
+          "terrain",
           {"png", "svg", "pdf"},
           From::Picture},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Numbers of this time"), {"csv"}, From::Numbers},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Numbers of this time"),
+          "numbers",
+          {"csv"},
+          From::Numbers},
          {QT_TRANSLATE_NOOP("ReviewExport", "Report of the scene, one page"),
+          "report",
           {"pdf", "svg", "png", "html"},
           From::Report},
          {QT_TRANSLATE_NOOP("ReviewExport", "CAN frames"),
+          "frames",
           {"csv", "log", "asc", "mcap"},
           From::Rows,
           ExportKind::Frames},
          {QT_TRANSLATE_NOOP("ReviewExport", "Signals, a column for each"),
+          "signals",
           {"csv", "mcap"},
           From::Rows,
           ExportKind::Signals},
          {QT_TRANSLATE_NOOP("ReviewExport", "Estimates, a row for each bin"),
+          "estimates",
           {"csv", "mcap"},
           From::Rows,
           ExportKind::Estimates},
          {QT_TRANSLATE_NOOP("ReviewExport", "Events"),
+          "events",
           {"csv", "mcap"},
           From::Rows,
           ExportKind::Events},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Frames, signals, estimates and events"), {"mcap"}}}};
+         {QT_TRANSLATE_NOOP("ReviewExport", "Frames, signals, estimates and events"),
+          "all",
+          {"mcap"}}}};
     return all;
 }
 
@@ -87,12 +100,19 @@ QString spanWords(double first, double last)
     return ReviewExportDialog::tr("%1 to %2").arg(timeWords(first), timeWords(last));
 }
 
-QString startFile(const QString& session)
+/// Without an ending: among the documents, with what it is and of when, so that two exports are two files.
+QString startFile(const QString& session, const Choice& choice, const ExportSight& sight)
 {
-    const QFileInfo file(session);
-    const QString folder = file.absolutePath();
-    return (QFileInfo(folder).isWritable() ? folder : QDir::homePath()) + QLatin1Char('/')
-         + file.completeBaseName();
+    const auto seconds = [](double s) { return QString::number(s, 'f', 1); };
+    QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    if (!QFileInfo(folder).isDir() || !QFileInfo(folder).isWritable()) folder = QDir::homePath();
+    QString name =
+        QFileInfo(session).completeBaseName() + QLatin1Char('-') + QLatin1String(choice.part);
+    if (choice.from == From::Report)
+        name += QStringLiteral("-scene%1").arg(sight.scene);
+    else if (choice.from != From::Rows)
+        name += QStringLiteral("-%1s").arg(seconds(sight.now));
+    return folder + QLatin1Char('/') + name;
 }
 
 }  // namespace
@@ -117,7 +137,6 @@ ReviewExportDialog::ReviewExportDialog(Sources sources, QWidget* parent)
     column->addWidget(result_);
     column->addStretch(1);
     column->addWidget(buttons());
-    path_->setText(startFile(sources_.session) + QStringLiteral(".png"));
     offerFormats();
     connect(path_, &QLineEdit::textChanged, this, &ReviewExportDialog::showButtons);
     connect(&look_, &QTimer::timeout, this, &ReviewExportDialog::showSight);
@@ -231,8 +250,18 @@ void ReviewExportDialog::offerFormats()
     showSight();
 }
 
+/// Until the operator names a file himself.
+void ReviewExportDialog::nameFile()
+{
+    if (job_ || path_->text() != named_) return;
+    named_ = startFile(sources_.session, chosen(*what_), sight_) + QLatin1Char('.')
+           + format_->currentData().toString();
+    if (path_->text() != named_) path_->setText(named_);
+}
+
 void ReviewExportDialog::takeFormat()
 {
+    if (path_->text() == named_) return nameFile();
     const QFileInfo named(path_->text());
     path_->setText(named.path() + QLatin1Char('/') + named.completeBaseName() + QLatin1Char('.')
                    + format_->currentData().toString());
@@ -260,6 +289,7 @@ void ReviewExportDialog::showSight()
                      : sight_.scene > 0   ? tr("scene %1").arg(sight_.scene)
                                           : tr("no estimate stands at this time"));
     moment_->setVisible(from != From::Rows);
+    nameFile();
     visible_->setVisible(from == From::Rows);
     everything_->setVisible(from == From::Rows);
     showButtons();

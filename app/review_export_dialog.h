@@ -65,6 +65,7 @@ private:
     void showButtons();
     QString whyNotExport() const;  ///< empty: it may be written
     void takeFormat();
+    void nameFile();
     void browse();
     QString path() const;  ///< with the format's ending
     void write();
@@ -76,6 +77,7 @@ private:
     std::unique_ptr<SessionExportJob> job_;  ///< null: nothing is being written
     QString to_;  ///< the file of the newest export; path() may be another one by now
     QTimer look_;
+    QString named_;  ///< as it was proposed; another one is the operator's
 
     // Qt's parents own the widgets.
     QComboBox* what_ = nullptr;

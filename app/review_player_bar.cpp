@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "app/key_table.h"
@@ -285,6 +287,21 @@ void ReviewPlayerBar::stepLane(int lane, bool back)
     stepTo(timesOf(lanes_.lanes[lane]), back);
 }
 
+/// Where each scene is seen with its first estimate; of one that has none, where it was captured.
+QList<double> ReviewPlayerBar::sceneTimes() const
+{
+    std::map<std::int64_t, double> times;
+    for (const SceneRow& scene : session_.scenes()) times[scene.id] = secondsOf(scene.time);
+    std::set<std::int64_t> estimated;
+    for (const EstimateRow& row : session_.estimates())
+        if (row.role == EstimateRole::First && estimated.insert(row.scene).second)
+            times[row.scene] = secondsOf(row.time);
+    QList<double> sorted;
+    for (const auto& [scene, time] : times) sorted << time;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+}
+
 QList<double> ReviewPlayerBar::eventTimes() const
 {
     QList<double> times;
@@ -357,13 +374,14 @@ void ReviewPlayerBar::addStepKeys(KeyTable& keys)
         keys.add({.keys = {key}, .meaning = meaning, .pressed = std::move(act), .repeats = true});
     };
     const auto ctrl = [](Qt::Key key) { return QKeyCombination(Qt::CTRL, key); };
-    constexpr int kScenes = static_cast<int>(ReviewLane::Scenes);
     step(Qt::Key_Comma, tr("one frame back"), [this] { stepFrame(true); });
     step(Qt::Key_Period, tr("one frame on"), [this] { stepFrame(false); });
     step(ctrl(Qt::Key_Left), tr("a second back"), [this] { goTo(player_.position() - kSecond); });
     step(ctrl(Qt::Key_Right), tr("a second on"), [this] { goTo(player_.position() + kSecond); });
-    step(Qt::Key_PageUp, tr("to the scene before"), [this] { stepLane(kScenes, true); });
-    step(Qt::Key_PageDown, tr("to the next scene"), [this] { stepLane(kScenes, false); });
+    step(Qt::Key_PageUp, tr("to the scene before, with its estimate"),
+         [this] { stepTo(sceneTimes(), true); });
+    step(Qt::Key_PageDown, tr("to the next scene, with its estimate"),
+         [this] { stepTo(sceneTimes(), false); });
     step(Qt::Key_Up, tr("to the event before"), [this] { stepTo(eventTimes(), true); });
     step(Qt::Key_Down, tr("to the next event"), [this] { stepTo(eventTimes(), false); });
     for (int lane = 0; lane < kReviewLanes; ++lane) {

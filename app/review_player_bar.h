@@ -68,6 +68,7 @@ private:
     void stepFrame(bool back);
     void stepLane(int lane, bool back);
     void stepTo(const QList<double>& times, bool back);
+    QList<double> sceneTimes() const;
     QList<double> eventTimes() const;
     void speedUp(double factor);
     void setCursor(bool isA);

@@ -350,6 +350,10 @@ void ReviewWindow::defineKeys()
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("export to a file"), [this] {
                   exportShown();
               }});
+    setKeysNote(
+        tr("In the console itself the same keys command: A explores, B asks for a probe, M arms, "
+           "Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows "
+           "what a command needs, K marks, 1 to 3 ask for another bin."));
     addHelpKeys();
     addRemoteStop();
 

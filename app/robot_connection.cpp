@@ -108,6 +108,7 @@ Result<RobotConnection> connectRobot(const RobotModel& robot, const ConsoleOptio
     if (!options.can.empty() || !options.replay.empty()) {
         auto bus = namedBus(options);
         if (!bus) return bus.error();
+        connection.replay = dynamic_cast<LogReplay*>(bus->get());
         connection.source = sourceOn(std::move(*bus), robot, options, std::move(heard));
     } else {
         auto builtIn = builtInRobot(robot, options);

@@ -8,6 +8,7 @@
 #include "app/session_recorder.h"
 #include "core/result.h"
 #include "core/robot/robot_model.h"
+#include "drivers/log_replay.h"
 #include "drivers/memory_bus.h"
 #include "drivers/operator_panel.h"
 
@@ -25,6 +26,7 @@ struct BuiltInRobot {
 struct RobotConnection {
     std::unique_ptr<BuiltInRobot> builtIn;  ///< null: the robot is on a bus, or in a log
     std::unique_ptr<CanSource> source;
+    LogReplay* replay = nullptr;  ///< of the source, where it is a log
 };
 
 /// The robot on the bus or in the log that the command line names, else the built-in one.  Every frame goes to the

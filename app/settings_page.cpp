@@ -56,6 +56,9 @@ QString languageTip()
     return SettingsPage::tr("Opens the console anew");
 }
 
+constexpr int kDefaultsAnswer = 8000,
+              kDefaultsRead = 700;  // [ms] as for closing the armed robot's window
+
 QString defaultsTip()
 {
     return SettingsPage::tr("Everything on this page, and the shipped model and robot");
@@ -82,7 +85,18 @@ SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(paren
     defaults_ = new QPushButton(tr("All back to the defaults"), look);
     setTip(*defaults_, defaultsTip());
     look->body()->addWidget(defaults_);
+    defaultsAsked_.setSingleShot(true);
+    defaultsAsked_.setInterval(kDefaultsAnswer);
+    connect(&defaultsAsked_, &QTimer::timeout, this, &SettingsPage::showDefaults);
     connect(defaults_, &QPushButton::clicked, this, [this] {
+        if (!defaultsAsked_.isActive()) {
+            defaultsAsked_.start();
+            return showDefaults();
+        }
+        if (defaultsAsked_.remainingTime() > kDefaultsAnswer - kDefaultsRead)
+            return;  // a double click
+        defaultsAsked_.stop();
+        showDefaults();
         store_.change([](Preferences& p) {
             Preferences plain;
             plain.window = p.window;
@@ -383,6 +397,12 @@ void SettingsPage::setReopenBlocked(const QString& why)
     block(shippedRobot_, own ? shippedTip() : shippedInUseTip(), own);
     block(defaults_, defaultsTip());
     block(language_, languageTip());
+}
+
+void SettingsPage::showDefaults()
+{
+    defaults_->setText(defaultsAsked_.isActive() ? tr("Press again: all settings go back")
+                                                 : tr("All back to the defaults"));
 }
 
 QString SettingsPage::modelCard() const

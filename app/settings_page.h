@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <functional>
 #include <vector>
 
@@ -74,6 +75,7 @@ private:
     void show();  ///< the preferences in the controls
     void change(const std::function<void(Preferences&)>& edit);
     void showCosts();
+    void showDefaults();  ///< that button, which asks once more
 
     PreferenceStore& store_;
     std::vector<PresetCost> presets_;
@@ -96,6 +98,7 @@ private:
     QPushButton* shippedModel_ = nullptr;
     QPushButton* shippedRobot_ = nullptr;
     QPushButton* defaults_ = nullptr;
+    QTimer defaultsAsked_;  ///< runs while another press takes all back
 };
 
 }  // namespace terratact

@@ -31,11 +31,10 @@ QString followedProbe(const AtemState& state)
     return TerrainPage::tr("Following: probes are approved where the robot is commanded.");
 }
 
-/// What the estimate that stands says of a probe is told where nobody is asked and nothing is under way.
-bool tellsWorth(const TerrainSight& sight)
+/// There is a probe to tell of, nobody is asked and nothing is under way.
+bool isAtRest(const TerrainSight& sight)
 {
     if (!sight.estimate || sight.live || !sight.bestProbe) return false;
-    if (sight.verdict && !sight.verdict->doubts.empty()) return false;  // nor does it count
     switch (sight.state.phase) {
     case AtemPhase::Presenting:
     case AtemPhase::Stopped:
@@ -51,8 +50,29 @@ bool tellsWorth(const TerrainSight& sight)
     return false;
 }
 
+/// What the estimate that stands says of a probe counts.
+bool tellsWorth(const TerrainSight& sight)
+{
+    return isAtRest(sight) && (!sight.verdict || sight.verdict->doubts.empty());
+}
+
+/// What a probe of the bin would tell, in a line.
+QString probeTells(const ProbeProposal& probe)
+{
+    const QString bin = words::binName(probe.bin);
+    if (!probe.worth)
+        return TerrainPage::tr("probe at %1: its height, ± %2 m instead of ± %3 m")
+            .arg(bin, words::number(probe.armSd, 2), words::number(probe.sd, 2));
+    const QString bits = words::number(probe.bitsBefore, 2);
+    return probe.tellsOfStep() ? TerrainPage::tr("probe at %1: %2 → %3 bit")
+                                     .arg(bin, bits, words::number(probe.worth->bitsAfter, 2))
+                               : TerrainPage::tr("probe at %1: no gain").arg(bin);
+}
+
 QString whyNoProbe(const TerrainSight& sight)
 {
+    if (isAtRest(sight) && !tellsWorth(sight))
+        return TerrainPage::tr("The verdict is withheld, and so is what a probe tells about it.");
     const AtemState& state = sight.state;
     if (state.followed) return followedProbe(state);
     if (state.phase == AtemPhase::Presenting) {
@@ -238,6 +258,7 @@ void TerrainPage::setSight(const TerrainSight& sight)
     strip_->setProgress(sight.progress);
     atem_->setState(sight.state, sight.time, sight.stateWords);
     atem_->setResultStands(sight.estimate || sight.ghost);
+    showProbeToAsk(sight);
     atem_->setPreconditions(sight.preconditions);
     atem_->setNeeds(Commanded::Drive, sight.driving);
     atem_->setNeeds(Commanded::Arm, sight.arming);
@@ -377,15 +398,17 @@ void TerrainPage::showVerdict(const TerrainSight& sight)
     const ProbeProposal* const proposal = sight.proposal    ? sight.proposal
                                         : tellsWorth(sight) ? &*sight.bestProbe
                                                             : nullptr;
-    if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit()) {
-        const QString bin = words::binName(proposal->bin);
-        const QString bits = words::number(proposal->bitsBefore, 2);
-        probe = proposal->tellsOfStep()
-                  ? tr("probe at %1: %2 → %3 bit")
-                        .arg(bin, bits, words::number(proposal->worth->bitsAfter, 2))
-                  : tr("probe at %1: no gain").arg(bin);
-    }
+    if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
+        probe = probeTells(*proposal);
     verdict_->setVerdict(*sight.verdict, probe);
+}
+
+/// Where the verdict cannot tell, always: the bin, what is expected of it, and the button that asks for it.
+void TerrainPage::showProbeToAsk(const TerrainSight& sight)
+{
+    const bool open = sight.verdict && sight.verdict->outlook == Outlook::CannotTell;
+    if (!open || !isAtRest(sight)) return atem_->setProbeToAsk(std::nullopt, {});
+    atem_->setProbeToAsk(sight.bestProbe->bin, probeTells(*sight.bestProbe));
 }
 
 void TerrainPage::showProbe(const TerrainSight& sight)
@@ -393,7 +416,10 @@ void TerrainPage::showProbe(const TerrainSight& sight)
     const bool asking = sight.proposal && sight.state.phase == AtemPhase::ProposingProbe;
     // What asks or moves is shown in every layout.
     const bool needed = asking || sight.probingBin;
-    probe_->setVisible((layout_->layout() == Layout::Probe && !isTight()) || needed);
+    const bool open = sight.verdict && sight.verdict->outlook == Outlook::CannotTell;
+    probe_->setVisible(
+        ((layout_->layout() == Layout::Probe || (open && isAtRest(sight))) && !isTight())
+        || needed);
     drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
     // In large letters the question needs the room; the robot stands still while it is asked.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
@@ -407,7 +433,7 @@ void TerrainPage::showProbe(const TerrainSight& sight)
         probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
     } else if (sight.probingBin) {
         probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);
-    } else if (tellsWorth(sight)) {
+    } else if (isAtRest(sight)) {
         probe_->setWorth(*sight.bestProbe, whyNoProbe(sight));
     } else {
         probe_->setNothing(whyNoProbe(sight));

@@ -135,6 +135,7 @@ private:
     void showPose(const TerrainSight& sight);
     void showVerdict(const TerrainSight& sight);
     void showProbe(const TerrainSight& sight);
+    void showProbeToAsk(const TerrainSight& sight);
     void showForcesAge(const TerrainSight& sight);
     void showThreshold();
 

@@ -99,6 +99,9 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     request_->setFocusPolicy(Qt::TabFocus);
     abort_ = new QPushButton(tr("Abort (Esc)"), this);
     abort_->setFocusPolicy(Qt::TabFocus);
+    ask_ = new QPushButton(this);
+    ask_->setFocusPolicy(Qt::TabFocus);
+    ask_->hide();
     release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), &Theme::caution, this);
     release_->setAccessibleName(tr("Hold to release STOP"));
     setTip(*release_, tr("Lets commands through again; the robot does not move by itself"));
@@ -116,7 +119,8 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     texts_->column()->addStretch(1);
     auto* others = new QHBoxLayout;
     others->setSpacing(8);
-    for (QPushButton* button : std::initializer_list<QPushButton*>{override_, abort_, release_})
+    for (QPushButton* button :
+         std::initializer_list<QPushButton*>{override_, abort_, ask_, release_})
         others->addWidget(button, 1);
     buttons_ = new QHBoxLayout;
     buttons_->setSpacing(8);
@@ -129,7 +133,15 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     body()->addLayout(parts_, 1);
 
     connect(request_, &QPushButton::clicked, this, &AtemPanel::requested);
-    connect(abort_, &QPushButton::clicked, this, &AtemPanel::aborted);
+    connect(abort_, &QPushButton::clicked, this, [this] {
+        if (forgets())
+            emit forgetWanted();
+        else
+            emit aborted();
+    });
+    connect(ask_, &QPushButton::clicked, this, [this] {
+        if (askBin_) emit probeWanted(*askBin_);
+    });
     connect(release_, &HoldToConfirmButton::confirmed, this, &AtemPanel::stopReleased);
     setState({}, std::nullopt);
     setPreconditions({});
@@ -276,6 +288,20 @@ void AtemPanel::setResultStands(bool stands)
     if (std::exchange(resultStands_, stands) != stands) showButtons();
 }
 
+void AtemPanel::setProbeToAsk(std::optional<int> bin, const QString& tells)
+{
+    if (bin == askBin_ && tells == askTells_) return;
+    askBin_ = bin;
+    askTells_ = tells;
+    showButtons();
+}
+
+/// What is on the screen, rather than ending what the robot does.
+bool AtemPanel::forgets() const
+{
+    return !exploring(state_.phase);
+}
+
 void AtemPanel::showList()
 {
     const QList<Precondition> preconditions = listOf(listed());
@@ -360,7 +386,7 @@ void AtemPanel::showButtons()
 {
     if (onlyShows_) {
         for (QPushButton* const button :
-             std::initializer_list<QPushButton*>{request_, override_, abort_, release_}) {
+             std::initializer_list<QPushButton*>{request_, override_, abort_, ask_, release_}) {
             button->setEnabled(false);
             button->hide();
         }
@@ -378,7 +404,9 @@ void AtemPanel::showButtons()
                     || (!busy && resultStands_);
 
     request_->setVisible(!stopped && !(narrow_ && busy));
-    abort_->setVisible(!stopped);
+    const bool asks = askBin_ && !busy && !stopped && !state_.followed && doubtful.isEmpty();
+    abort_->setVisible(!stopped && !asks);
+    ask_->setVisible(asks);
     release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
     const bool overrides = !busy && !stopped && missing.isEmpty() && !doubtful.isEmpty();
@@ -395,10 +423,19 @@ void AtemPanel::showButtons()
     setTip(*request_, tip + QLatin1Char('\n') + linesOf(needs));
     const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
     abort_->setEnabled(busy || ended);
-    abort_->setText(clears ? tr("Forget (Esc)") : tr("Abort (Esc)"));
+    abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
+    if (asks) {
+        ask_->setText(tr("Probe at %1 (B)").arg(words::binName(*askBin_)));
+        ask_->setEnabled(missing.isEmpty());
+        setTip(*ask_, (missing.isEmpty()
+                           ? tr("The robot presses anew, then the arm is proposed; nothing moves "
+                                "the arm before you approve it")
+                           : tr("Not possible now:") + QLatin1Char('\n') + linesOf(needs))
+                          + QLatin1Char('\n') + askTells_);
+    }
     setTip(*abort_, !abort_->isEnabled() ? tr("No exploration is running")
-                    : clears             ? tr("Takes the result off the screen")
-                                         : tr("Halts the robot and ends the exploration"));
+                    : clears ? tr("Takes the result off the screen; Ctrl+Z brings it back")
+                             : tr("Halts the robot and ends the exploration"));
 }
 
 }  // namespace terratact

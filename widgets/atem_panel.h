@@ -43,6 +43,10 @@ public:
     /// There is something on the screen that can be taken off it, in whatever state.
     void setResultStands(bool stands);
 
+    /// The bin of which the operator may ask for a probe now, with what that would tell; empty: none.  Its button stands in
+    /// the place of the one that forgets.
+    void setProbeToAsk(std::optional<int> bin, const QString& tells);
+
     /// From now on it only shows: no button is seen.
     void forbidCommands();
     /// Little room: the buttons below each other, and while an exploration runs only the state with the button that
@@ -52,6 +56,7 @@ public:
 
     QPushButton* requestButton() const { return request_; }
     QPushButton* abortButton() const { return abort_; }
+    QPushButton* askButton() const { return ask_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
     QPushButton* overrideButton() const { return override_; }
     QPushButton* needsButton() const { return needsButton_; }  ///< whose menu looks up
@@ -59,6 +64,8 @@ public:
 signals:
     void requested();
     void aborted();
+    void forgetWanted();
+    void probeWanted(int bin);
     void stopReleased();
     void overrideWanted();
 
@@ -67,6 +74,7 @@ private:
     QString idleWords(const QString& ready) const;
     void showList();
     void showButtons();
+    bool forgets() const;
     void arrange();
     Commanded next() const;
     QList<Precondition> needsNow(Commanded command) const;
@@ -91,7 +99,10 @@ private:
     QBoxLayout* parts_ = nullptr;    ///< texts and buttons
     QBoxLayout* buttons_ = nullptr;  ///< the request and the others
     QPushButton* request_ = nullptr;
-    QPushButton* abort_ = nullptr;
+    QPushButton* abort_ = nullptr;  ///< an exploration, or forgets what has come of it
+    QPushButton* ask_ = nullptr;
+    std::optional<int> askBin_;
+    QString askTells_;
     QPushButton* override_ = nullptr;
     HoldToConfirmButton* release_ = nullptr;
 };

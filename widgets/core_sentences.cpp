@@ -268,6 +268,8 @@ namespace {
     QT_TRANSLATE_NOOP("event", "drive"),
     QT_TRANSLATE_NOOP("event", "explore"),
     QT_TRANSLATE_NOOP("event", "abort"),
+    QT_TRANSLATE_NOOP("event", "forget"),
+    QT_TRANSLATE_NOOP("event", "restore"),
     QT_TRANSLATE_NOOP("event", "halt"),
     QT_TRANSLATE_NOOP("event", "override"),
     QT_TRANSLATE_NOOP("event", "refuse"),

@@ -10,6 +10,7 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "widgets/focus_mark.h"
 #include "widgets/palette.h"
 #include "widgets/spoken.h"
 #include "widgets/target_style.h"
@@ -231,17 +232,27 @@ LookInForce lookInForce()
 
 void applyLook(QApplication& application, ThemeName name, int fontScale)
 {
+    const bool first = application.styleSheet().isEmpty();
+    const bool colours = first || name != inForce.theme,
+               letters = first || fontScale != inForce.fontScale;
+    if (!colours && !letters) return;
     current = themeOf(name);
     inForce = {name, fontScale};
     installSpokenLabels();
     keepPlotsPlain();
+    markFocus(application);
     // A style sheet wraps the style and would wrap a second one, too.
-    if (application.styleSheet().isEmpty()) QApplication::setStyle(new TargetStyle);
-    QFont font = QApplication::font();
-    font.setPixelSize(scaled(14));
-    QApplication::setFont(font);
-    QToolTip::setFont(font);
-    QApplication::setPalette(paletteOf(current));
+    if (first) QApplication::setStyle(new TargetStyle);
+    // Each of the three goes through every widget there is.
+    if (letters) {
+        QFont font = QApplication::font();
+        font.setPixelSize(scaled(14));
+        QApplication::setFont(font);
+        QToolTip::setFont(font);
+    }
+    if (colours) QApplication::setPalette(paletteOf(current));
+    // A sheet in place of another is given to each widget as often as it has ancestors (Qt 6.4); the first one only once.
+    if (!first) application.setStyleSheet(QString());
     application.setStyleSheet(styleSheet());
 }
 

@@ -8,6 +8,7 @@
 #include "core/infer/bimodality.h"
 #include "core/infer/obstacle.h"
 #include "widgets/provenance_words.h"
+#include "widgets/tips.h"
 #include "widgets/touch_words.h"
 #include "widgets/words.h"
 
@@ -19,6 +20,10 @@ NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, paren
     setHorizontalHeaderLabels({tr("bin [m]"), tr("height [m]"), tr("sd [m]"), tr("10 % [m]"),
                                tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("touch"),
                                tr("step to next"), tr("R-hat"), tr("ESS"), tr("two heights")});
+    setTip(
+        *horizontalHeaderItem(Step),
+        tr("P of a step to the next bin alone; the verdict's P counts steps within 0.2 m, which is "
+           "over two bins, and anywhere ahead"));
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(verticalHeader()->defaultSectionSize());
     verticalHeader()->setSectionResizeMode(
@@ -85,6 +90,16 @@ void NumbersTable::set(int row, Column column, const QString& text)
     if (cell->text() != text) cell->setText(text);
 }
 
+namespace {
+
+/// As other programs read it: the minus of ASCII, and nothing where there is no value.
+QString plainNumber(QString cell)
+{
+    return cell == words::kNothing ? QString() : cell.replace(QChar(0x2212), QLatin1Char('-'));
+}
+
+}  // namespace
+
 QString NumbersTable::text() const
 {
     QStringList lines, headings;
@@ -93,7 +108,8 @@ QString NumbersTable::text() const
     lines << headings.join(QLatin1Char('\t'));
     for (int row = 0; row < rowCount(); ++row) {
         QStringList cells;
-        for (int column = 0; column < kColumns; ++column) cells << item(row, column)->text();
+        for (int column = 0; column < kColumns; ++column)
+            cells << plainNumber(item(row, column)->text());
         lines << cells.join(QLatin1Char('\t'));
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

@@ -47,6 +47,21 @@ QRect TargetStyle::subControlRect(ComplexControl control, const QStyleOptionComp
     }
 }
 
+int TargetStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                             const QWidget* widget) const
+{
+    // The frame of the focus lies upon the control's edge, all around.
+    if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return 0;
+    return QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+int TargetStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* more) const
+{
+    if (hint == SH_FocusFrame_Mask) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, more);
+}
+
 QSize TargetStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
                                     const QSize& contents, const QWidget* widget) const
 {

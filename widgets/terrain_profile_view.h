@@ -79,6 +79,11 @@ public:
     BinInspector* inspector() const { return inspector_; }
     bool drawsShown() const { return drawsShown_; }
 
+signals:
+    /// A bin was asked for: by a double click, or Enter on the one that is shown up close.
+    void binChosen(int bin);
+
+public:
     /// In theme and font as they are now; by itself soon after they have changed.
     void restyle();
 

@@ -54,7 +54,8 @@ bool ReviewGhost::isForgotten(const EstimateRow& row, SessionTime left, SessionT
     for (const ModelRow& model : reader_.models())
         if (isSince(model.time) && (model.time >= left || endsAll(model.time))) return true;
     for (const EventRow& event : reader_.events())
-        if (event.kind == EventKind::Decision && event.subject == "abort" && isSince(event.time)
+        if (event.kind == EventKind::Decision
+            && (event.subject == "abort" || event.subject == "forget") && isSince(event.time)
             && endsAll(event.time))
             return true;
     return false;

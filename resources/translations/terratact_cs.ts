@@ -3581,6 +3581,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>clock</source>
         <translation>hodiny</translation>
     </message>
+    <message>
+        <source>forget</source>
+        <translation>zapomenout</translation>
+    </message>
+    <message>
+        <source>restore</source>
+        <translation>vrátit</translation>
+    </message>
 </context>
 <context>
     <name>source</name>
@@ -3847,10 +3855,6 @@ Poslední deaktivace: %1</translation>
         <translation>Zastaví robota a ukončí průzkum</translation>
     </message>
     <message>
-        <source>Takes the result off the screen</source>
-        <translation>Odstraní výsledek z obrazovky</translation>
-    </message>
-    <message>
         <source>No exploration is running</source>
         <translation>Žádný průzkum neběží</translation>
     </message>
@@ -3939,8 +3943,20 @@ Poslední deaktivace: %1</translation>
         <translation>Průzkum</translation>
     </message>
     <message>
-        <source>Forget (Esc)</source>
-        <translation>Zapomenout (Esc)</translation>
+        <source>Forget (Del)</source>
+        <translation>Zapomenout (Del)</translation>
+    </message>
+    <message>
+        <source>Probe at %1 (B)</source>
+        <translation>Sonda v %1 (B)</translation>
+    </message>
+    <message>
+        <source>The robot presses anew, then the arm is proposed; nothing moves the arm before you approve it</source>
+        <translation>Robot znovu přitlačí, pak se navrhne rameno; než je schválíte, rameno se nepohne</translation>
+    </message>
+    <message>
+        <source>Takes the result off the screen; Ctrl+Z brings it back</source>
+        <translation>Odstraní výsledek z obrazovky; Ctrl+Z ho vrátí</translation>
     </message>
 </context>
 <context>
@@ -4603,6 +4619,42 @@ F1</translation>
         <source>No estimate: STOP is latched</source>
         <translation>Bez odhadu: STOP drží</translation>
     </message>
+    <message>
+        <source>the arm does not reach bin %1</source>
+        <translation>rameno nedosáhne na úsek %1</translation>
+    </message>
+    <message>
+        <source>an exploration is running</source>
+        <translation>běží průzkum</translation>
+    </message>
+    <message>
+        <source>no probe is asked for: %1</source>
+        <translation>o sondu se nežádá: %1</translation>
+    </message>
+    <message>
+        <source>a probe at %1 is wanted: the robot presses anew, then it is asked</source>
+        <translation>žádá se sonda v %1: robot znovu přitlačí, pak přijde dotaz</translation>
+    </message>
+    <message>
+        <source>the estimate is off the screen: Ctrl+Z brings it back</source>
+        <translation>odhad je pryč z obrazovky: Ctrl+Z ho vrátí</translation>
+    </message>
+    <message>
+        <source>the estimate is back</source>
+        <translation>odhad je zpět</translation>
+    </message>
+    <message>
+        <source>no estimate can be brought back</source>
+        <translation>žádný odhad nelze vrátit</translation>
+    </message>
+    <message>
+        <source>the built-in ground ends here: drive back, or start with another --terrain</source>
+        <translation>vestavěný terén zde končí: jeďte zpět, nebo začněte s jiným --terrain</translation>
+    </message>
+    <message>
+        <source>the robot says that it drives, and its tracks do not move</source>
+        <translation>robot hlásí, že jede, a jeho pásy se nehýbou</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Following</name>
@@ -4764,10 +4816,6 @@ F1</translation>
         <translation>odmítnout ji</translation>
     </message>
     <message>
-        <source>abort the exploration, or clear its result</source>
-        <translation>přerušit průzkum, nebo smazat výsledek</translation>
-    </message>
-    <message>
         <source>to the next control, to the one before</source>
         <translation>na další prvek, na předchozí</translation>
     </message>
@@ -4911,6 +4959,42 @@ F1</translation>
         <source>THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and disarmed; or disarm it first (M)</source>
         <translation>ROBOT JE AKTIVNÍ: zavřít okno znovu do %1 s, pak se zastaví a deaktivuje; nebo nejdřív deaktivovat (M)</translation>
     </message>
+    <message>
+        <source>not driven: %1</source>
+        <translation>nejede se: %1</translation>
+    </message>
+    <message>
+        <source>it is done on the page Terrain (F2)</source>
+        <translation>jezdí se na stránce Terén (F2)</translation>
+    </message>
+    <message>
+        <source>ask for a probe: of the bin shown up close, else the best</source>
+        <translation>požádat o sondu: úseku zobrazeného zblízka, jinak nejlepšího</translation>
+    </message>
+    <message>
+        <source>abort the exploration; its result stays</source>
+        <translation>přerušit průzkum; výsledek zůstává</translation>
+    </message>
+    <message>
+        <source>forget the estimate</source>
+        <translation>zapomenout odhad</translation>
+    </message>
+    <message>
+        <source>bring back the estimate that was forgotten</source>
+        <translation>vrátit zapomenutý odhad</translation>
+    </message>
+    <message>
+        <source>this window froze for %1 ms: no command could leave</source>
+        <translation>toto okno bylo zamrzlé %1 ms: žádný povel nemohl odejít</translation>
+    </message>
+    <message>
+        <source>no probe is asked for: point at a bin first</source>
+        <translation>o sondu se nežádá: nejdřív ukažte na úsek</translation>
+    </message>
+    <message>
+        <source>In the window of a review the same keys move in time, and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down mean something else there.</source>
+        <translation>V okně prohlížení tytéž klávesy posouvají čas, ne robota: A, B, M, P, K, 1 až 8, mezerník, Page Up a Down, šipky nahoru a dolů tam znamenají něco jiného.</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -4938,10 +5022,6 @@ F1</translation>
         <translation>Odhad</translation>
     </message>
     <message>
-        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m</source>
-        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4 m</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Verdikt</translation>
     </message>
@@ -4952,6 +5032,10 @@ F1</translation>
     <message>
         <source>copy the numbers, on their page</source>
         <translation>zkopírovat čísla, na jejich stránce</translation>
+    </message>
+    <message>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. The verdict&apos;s P counts steps over two bins (0.2 m) anywhere ahead, the column those to the next bin alone</source>
+        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4 m. P verdiktu počítá schody přes dva úseky (0.2 m) kdekoli vpředu, sloupec jen ty k dalšímu úseku</translation>
     </message>
 </context>
 <context>
@@ -5011,6 +5095,10 @@ F1</translation>
     <message>
         <source>touch</source>
         <translation>ohmatáno</translation>
+    </message>
+    <message>
+        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within 0.2 m, which is over two bins, and anywhere ahead</source>
+        <translation>P schodu jen k dalšímu úseku; P verdiktu počítá schody do 0.2 m, tedy přes dva úseky, a kdekoli vpředu</translation>
     </message>
 </context>
 <context>
@@ -5422,6 +5510,77 @@ F1</translation>
     <message>
         <source>STOP NOT TAKEN: the console that opened this window does not answer; use the robot&apos;s own switch</source>
         <translation>STOP NEPŘEVZAT: konzole, která toto okno otevřela, neodpovídá; použijte vypínač na robotu</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ReplayBar</name>
+    <message>
+        <source>Replay</source>
+        <translation>Přehrávání</translation>
+    </message>
+    <message>
+        <source>◀ %1 s</source>
+        <translation>◀ %1 s</translation>
+    </message>
+    <message>
+        <source>Goes back in the log (Ctrl+Left)</source>
+        <translation>Vrátí se v záznamu zpět (Ctrl+vlevo)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pozastavit</translation>
+    </message>
+    <message>
+        <source>Halts the log, or lets it go on (Ctrl+Space)</source>
+        <translation>Zastaví záznam, nebo ho nechá běžet dál (Ctrl+mezerník)</translation>
+    </message>
+    <message>
+        <source>%1 s ▶</source>
+        <translation>%1 s ▶</translation>
+    </message>
+    <message>
+        <source>Goes on in the log (Ctrl+Right)</source>
+        <translation>Přejde v záznamu dál (Ctrl+vpravo)</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Opakovat</translation>
+    </message>
+    <message>
+        <source>Begins again at the end of the log (Ctrl+R)</source>
+        <translation>Na konci záznamu začne znovu (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>How far the log is</source>
+        <translation>Jak daleko je záznam</translation>
+    </message>
+    <message>
+        <source>pause the log, or let it go on</source>
+        <translation>pozastavit záznam, nebo ho nechat běžet dál</translation>
+    </message>
+    <message>
+        <source>back in the log</source>
+        <translation>zpět v záznamu</translation>
+    </message>
+    <message>
+        <source>on in the log</source>
+        <translation>dál v záznamu</translation>
+    </message>
+    <message>
+        <source>begin again at the end of the log, or not</source>
+        <translation>na konci záznamu začít znovu, nebo ne</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Pokračovat</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 z %2 s</translation>
+    </message>
+    <message>
+        <source>paused at %1</source>
+        <translation>pozastaveno v %1</translation>
     </message>
 </context>
 <context>
@@ -5860,14 +6019,6 @@ F1</translation>
         <translation>o sekundu vpřed</translation>
     </message>
     <message>
-        <source>to the scene before</source>
-        <translation>na předchozí scénu</translation>
-    </message>
-    <message>
-        <source>to the next scene</source>
-        <translation>na další scénu</translation>
-    </message>
-    <message>
         <source>to the event before</source>
         <translation>na předchozí událost</translation>
     </message>
@@ -5894,6 +6045,14 @@ F1</translation>
     <message>
         <source>Half as fast (H)</source>
         <translation>Poloviční rychlost (H)</translation>
+    </message>
+    <message>
+        <source>to the scene before, with its estimate</source>
+        <translation>na předchozí scénu s jejím odhadem</translation>
+    </message>
+    <message>
+        <source>to the next scene, with its estimate</source>
+        <translation>na další scénu s jejím odhadem</translation>
     </message>
 </context>
 <context>
@@ -6045,6 +6204,10 @@ F1</translation>
     <message>
         <source>at the next start</source>
         <translation>po novém spuštění</translation>
+    </message>
+    <message>
+        <source>In the console itself the same keys command: A explores, B asks for a probe, M arms, Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
+        <translation>V samotné konzoli tytéž klávesy velí: A zkoumá, B žádá o sondu, M aktivuje, mezerník schvaluje sondu, šipky nahoru a dolů jedou, Page Up a Down mění mez, P ukáže, co povel potřebuje, K značí, 1 až 3 žádají o jiný úsek.</translation>
     </message>
 </context>
 <context>
@@ -6533,6 +6696,10 @@ F1</translation>
         <source>A red alarm that sounds; 10° before the robot tips over in any case</source>
         <translation>Červený poplach se zvukem; v každém případě 10° před překlopením</translation>
     </message>
+    <message>
+        <source>Press again: all settings go back</source>
+        <translation>Stiskněte znovu: vše se vrátí</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
@@ -7007,6 +7174,14 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>Nobody asks for the arm. What it would buy:</source>
         <translation>O rameno nikdo nežádá. Co by přineslo:</translation>
+    </message>
+    <message>
+        <source>probe at %1: its height, ± %2 m instead of ± %3 m</source>
+        <translation>sonda v %1: její výška, ± %2 m místo ± %3 m</translation>
+    </message>
+    <message>
+        <source>The verdict is withheld, and so is what a probe tells about it.</source>
+        <translation>Verdikt je zadržen, a tedy i to, co o něm řekne sonda.</translation>
     </message>
 </context>
 <context>

@@ -3581,6 +3581,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>clock</source>
         <translation>Uhr</translation>
     </message>
+    <message>
+        <source>forget</source>
+        <translation>vergessen</translation>
+    </message>
+    <message>
+        <source>restore</source>
+        <translation>zurückholen</translation>
+    </message>
 </context>
 <context>
     <name>source</name>
@@ -3847,10 +3855,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Hält den Roboter an und beendet die Erkundung</translation>
     </message>
     <message>
-        <source>Takes the result off the screen</source>
-        <translation>Nimmt das Ergebnis vom Schirm</translation>
-    </message>
-    <message>
         <source>No exploration is running</source>
         <translation>Es läuft keine Erkundung</translation>
     </message>
@@ -3939,8 +3943,20 @@ Zuletzt gesperrt: %1</translation>
         <translation>Erkundung</translation>
     </message>
     <message>
-        <source>Forget (Esc)</source>
-        <translation>Vergessen (Esc)</translation>
+        <source>Forget (Del)</source>
+        <translation>Vergessen (Entf)</translation>
+    </message>
+    <message>
+        <source>Probe at %1 (B)</source>
+        <translation>Sondieren bei %1 (B)</translation>
+    </message>
+    <message>
+        <source>The robot presses anew, then the arm is proposed; nothing moves the arm before you approve it</source>
+        <translation>Der Roboter drückt erneut, dann wird der Arm vorgeschlagen; nichts bewegt den Arm, bevor Sie ihn genehmigen</translation>
+    </message>
+    <message>
+        <source>Takes the result off the screen; Ctrl+Z brings it back</source>
+        <translation>Nimmt das Ergebnis vom Schirm; Strg+Z bringt es zurück</translation>
     </message>
 </context>
 <context>
@@ -4603,6 +4619,42 @@ F1</translation>
         <source>No estimate: STOP is latched</source>
         <translation>Keine Schätzung: STOP ist eingerastet</translation>
     </message>
+    <message>
+        <source>the arm does not reach bin %1</source>
+        <translation>der Arm erreicht den Abschnitt %1 nicht</translation>
+    </message>
+    <message>
+        <source>an exploration is running</source>
+        <translation>eine Erkundung läuft</translation>
+    </message>
+    <message>
+        <source>no probe is asked for: %1</source>
+        <translation>es wird nicht nach einer Sondierung gefragt: %1</translation>
+    </message>
+    <message>
+        <source>a probe at %1 is wanted: the robot presses anew, then it is asked</source>
+        <translation>eine Sondierung bei %1 ist gewünscht: der Roboter drückt erneut, dann wird gefragt</translation>
+    </message>
+    <message>
+        <source>the estimate is off the screen: Ctrl+Z brings it back</source>
+        <translation>die Schätzung ist vom Schirm: Strg+Z bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>the estimate is back</source>
+        <translation>die Schätzung ist zurück</translation>
+    </message>
+    <message>
+        <source>no estimate can be brought back</source>
+        <translation>keine Schätzung kann zurückgeholt werden</translation>
+    </message>
+    <message>
+        <source>the built-in ground ends here: drive back, or start with another --terrain</source>
+        <translation>der eingebaute Boden endet hier: zurückfahren, oder mit anderem --terrain starten</translation>
+    </message>
+    <message>
+        <source>the robot says that it drives, and its tracks do not move</source>
+        <translation>der Roboter meldet, dass er fährt, und seine Ketten bewegen sich nicht</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Following</name>
@@ -4764,10 +4816,6 @@ F1</translation>
         <translation>sie ablehnen</translation>
     </message>
     <message>
-        <source>abort the exploration, or clear its result</source>
-        <translation>Erkundung abbrechen, oder ihr Ergebnis löschen</translation>
-    </message>
-    <message>
         <source>to the next control, to the one before</source>
         <translation>zum nächsten Element, zum vorigen</translation>
     </message>
@@ -4911,6 +4959,42 @@ F1</translation>
         <source>THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and disarmed; or disarm it first (M)</source>
         <translation>DER ROBOTER IST FREIGEGEBEN: das Fenster binnen %1 s noch einmal schließen, dann wird er angehalten und gesperrt; oder ihn erst sperren (M)</translation>
     </message>
+    <message>
+        <source>not driven: %1</source>
+        <translation>keine Fahrt: %1</translation>
+    </message>
+    <message>
+        <source>it is done on the page Terrain (F2)</source>
+        <translation>gefahren wird auf der Seite Gelände (F2)</translation>
+    </message>
+    <message>
+        <source>ask for a probe: of the bin shown up close, else the best</source>
+        <translation>nach einer Sondierung fragen: des nah gezeigten Abschnitts, sonst des besten</translation>
+    </message>
+    <message>
+        <source>abort the exploration; its result stays</source>
+        <translation>die Erkundung abbrechen; ihr Ergebnis bleibt</translation>
+    </message>
+    <message>
+        <source>forget the estimate</source>
+        <translation>die Schätzung vergessen</translation>
+    </message>
+    <message>
+        <source>bring back the estimate that was forgotten</source>
+        <translation>die vergessene Schätzung zurückholen</translation>
+    </message>
+    <message>
+        <source>this window froze for %1 ms: no command could leave</source>
+        <translation>dieses Fenster stand %1 ms still: kein Befehl konnte hinaus</translation>
+    </message>
+    <message>
+        <source>no probe is asked for: point at a bin first</source>
+        <translation>es wird nicht nach einer Sondierung gefragt: zuerst auf einen Abschnitt zeigen</translation>
+    </message>
+    <message>
+        <source>In the window of a review the same keys move in time, and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down mean something else there.</source>
+        <translation>Im Fenster einer Durchsicht bewegen dieselben Tasten die Zeit und keinen Roboter: A, B, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab bedeuten dort etwas anderes.</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -4938,10 +5022,6 @@ F1</translation>
         <translation>Schätzung</translation>
     </message>
     <message>
-        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m</source>
-        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4 m</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
     </message>
@@ -4952,6 +5032,10 @@ F1</translation>
     <message>
         <source>copy the numbers, on their page</source>
         <translation>die Zahlen kopieren, auf ihrer Seite</translation>
+    </message>
+    <message>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. The verdict&apos;s P counts steps over two bins (0.2 m) anywhere ahead, the column those to the next bin alone</source>
+        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4 m. Das P des Urteils zählt Stufen über zwei Abschnitte (0.2 m) irgendwo voraus, die Spalte nur die zum nächsten Abschnitt</translation>
     </message>
 </context>
 <context>
@@ -5011,6 +5095,10 @@ F1</translation>
     <message>
         <source>touch</source>
         <translation>ertastet</translation>
+    </message>
+    <message>
+        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within 0.2 m, which is over two bins, and anywhere ahead</source>
+        <translation>P einer Stufe nur zum nächsten Abschnitt; das P des Urteils zählt Stufen innerhalb von 0.2 m, also über zwei Abschnitte, und irgendwo voraus</translation>
     </message>
 </context>
 <context>
@@ -5422,6 +5510,77 @@ F1</translation>
     <message>
         <source>STOP NOT TAKEN: the console that opened this window does not answer; use the robot&apos;s own switch</source>
         <translation>STOP NICHT ÜBERNOMMEN: die Konsole, die dieses Fenster geöffnet hat, antwortet nicht; den Schalter am Roboter benutzen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ReplayBar</name>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>◀ %1 s</source>
+        <translation>◀ %1 s</translation>
+    </message>
+    <message>
+        <source>Goes back in the log (Ctrl+Left)</source>
+        <translation>Geht im Protokoll zurück (Strg+Links)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Halts the log, or lets it go on (Ctrl+Space)</source>
+        <translation>Hält das Protokoll an, oder lässt es weiterlaufen (Strg+Leertaste)</translation>
+    </message>
+    <message>
+        <source>%1 s ▶</source>
+        <translation>%1 s ▶</translation>
+    </message>
+    <message>
+        <source>Goes on in the log (Ctrl+Right)</source>
+        <translation>Geht im Protokoll weiter (Strg+Rechts)</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Begins again at the end of the log (Ctrl+R)</source>
+        <translation>Beginnt am Ende des Protokolls von vorn (Strg+R)</translation>
+    </message>
+    <message>
+        <source>How far the log is</source>
+        <translation>Wie weit das Protokoll ist</translation>
+    </message>
+    <message>
+        <source>pause the log, or let it go on</source>
+        <translation>das Protokoll anhalten, oder weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>back in the log</source>
+        <translation>zurück im Protokoll</translation>
+    </message>
+    <message>
+        <source>on in the log</source>
+        <translation>weiter im Protokoll</translation>
+    </message>
+    <message>
+        <source>begin again at the end of the log, or not</source>
+        <translation>am Ende des Protokolls von vorn beginnen, oder nicht</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 von %2 s</translation>
+    </message>
+    <message>
+        <source>paused at %1</source>
+        <translation>angehalten bei %1</translation>
     </message>
 </context>
 <context>
@@ -5860,14 +6019,6 @@ F1</translation>
         <translation>eine Sekunde vor</translation>
     </message>
     <message>
-        <source>to the scene before</source>
-        <translation>zur Szene davor</translation>
-    </message>
-    <message>
-        <source>to the next scene</source>
-        <translation>zur nächsten Szene</translation>
-    </message>
-    <message>
         <source>to the event before</source>
         <translation>zum Ereignis davor</translation>
     </message>
@@ -5894,6 +6045,14 @@ F1</translation>
     <message>
         <source>Half as fast (H)</source>
         <translation>Halb so schnell (H)</translation>
+    </message>
+    <message>
+        <source>to the scene before, with its estimate</source>
+        <translation>zur Szene davor, mit ihrer Schätzung</translation>
+    </message>
+    <message>
+        <source>to the next scene, with its estimate</source>
+        <translation>zur nächsten Szene, mit ihrer Schätzung</translation>
     </message>
 </context>
 <context>
@@ -6045,6 +6204,10 @@ F1</translation>
     <message>
         <source>at the next start</source>
         <translation>ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>In the console itself the same keys command: A explores, B asks for a probe, M arms, Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
+        <translation>In der Konsole selbst befehlen dieselben Tasten: A erkundet, B fragt nach einer Sondierung, M gibt frei, Leertaste genehmigt eine Sondierung, Pfeil auf und ab fahren, Bild auf und ab ändern die Grenze, P zeigt, was ein Befehl braucht, K markiert, 1 bis 3 fragen nach einem anderen Abschnitt.</translation>
     </message>
 </context>
 <context>
@@ -6533,6 +6696,10 @@ F1</translation>
         <source>A red alarm that sounds; 10° before the robot tips over in any case</source>
         <translation>Ein roter Alarm mit Ton; in jedem Fall 10° vor dem Kippen</translation>
     </message>
+    <message>
+        <source>Press again: all settings go back</source>
+        <translation>Nochmals drücken: alles zurück</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
@@ -7007,6 +7174,14 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>Nobody asks for the arm. What it would buy:</source>
         <translation>Niemand fragt nach dem Arm. Was er brächte:</translation>
+    </message>
+    <message>
+        <source>probe at %1: its height, ± %2 m instead of ± %3 m</source>
+        <translation>Sondierung bei %1: ihre Höhe, ± %2 m statt ± %3 m</translation>
+    </message>
+    <message>
+        <source>The verdict is withheld, and so is what a probe tells about it.</source>
+        <translation>Das Urteil wird zurückgehalten, und damit auch, was eine Sondierung darüber sagt.</translation>
     </message>
 </context>
 <context>

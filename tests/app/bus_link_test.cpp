@@ -166,7 +166,7 @@ TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
     QTest::keyClick(window.get(), Qt::Key_K);  // marks this moment
     const auto shown = estimation.ghost();
     ASSERT_TRUE(shown);
-    QTest::keyClick(window.get(), Qt::Key_Escape);
+    QTest::keyClick(window.get(), Qt::Key_Delete);
     ASSERT_TRUE(eventually([&] { return !estimation.ghost(); })) << "it was forgotten";
     QTest::qWait(100);
     window.reset();

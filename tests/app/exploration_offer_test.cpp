@@ -154,5 +154,103 @@ TEST_F(Bench, adviceOfTheEstimateBeforeIsNotTakenForTheNewOne)
     EXPECT_NE(offered->bin, kBin06) << "the arm has just been there";
 }
 
+TEST_F(Bench, anyBinInReachCanBeAskedForWhileAQuestionStands)
+{
+    ASSERT_NO_FATAL_FAILURE(propose());
+    const quint64 first = exploration->proposal()->id;
+    ASSERT_EQ(exploration->proposal()->bin, kBin06);
+    exploration->askProbe(8);
+    EXPECT_EQ(exploration->proposal()->bin, 8);
+    EXPECT_NE(exploration->proposal()->id, first) << "another question";
+    exploration->approve(first);
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::ProposingProbe) << "the word was for another bin";
+    exploration->askProbe(0);
+    EXPECT_EQ(exploration->proposal()->bin, 8);
+    EXPECT_TRUE(events.join(' ').contains("does not reach bin")) << events.join('|').toStdString();
+    EXPECT_EQ(sent<ProbeCommand>(), 0) << "asking moves nothing";
+    exploration->approve(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Probing));
+    EXPECT_EQ(exploration->probingBin(), 8);
+    EXPECT_EQ(sent<ProbeCommand>(), 1);
+}
+
+TEST_F(Bench, aBinAskedForLaterIsAskedAfterAPressAnew)
+{
+    ASSERT_NO_FATAL_FAILURE(propose());
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    ASSERT_EQ(exploration->whyNotAsking(8), "");
+    exploration->askProbe(8);
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Halting);
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_EQ(exploration->proposal()->bin, 8);
+    EXPECT_EQ(sent<ProbeCommand>(), 0) << "it waits for the operator's word";
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    exploration->request();
+    tick();
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_EQ(exploration->proposal()->bin, kBin06) << "asked for once, it is asked once";
+}
+
+TEST_F(Bench, aWishForAProbeEndsWithItsExploration)
+{
+    ASSERT_NO_FATAL_FAILURE(propose());
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    exploration->askProbe(8);
+    tick();
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    ASSERT_NO_FATAL_FAILURE(propose());
+    EXPECT_EQ(exploration->proposal()->bin, kBin06);
+}
+
+TEST_F(Bench, aForgottenEstimateIsBroughtBackUntilTheRobotLeaves)
+{
+    ASSERT_NO_FATAL_FAILURE(propose());
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    const TerrainEstimate shown = *exploration->estimation().estimate();
+    exploration->forgetResult();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    EXPECT_FALSE(exploration->estimation().estimate());
+    exploration->restoreResult();
+    tick(3);
+    ASSERT_TRUE(exploration->estimation().estimate());
+    EXPECT_EQ(*exploration->estimation().estimate(), shown);
+    exploration->forgetResult();
+    tick(3);
+    telemetry.pitch += 0.2;
+    tick(3);
+    exploration->restoreResult();
+    tick();
+    EXPECT_FALSE(exploration->estimation().estimate()) << "of another pose";
+}
+
+TEST_F(Bench, aDriveThatMovesNothingForgetsNothing)
+{
+    telemetry.travelled = 1.0;
+    telemetry.turned = 0.0;
+    ASSERT_NO_FATAL_FAILURE(propose());
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    telemetry.activity = RobotActivity::Driving;
+    telemetry.frontLeft += 0.3;  // they come up first
+    tick(10);
+    EXPECT_TRUE(exploration->estimation().estimate());
+    *telemetry.travelled += 0.1;
+    tick(3);
+    EXPECT_FALSE(exploration->estimation().estimate());
+}
+
 }  // namespace
 }  // namespace terratact

@@ -449,6 +449,9 @@ TEST_F(Bench, aMovedRobotEndsTheExplorationButOneOutlierDoesNot)
     tick(2);
     EXPECT_EQ(exploration->state().failure, AtemFailure::PoseChanged);
     tick();
+    EXPECT_TRUE(exploration->estimation().estimate()) << "the ground below lies where it lay";
+    telemetry.pitch += 0.1;
+    tick(3);
     EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_EQ(sent<ProbeCommand>(), 0);
 }

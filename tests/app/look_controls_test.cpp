@@ -162,5 +162,45 @@ TEST_F(Look, theSheetTellsOfEveryKeyAndEveryKeyActs)
     EXPECT_EQ(twice.entryOf(withAlt), nullptr);
 }
 
+/// Pixels of the window that are unlike in two pictures of it.
+int unlike(const QImage& a, const QImage& b)
+{
+    int count = 0;
+    for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+        for (int x = 0; x < std::min(a.width(), b.width()); ++x)
+            count += a.pixel(x, y) != b.pixel(x, y);
+    return count;
+}
+
+TEST_F(Look, whatHasTheFocusIsSeenInEveryTheme)
+{
+    explore();
+    for (const ThemeName theme : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
+        window->preferences().change([theme](Preferences& p) { p.theme = theme; });
+        std::set<std::string> seen;
+        eachPage([&] {
+            for (QWidget* control : controls(*window)) {
+                const std::string kind = std::string(control->metaObject()->className()) + " "
+                                       + control->property("role").toString().toStdString() + " "
+                                       + control->parentWidget()->objectName().toStdString();
+                if (!control->isEnabled() || !(control->focusPolicy() & Qt::TabFocus)
+                    || !seen.insert(kind).second)
+                    continue;
+                const auto picture = [&] {
+                    QWidget& around = *control->parentWidget();
+                    return around.grab(control->geometry()).toImage();
+                };
+                window->setFocus();
+                const QImage before = picture();
+                control->setFocus(Qt::TabFocusReason);
+                if (!control->hasFocus()) continue;
+                EXPECT_GE(unlike(before, picture()), 60)
+                    << kind << " " << control->accessibleName().toStdString() << ", theme "
+                    << static_cast<int>(theme);
+            }
+        });
+    }
+}
+
 }  // namespace
 }  // namespace terratact

@@ -116,6 +116,8 @@ TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
     for (int i = 0; i < 9; ++i) {
         script->setMeasurement(halted);
         QTest::keyClick(window.get(), Qt::Key_Escape);
+        QTest::qWait(50);
+        QTest::keyClick(window.get(), Qt::Key_Delete);
         ASSERT_TRUE(reaches(AtemPhase::Idle));
         ASSERT_TRUE(readyToExplore());
         QTest::keyClick(window.get(), Qt::Key_A);
@@ -133,6 +135,47 @@ TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
     std::printf("scene complete to estimate painted: median %.0f ms, worst %.0f ms of %zu\n",
                 1e3 * seconds[seconds.size() / 2], 1e3 * seconds.back(), seconds.size());
     EXPECT_LT(seconds.back(), 2.0) << "a hang";
+}
+
+/// What an action of the interface keeps the window's thread busy for without a pause [ms].
+double longestOf(MainWindow& window, const std::function<void()>& action)
+{
+    LoopBeat beat;
+    QTest::qWait(20);
+    const double before = threadMilliseconds();
+    action();
+    const double atOnce = threadMilliseconds() - before;
+    (void)window;
+    QTest::qWait(250);
+    beat.stop();
+    return std::max(atOnce, beat.own(1.0));
+}
+
+TEST_F(Console, noActionOfTheInterfaceBlocksForLong)
+{
+    ScriptedSource* source = openScripted();
+    (void)source;
+    ASSERT_TRUE(readyToExplore());
+    window->setRoom({1024, 600});
+    window->resize(1024, 600);
+    QTest::qWait(1500);  // what is prepared while nothing happens
+    const auto key = [this](int pressed, Qt::KeyboardModifiers with = Qt::NoModifier) {
+        return longestOf(
+            *window, [&] { QTest::keyClick(window.get(), static_cast<Qt::Key>(pressed), with); });
+    };
+    std::vector<std::pair<std::string, double>> took;
+    for (int page = Qt::Key_F3; page <= Qt::Key_F9; ++page)
+        took.emplace_back("F" + std::to_string(page - Qt::Key_F1 + 1), key(page));
+    took.emplace_back("F2", key(Qt::Key_F2));
+    for (const int theme : {Qt::Key_5, Qt::Key_6, Qt::Key_4})
+        took.emplace_back("theme", key(theme, Qt::ControlModifier));
+    for (const int letters :
+         {Qt::Key_Plus, Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Minus, Qt::Key_Minus, Qt::Key_0})
+        took.emplace_back("letters", key(letters, Qt::ControlModifier));
+    for (const int layout : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_2})
+        took.emplace_back("layout", key(layout, Qt::ControlModifier));
+    for (const auto& [what, ms] : took) std::printf("%-8s %6.1f ms\n", what.c_str(), ms);
+    for (const auto& [what, ms] : took) EXPECT_LT(ms, 50.0) << what;
 }
 
 }  // namespace

@@ -299,6 +299,20 @@ TEST_F(SettingsInForce, nothingThatBuildsTheWindowAnewCanBeChosenWhileExploring)
     EXPECT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
 }
 
+TEST_F(SettingsInForce, allBackToTheDefaultsAsksFirst)
+{
+    ASSERT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+    window->preferences().change([](Preferences& p) { p.obstacleLimit = 0.2; });
+    page().defaultsButton()->click();
+    page().defaultsButton()->click();  // a double click
+    EXPECT_EQ(window->preferences().current().obstacleLimit, 0.2);
+    EXPECT_TRUE(page().defaultsButton()->text().contains("again"));
+    EXPECT_TRUE(eventually([&] {
+        page().defaultsButton()->click();
+        return window->preferences().current().obstacleLimit == Preferences{}.obstacleLimit;
+    }));
+}
+
 TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
 {
     ASSERT_TRUE(eventually([&] { return window->exploration().whyNotDriving().isEmpty(); }));

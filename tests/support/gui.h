@@ -279,7 +279,8 @@ inline std::vector<std::string> overlaps(const QWidget& window)
         QList<const QWidget*> seen;
         for (const QWidget* child :
              parent->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-            if (!child->isVisible() || child->isWindow()) continue;
+            if (!child->isVisible() || child->isWindow() || child->inherits("QFocusFrame"))
+                continue;  // the frame of the focus lies upon what has it
             const bool scrolls = parent->objectName() == QLatin1String("qt_scrollarea_viewport");
             if (!scrolls && !parent->rect().contains(child->geometry()))
                 found.push_back(nameOf(*child) + " reaches beyond " + nameOf(*parent) + ", "

@@ -81,7 +81,11 @@ TEST(NumbersTable, isCopiedWithItsHeadings)
     const QStringList lines = QApplication::clipboard()->text().split('\n');
     ASSERT_GE(lines.size(), kBins + 1);
     EXPECT_EQ(lines[0].split('\t').size(), NumbersTable::kColumns);
-    EXPECT_TRUE(lines[9].startsWith(QStringLiteral("+0.5\t−0.050\t")));
+    for (const QString& line : lines) {
+        EXPECT_FALSE(line.contains(QChar(0x2212))) << "other programs read no such minus";
+        EXPECT_FALSE(line.contains("--")) << "what is not known is an empty field";
+    }
+    EXPECT_TRUE(lines[9].startsWith(QStringLiteral("+0.5\t-0.050\t")));
 }
 
 TEST(NumbersTable, showsNoHostileNumber)
