@@ -253,6 +253,8 @@ std::int64_t versionOf(const std::string& path)
 {
     constexpr std::streamoff kUserVersion = 60;
     std::array<unsigned char, 4> bytes{};
+    std::error_code none;  // a pipe would be waited for
+    if (!std::filesystem::is_regular_file(path, none)) return kSessionVersion;
     std::ifstream file(path, std::ios::binary);
     file.seekg(kUserVersion);
     file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());

@@ -110,7 +110,7 @@ class Recover(Damaged):
         self.assertEqual(sorted(p.name for p in self.path.iterdir()),
                          ["hurt-recovered-2.tts", "hurt-recovered.tts", "hurt.tts"])
         self.assertIn("is never replaced", complaint("session", "recover", cut, "--out", self.path / "hurt-recovered.tts"))
-        self.assertIn("is never replaced", complaint("session", "recover", cut, "--out", cut))
+        self.assertIn("no input is overwritten", complaint("session", "recover", cut, "--out", cut))
 
     def test_a_symbolic_link_is_not_followed(self):
         make("open", self.path / "open.tts")
