@@ -59,6 +59,7 @@ int TargetStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWi
                            QStyleHintReturn* more) const
 {
     if (hint == SH_FocusFrame_Mask) return 0;
+    if (hint == SH_FocusFrame_AboveWidget) return 1;  // else it lies below, and is not seen
     return QProxyStyle::styleHint(hint, option, widget, more);
 }
 

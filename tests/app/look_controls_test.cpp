@@ -186,9 +186,9 @@ TEST_F(Look, whatHasTheFocusIsSeenInEveryTheme)
                 if (!control->isEnabled() || !(control->focusPolicy() & Qt::TabFocus)
                     || !seen.insert(kind).second)
                     continue;
-                const auto picture = [&] {
-                    QWidget& around = *control->parentWidget();
-                    return around.grab(control->geometry()).toImage();
+                const auto picture = [&] {  // of the window: the mark lies upon it
+                    const QPoint corner = control->mapTo(window.get(), QPoint(0, 0));
+                    return window->grab({corner, control->size()}).toImage();
                 };
                 window->setFocus();
                 const QImage before = picture();
