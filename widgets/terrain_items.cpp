@@ -134,9 +134,8 @@ void BinZones::drawZone(QPainter& painter, Touch kind, const QRectF& zone,
     painter.setPen(theme().doubt);
     painter.setFont(sized(plot()->font(), 13));
     const bool bounded = kind == Touch::Bounded;  // its word stands a line below the others
-    const QString label = kind == Touch::Unrecorded ? TerrainProfileView::tr("prior only")
-                        : bounded                   ? TerrainProfileView::tr("bounded")
-                                                    : touchWord(kind);
+    const QString label =
+        kind == Touch::Unrecorded ? TerrainProfileView::tr("prior only") : touchWord(kind);
     const double width = painter.fontMetrics().horizontalAdvance(label);
     QRectF place(zone.center().x() - width / 2.0 - 2.0,
                  zone.top() + 5.0 + (bounded ? scaled(20) : 0.0), width + 4.0, scaled(20));

@@ -320,7 +320,7 @@ void TerrainProfileView::showEstimate()
                 ceilings.moveTo(binBegin(bin), e.ceiling[i]);
                 ceilings.lineTo(binEnd(bin), e.ceiling[i]);
             }
-            zones_->shown[i] = unfelt || from == Provenance::PriorOnly;
+            zones_->shown[i] = unfelt;
 
             // A segment that touches a prior-only bin is dashed.
             known.push_back(e.priorOnly(bin) ? QPointF(point.x(), kNowhere) : point);

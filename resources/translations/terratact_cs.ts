@@ -7310,10 +7310,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>bin %1: %2</source>
         <translation>úsek %1: %2</translation>
     </message>
-    <message>
-        <source>bounded</source>
-        <translation>omezeno</translation>
-    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -7341,16 +7337,16 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>ohmatáno zčásti</translation>
     </message>
     <message>
-        <source>bounded, not felt</source>
-        <translation>omezeno, neohmatáno</translation>
-    </message>
-    <message>
         <source>not felt</source>
         <translation>neohmatáno</translation>
     </message>
     <message>
         <source>not recorded</source>
         <translation>nezaznamenáno</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>omezeno</translation>
     </message>
 </context>
 <context>

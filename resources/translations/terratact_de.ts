@@ -7310,10 +7310,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>bin %1: %2</source>
         <translation>Feld %1: %2</translation>
     </message>
-    <message>
-        <source>bounded</source>
-        <translation>begrenzt</translation>
-    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -7341,16 +7337,16 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>teils ertastet</translation>
     </message>
     <message>
-        <source>bounded, not felt</source>
-        <translation>begrenzt, nicht ertastet</translation>
-    </message>
-    <message>
         <source>not felt</source>
         <translation>nicht ertastet</translation>
     </message>
     <message>
         <source>not recorded</source>
         <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>begrenzt</translation>
     </message>
 </context>
 <context>
