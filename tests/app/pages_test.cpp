@@ -379,7 +379,8 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
                             .step = {0.99, 0.004},
                             .likeliest = 8,
                             .likeliestP = 0.97,
-                            .doubts = {}};
+                            .doubts = {},
+                            .toHorizon = {}};
     sight.age = 0.04;
     page.refresh(0.0);
     EXPECT_EQ(line->text(),
