@@ -176,6 +176,9 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     c->add_flag("--probes", o->probes,
                 "Simulate probes chosen by largest sd, by expected variance and by the step "
                 "question");
+    c->add_flag("--missing", o->missing,
+                "Print instead what the methods err where currents or forces were not measured")
+        ->excludes(card);
     addSettings(*c, o->settings, o->seconds);
     c->callback([o, methods, &job, words] {
         o->methods = methodsFrom(*methods);

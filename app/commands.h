@@ -61,6 +61,7 @@ struct EvaluateOptions {
     std::string classes;                ///< index file; empty: no table by class
     std::string classColumn = "class";  ///< of the index file
     bool probes = false;                ///< also simulate probes by three rules
+    bool missing = false;               ///< instead: what every method errs without some sensors
     std::optional<Shard> shard;         ///< writes the findings of this part alone
     bool card = false;                  ///< also writes what the methods err into the model's card
     std::string command;                ///< without --shard and --out

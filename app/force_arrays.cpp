@@ -67,7 +67,8 @@ std::vector<ForceArray> ForceArrays::of(const Measurement& measurement,
         arrays.emplace_back();
         beyondBias.emplace_back();
         for (std::size_t e = 0; e < measurement.force.size(); ++e)
-            arrays[0].elements[e].newtons = beyondBias[0][e] = measurement.force[e];
+            if (!measurement.missing[kFirstForceFeature + e])
+                arrays[0].elements[e].newtons = beyondBias[0][e] = measurement.force[e];
     }
     drifts_.resize(arrays.size());
     const bool unloaded = isUnloaded(measurement, threshold);

@@ -34,7 +34,10 @@ QString differenceWords(const ReviewMoment& a, const ReviewMoment& b)
     const auto known = [both](double value) { return both ? value : kNone; };
     QStringList forces;
     for (std::size_t i = 0; i < from.force.size(); ++i)
-        forces << words::signedNumber(known(to.force[i] - from.force[i]), 1);
+        forces << words::signedNumber(
+            known(shownFeature(to, kFirstForceFeature + i, to.force[i])
+                  - shownFeature(from, kFirstForceFeature + i, from.force[i])),
+            1);
     return DifferenceWords::tr("B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N")
         .arg(words::signedNumber(secondsOf(b.time - a.time), 3),
              words::degrees(known(second.pitch - first.pitch)),
@@ -51,10 +54,16 @@ QString numbersCsv(const ReviewMoment& moment)
     if (const auto& m = moment.measurement) {
         row << field(secondsOf(moment.measured));
         for (const double value :
-             {m->pitch, m->roll, m->frontLeft, m->frontRight, m->rearLeft, m->rearRight,
-              m->frontLeftCurrent, m->frontRightCurrent, m->rearLeftCurrent, m->rearRightCurrent})
+             {m->pitch, m->roll, m->frontLeft, m->frontRight, m->rearLeft, m->rearRight})
             row << field(value);
-        for (const double force : m->force) row << field(force);
+        const auto put = [&](std::size_t feature, double value) {
+            row << (m->missing[feature] ? QString() : field(value));
+        };
+        put(kFrontCurrentFeature, m->frontLeftCurrent);
+        put(kFrontCurrentFeature, m->frontRightCurrent);
+        put(kRearCurrentFeature, m->rearLeftCurrent);
+        put(kRearCurrentFeature, m->rearRightCurrent);
+        for (std::size_t e = 0; e < m->force.size(); ++e) put(kFirstForceFeature + e, m->force[e]);
     } else {
         while (row.size() < 12 + kForceElements) row << QString();
     }

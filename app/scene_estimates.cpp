@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <random>
 #include <utility>
 
 #include "app/parallel.h"
@@ -27,6 +28,16 @@ SceneEstimate noted(TerrainEstimate estimate)
 {
     std::string note = joined(estimate.warnings);
     return {std::move(estimate), std::move(note)};
+}
+
+/// Standard normal: the error of the simulated arm in its standard deviations.
+double armNoise(std::uint64_t seed)
+{
+    constexpr std::uint64_t kArmStream = 0x41524DULL;  // another stream than the draws'
+    std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
+                        static_cast<std::uint32_t>(kArmStream)};
+    std::mt19937_64 rng(words);
+    return std::normal_distribution<double>()(rng);
 }
 
 /// What a thread takes scenes from, and where estimates go.
@@ -65,10 +76,6 @@ private:
     void start(std::size_t k)
     {
         ++inWork_;
-        const FeatureSet set = work_.toolbox.models.featuresOf(work_.settings.method);
-        if (const auto missing = missingFeature(set, work_.scenes[k].s); !missing.empty())
-            return leave(k, {std::nullopt, fmt::format("{} is unknown, and method {} needs it",
-                                                       missing, name(work_.settings.method))});
         add(k, {});
     }
 
@@ -97,7 +104,8 @@ private:
         const std::optional<int> bin = proposeProbe(first, work_.toolbox.robot);
         if (!bin) return leave(k, noted(std::move(first)));
         if (const auto truth = work_.scenes[k].truth[static_cast<std::size_t>(*bin)]) {
-            touched_[k] = {{*bin, *truth, work_.toolbox.robot.armSd}};
+            const double sd = work_.toolbox.robot.armSd;
+            touched_[k] = {{*bin, *truth + sd * armNoise(work_.settings.seed + k), sd}};
             return add(k, touched_[k]);
         }
         first.warnings.push_back(fmt::format(

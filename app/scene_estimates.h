@@ -42,7 +42,8 @@ struct SceneEstimate {
 };
 
 /// Reconstructs one scene.  Pafac simulates the arm as the paper does: where some sd exceeds the limit, the
-/// bin of the largest one in reach is revealed from the scene's truth, and the rest sampled again.
+/// bin of the largest one in reach is read, and the rest sampled again.  A reading is the scene's truth plus normal
+/// noise with the robot file's arm sd; the scene's seed decides it.
 /// seconds: of every sampling, as above.
 SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
                             double seconds = 0.0);

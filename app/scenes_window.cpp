@@ -31,6 +31,7 @@ Measurement measurementOf(const Scene& scene)
     m.frontLeftCurrent = m.frontRightCurrent = scene.s.frontCurrent.value_or(0.0);
     m.rearLeftCurrent = m.rearRightCurrent = scene.s.rearCurrent.value_or(0.0);
     for (std::size_t i = 0; i < m.force.size(); ++i) m.force[i] = scene.s.force[i].value_or(0.0);
+    m.missing = missingFeatures(scene.s);
     m.activity = RobotActivity::Pressed;
     return m;
 }

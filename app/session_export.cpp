@@ -16,6 +16,7 @@
 #include "app/text_output.h"
 #include "core/csv_text.h"
 #include "core/file_read.h"
+#include "core/learn/columns.h"
 #include "core/robot/robot_model.h"
 #include "core/text.h"
 #include "core/wire/can_codec.h"
@@ -296,6 +297,7 @@ constexpr const char* kMeasurementSchema =
     R"("rear_left":{"type":"number"},"rear_right":{"type":"number"},"front_left_current":{"type":"number"},)"
     R"("front_right_current":{"type":"number"},"rear_left_current":{"type":"number"},)"
     R"("rear_right_current":{"type":"number"},"force":{"type":"array","items":{"type":"number"}},)"
+    R"("missing":{"type":"array","items":{"type":"string"}},)"
     R"("activity":{"type":"string"},"refusal":{"type":"string"}}})";
 constexpr const char* kEstimateSchema =
     R"({"type":"object","title":"terrain profile; m in the frame of the IMU","properties":{"id":{"type":"integer"},)"
@@ -422,10 +424,21 @@ private:
         return fmt::format(
             R"({{"pitch":{},"roll":{},"front_left":{},"front_right":{},"rear_left":{},"rear_right":{},)"
             R"("front_left_current":{},"front_right_current":{},"rear_left_current":{},"rear_right_current":{},)"
-            R"("force":{},"activity":{},"refusal":{}}})",
+            R"("force":{},"activity":{},"refusal":{}{}}})",
             m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight, m.frontLeftCurrent,
             m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent, jsonNumbers(m.force),
-            jsonText(describe(m.activity)), jsonText(describe(m.refusal)));
+            jsonText(describe(m.activity)), jsonText(describe(m.refusal)), missingJson(m.missing));
+    }
+
+    /// Names of the features that were not measured, whose numbers are 0; nothing where all were.
+    static std::string missingJson(MissingFeatures missing)
+    {
+        std::string names;
+        for (std::size_t d = 0; d < missing.size(); ++d)
+            if (missing[d])
+                names +=
+                    fmt::format("{}\"{}\"", names.empty() ? "" : ",", featureColumns()[d].name);
+        return names.empty() ? names : fmt::format(R"(,"missing":[{}])", names);
     }
 
     std::string estimateJson(const EstimateRow& row) const

@@ -44,7 +44,8 @@ std::string settingsText(const Settings& s)
 std::string poseText(const Measurement& m)
 {
     std::string forces;
-    for (const double force : m.force) forces += fmt::format(" {:.1f}", force);
+    for (std::size_t e = 0; e < m.force.size(); ++e)
+        forces += m.missing[kFirstForceFeature + e] ? " --" : fmt::format(" {:.1f}", m.force[e]);
     return fmt::format("pitch {:+.1f}°, roll {:+.1f}°; flippers front {:+.1f}° {:+.1f}°, rear "
                        "{:+.1f}° {:+.1f}°; forces{} N",
                        degrees(m.pitch), degrees(m.roll), degrees(m.frontLeft),

@@ -60,13 +60,18 @@ std::vector<SignalRow> rowsOf(const Measurement& m)
         quantity(SignalsPage::tr("front flipper right"), m.frontRight, radians),
         quantity(SignalsPage::tr("rear flipper left"), m.rearLeft, radians),
         quantity(SignalsPage::tr("rear flipper right"), m.rearRight, radians),
-        quantity(SignalsPage::tr("front current left"), m.frontLeftCurrent, amperes),
-        quantity(SignalsPage::tr("front current right"), m.frontRightCurrent, amperes),
-        quantity(SignalsPage::tr("rear current left"), m.rearLeftCurrent, amperes),
-        quantity(SignalsPage::tr("rear current right"), m.rearRightCurrent, amperes)};
+        quantity(SignalsPage::tr("front current left"),
+                 shownFeature(m, kFrontCurrentFeature, m.frontLeftCurrent), amperes),
+        quantity(SignalsPage::tr("front current right"),
+                 shownFeature(m, kFrontCurrentFeature, m.frontRightCurrent), amperes),
+        quantity(SignalsPage::tr("rear current left"),
+                 shownFeature(m, kRearCurrentFeature, m.rearLeftCurrent), amperes),
+        quantity(SignalsPage::tr("rear current right"),
+                 shownFeature(m, kRearCurrentFeature, m.rearRightCurrent), amperes)};
     for (std::size_t i = 0; i < m.force.size(); ++i)
-        rows.push_back(
-            quantity(SignalsPage::tr("force %1").arg(i + 1), m.force[i], QStringLiteral("N")));
+        rows.push_back(quantity(SignalsPage::tr("force %1").arg(i + 1),
+                                shownFeature(m, kFirstForceFeature + i, m.force[i]),
+                                QStringLiteral("N")));
     if (m.travelled)
         rows.push_back(
             quantity(SignalsPage::tr("way of the tracks"), *m.travelled, QStringLiteral("m")));

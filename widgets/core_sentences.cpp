@@ -27,6 +27,13 @@ namespace {
     QT_TRANSLATE_NOOP(
         "core", "left and right flippers differ by %1°: the ground is not the same left and right"),
     QT_TRANSLATE_NOOP("core", "contact and arm disagree about bin %1 m by %2 mm"),
+    QT_TRANSLATE_NOOP("core", "no force was measured: the bands are wider"),
+    QT_TRANSLATE_NOOP("core", "the force of element %1 was not measured: the bands are wider"),
+    QT_TRANSLATE_NOOP("core", "no flipper current was measured: the bands are wider"),
+    QT_TRANSLATE_NOOP("core", "the front flippers' current was not measured: the bands are wider"),
+    QT_TRANSLATE_NOOP("core", "the rear flippers' current was not measured: the bands are wider"),
+    QT_TRANSLATE_NOOP("core", "method clearance needs every current and force: local estimates"),
+    QT_TRANSLATE_NOOP("core", "the processes use pitch and flipper angles alone"),
     QT_TRANSLATE_NOOP("core", "the arm found bin %1 m %2 mm above the robot's own lower edge"),
     QT_TRANSLATE_NOOP("core", "contact at x %1 m lies %2 mm above the robot's own lower edge"),
     QT_TRANSLATE_NOOP("core",

@@ -88,8 +88,14 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     fresh ? showAngle(Roll, m.roll, attitude_.roll) : put(Roll, {});
     put(FrontFlippers, pair(words::degrees(m.frontLeft), words::degrees(m.frontRight)));
     put(RearFlippers, pair(words::degrees(m.rearLeft), words::degrees(m.rearRight)));
-    put(FrontCurrents, pair(amperes(m.frontLeftCurrent), amperes(m.frontRightCurrent)));
-    put(RearCurrents, pair(amperes(m.rearLeftCurrent), amperes(m.rearRightCurrent)));
+    const auto front = [&](double value) {
+        return amperes(shownFeature(m, kFrontCurrentFeature, value));
+    };
+    const auto rear = [&](double value) {
+        return amperes(shownFeature(m, kRearCurrentFeature, value));
+    };
+    put(FrontCurrents, pair(front(m.frontLeftCurrent), front(m.frontRightCurrent)));
+    put(RearCurrents, pair(rear(m.rearLeftCurrent), rear(m.rearRightCurrent)));
     for (std::size_t row = 0; row < ages.size(); ++row) {
         ages_[row] = words::age(ages[row]);
         QString tip = tr("%1 old").arg(ages_[row]);

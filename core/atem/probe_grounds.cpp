@@ -34,7 +34,7 @@ void add(CanonicalBytes& bytes, const Measurement& scene)
 {
     const auto& [time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
                  frontRightCurrent, rearLeftCurrent, rearRightCurrent, force, activity, refusal,
-                 arm, travelled, turned] = scene;
+                 arm, travelled, turned, missing] = scene;
     addAll(bytes, time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
            frontRightCurrent, rearLeftCurrent, rearRightCurrent);
     for (const double f : force) add(bytes, f);
@@ -42,6 +42,7 @@ void add(CanonicalBytes& bytes, const Measurement& scene)
     if (arm) add(bytes, *arm);
     for (const auto& odometry : {travelled, turned})
         addAll(bytes, odometry.has_value(), odometry.value_or(0.0));
+    if (missing.any()) add(bytes, missing.to_ulong());
 }
 
 void add(CanonicalBytes& bytes, const Settings& settings)

@@ -29,6 +29,13 @@ void check(const Settings& settings)
         throw std::invalid_argument("the force threshold must be 0 or more");
 }
 
+/// s as the model's processes want it.
+Eigen::VectorXd featuresFor(const ClearanceModel& model, const Proprioception& s)
+{
+    const bool enough = (missingFeatures(s) & ~model.without()).none();
+    return enough ? knownFeatures(s) : features(FeatureSet::Paf, s);
+}
+
 /// A measurement so far from everything that similar training scenes had [standard deviations] makes them a bad
 /// guide: what counts then is how wide they spread.
 constexpr double kSurprised = 2.0;
@@ -148,7 +155,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
     TerrainEstimate estimate;
     estimate.settings = settings;
     estimate.ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
-    const Eigen::VectorXd x = features(FeatureSet::Paf, s);
+    const Eigen::VectorXd x = featuresFor(model, s);
     estimate.novelty = model.novelty(x);
     GaussianMixture distribution =
         surfaceDistribution(model, x, coveredBins(estimate.ceiling), settings.method);

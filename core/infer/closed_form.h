@@ -31,7 +31,7 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 /// height is the median; settings.draws joint draws, of which kEnoughDraws are enough where settings.stopEarly; rhat is
 /// 1 and ess the number of draws.
 /// Throws std::invalid_argument for another method than Joint and Local, settings out of range, an s that
-/// lacks a feature, or a model that gives no finite estimate.
+/// lacks a feature other than those of model.without(), or a model that gives no finite estimate.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
                                       const Settings& settings, const WeakHeights& weak = {},

@@ -10,6 +10,7 @@
 
 #include "core/infer/settings.h"
 #include "core/infer/touch.h"
+#include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -52,6 +53,7 @@ struct TerrainEstimate {
     double novelty = 0.0;        ///< how unlike the training scenes this one is, see
                                  ///< core/learn/clearance_model.h; above 1 for 1 % of those;
                                  ///< 0: not judged (all but the closed forms)
+    MissingFeatures missing{};   ///< what the method would have used and was not measured
     Ending ending = Ending::NotSampled;
     bool converged = true;              ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
     std::vector<std::string> warnings;  ///< what makes the result doubtful, in words

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/infer/closed_form.h"
+#include "core/infer/missing_sensors.h"
 
 namespace terratact {
 
@@ -28,9 +28,9 @@ void EstimateBatch::add(std::size_t number, const Proprioception& s,
                         std::span<const ArmReading> arm, const Settings& settings,
                         const Watch& watch, const WeakHeights& weak)
 {
-    if (isClosedForm(settings.method))
-        ready_.push_back({number, reconstructClosedForm(s, arm, robot_, models_.clearance, settings,
-                                                        weak, pollOf(watch))});
+    if (isClosedForm(methodWithout(settings.method, missingFor(settings.method, s))))
+        ready_.push_back(
+            {number, closedFormEstimate(s, arm, robot_, models_, settings, watch, weak)});
     else
         scenes_.emplace_back(number, sceneSampling(s, arm, robot_, models_, settings, watch, weak),
                              watch);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/infer/closed_form.h"
+#include "core/infer/missing_sensors.h"
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
 
@@ -19,11 +20,19 @@ ClearanceConditionals conditionalsOf(const ModelData& model, const RobotModel& r
     return {std::move(training), std::move(data)};
 }
 
+/// What lacks, as a value and in words.
+void tellMissing(TerrainEstimate& estimate, Method asked, MissingFeatures missing)
+{
+    estimate.missing = missing;
+    std::vector<std::string> sentences = missingSentences(asked, missing);
+    estimate.warnings.insert(estimate.warnings.begin(), sentences.begin(), sentences.end());
+}
+
 }  // namespace
 
 Models::Models(const ModelData& model, const RobotModel& robot)
     : pa(model, FeatureSet::Pa), paf(model, FeatureSet::Paf), clearance(model),
-      conditionals(conditionalsOf(model, robot))
+      conditionals(conditionalsOf(model, robot)), reduced(model, robot)
 {
 }
 
@@ -62,8 +71,30 @@ SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading>
         return clearanceSampling(s, arm, robot, models.conditionals, settings, watch, weak);
     if (weak != WeakHeights{})
         throw std::invalid_argument("the paper's methods take no weak heights");
-    return paperSampling(s, arm, robot, usesForces(settings.method) ? models.paf : models.pa,
-                         settings, watch);
+    const MissingFeatures missing = missingFor(settings.method, s);
+    const bool paf = usesForces(settings.method) && missing.none();
+    SceneSampling sampling =
+        paperSampling(s, arm, robot, paf ? models.paf : models.pa, settings, watch);
+    tellMissing(sampling.estimate, settings.method, missing);
+    return sampling;
+}
+
+TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmReading> arm,
+                                   const RobotModel& robot, const Models& models,
+                                   const Settings& settings, const Watch& watch,
+                                   const WeakHeights& weak)
+{
+    const Poll poll = pollOf(watch);
+    const MissingFeatures missing = missingFor(settings.method, s);
+    Settings own = settings;
+    own.method = methodWithout(settings.method, missing);
+    const auto reduced =
+        missing.any() ? models.reduced.without(missing, watch.sideBySide, poll) : nullptr;
+    TerrainEstimate estimate = reconstructClosedForm(
+        s, arm, robot, reduced ? *reduced : models.clearance, own, weak, poll);
+    estimate.settings = settings;
+    tellMissing(estimate, settings.method, missing);
+    return estimate;
 }
 
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
@@ -71,9 +102,8 @@ TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmRead
                                 const Settings& settings, const Watch& watch,
                                 const WeakHeights& weak)
 {
-    if (isClosedForm(settings.method))
-        return reconstructClosedForm(s, arm, robot, models.clearance, settings, weak,
-                                     pollOf(watch));
+    if (isClosedForm(methodWithout(settings.method, missingFor(settings.method, s))))
+        return closedFormEstimate(s, arm, robot, models, settings, watch, weak);
     return sampleScene(sceneSampling(s, arm, robot, models, settings, watch, weak), watch);
 }
 

@@ -9,6 +9,7 @@
 #include "core/learn/bin_models.h"
 #include "core/learn/clearance_conditionals.h"
 #include "core/learn/clearance_model.h"
+#include "core/learn/reduced_clearances.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 
@@ -22,25 +23,28 @@ struct Models {
     BinModels pa, paf;
     ClearanceModel clearance;
     ClearanceConditionals conditionals;
-
-    FeatureSet featuresOf(Method method) const
-    {
-        return usesForces(method) ? FeatureSet::Paf : FeatureSet::Pa;
-    }
+    ReducedClearances reduced;
 };
 
 /// Makes all Gaussian processes that a sampling method may ask for, whatever the scene; nothing for a closed form.
 /// Throws std::invalid_argument where one cannot be made, once the others are there; Cancelled.
 void makeProcesses(const Models& models, const Settings& settings, const Watch& watch = {});
 
-/// The estimate of one scene by settings.method, whichever that is.
+/// The estimate of one scene by settings.method, whichever that is.  Where s lacks currents or forces that the method
+/// uses, by methodWithout() (missing_sensors.h); TerrainEstimate::missing and its warnings say what lacks.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for settings out of range, an s that lacks a feature, or weak heights with one
+/// Throws std::invalid_argument for settings out of range, or weak heights with one
 /// of the paper's methods, which know no measurement but exact ones; Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
                                 const Settings& settings, const Watch& watch = {},
                                 const WeakHeights& weak = {});
+
+/// The same for a method for whose scene no chain is needed (isClosedForm of methodWithout).
+TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmReading> arm,
+                                   const RobotModel& robot, const Models& models,
+                                   const Settings& settings, const Watch& watch = {},
+                                   const WeakHeights& weak = {});
 
 /// The same up to the sampling, for a method that samples; throws likewise.  Refers to the models.
 SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading> arm,

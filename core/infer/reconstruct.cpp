@@ -21,10 +21,9 @@ void check(const Settings& settings, const BinModels& models)
     if (!isOfPaper(settings.method))
         throw std::invalid_argument(
             fmt::format("method {} is not one of the paper's", name(settings.method)));
-    const FeatureSet wanted = usesForces(settings.method) ? FeatureSet::Paf : FeatureSet::Pa;
-    if (models.set() != wanted)
+    if (models.set() == FeatureSet::Paf && !usesForces(settings.method))
         throw std::invalid_argument(fmt::format("method {} needs the {} models, not the {} ones",
-                                                name(settings.method), name(wanted),
+                                                name(settings.method), name(FeatureSet::Pa),
                                                 name(models.set())));
     checkSettings(settings);
 }

@@ -12,7 +12,8 @@
 namespace terratact {
 
 /// The paper's probabilistic reconstruction of one scene (sections 4.2 and 4.3): contacts and arm readings are
-/// fixed, the other bins sampled.  models: of the feature set that settings.method uses.
+/// fixed, the other bins sampled.  models: of the feature set that settings.method uses, or of Pa, which needs no
+/// current and no force.
 /// Same scene, models and settings: the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for another method than the paper's four, settings out of range, a model of the other feature set or an s that
 /// lacks a feature, or a model that gives no finite estimate; Cancelled.

@@ -28,13 +28,13 @@ double nthSmallest(const Eigen::VectorXd& values, int n)
 }
 
 /// Standardised features of all rows times the metric: d × U.
-Eigen::MatrixXd scenesInMetric(const ModelData& model, const Eigen::VectorXd& metric)
+Eigen::MatrixXd scenesInMetric(const ModelData& model, const Eigen::VectorXd& metric,
+                               MissingFeatures without)
 {
-    const ClearanceData& data = model.clearance;
     Eigen::MatrixXd scenes(model.features.cols(), model.features.rows());
     for (Eigen::Index u = 0; u < scenes.cols(); ++u)
-        scenes.col(u) = (surfaceFeatures(model.features.row(u).transpose()) - data.featureMean)
-                            .cwiseQuotient(data.featureSd)
+        scenes.col(u) = standardisedFeatures(model.clearance.featureMean, model.clearance.featureSd,
+                                             model.features.row(u).transpose(), without)
                             .cwiseProduct(metric);
     return scenes;
 }
@@ -76,6 +76,15 @@ Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features)
     return x;
 }
 
+Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
+                                     const Eigen::VectorXd& features, MissingFeatures without)
+{
+    Eigen::VectorXd x = (surfaceFeatures(features) - mean).cwiseQuotient(sd);
+    for (std::size_t d = 0; d < without.size(); ++d)
+        if (without[d]) x[static_cast<Eigen::Index>(d)] = 0.0;
+    return x;
+}
+
 unsigned coveredBins(const Heights& ceiling)
 {
     unsigned mask = 0;
@@ -101,20 +110,21 @@ std::vector<int> inducingRows(const std::vector<int>& rows)
     return chosen;
 }
 
-ClearanceModel::ClearanceModel(const ModelData& model)
+ClearanceModel::ClearanceModel(const ModelData& model, MissingFeatures without) : without_(without)
 {
     check(model);
     const ClearanceData& data = model.clearance;
     featureMean_ = data.featureMean;
     featureSd_ = data.featureSd;
-    metric_ = metric(data);
-    scenes_ = scenesInMetric(model, metric_);
+    metric_ = metric(data, without_);
+    scenes_ = scenesInMetric(model, metric_, without_);
     coveredBins_ = data.coveredBins;
     residuals_ = data.residuals.transpose();
     noveltyScale_ = data.noveltyScale;
     contactBias_ = data.contactBias;
     contactSd_ = data.contactSd;
-    const Eigen::MatrixXd X = scenesInMetric(model, Eigen::VectorXd::Ones(metric_.size()));
+    const Eigen::MatrixXd X =
+        scenesInMetric(model, Eigen::VectorXd::Ones(metric_.size()), without_);
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
         open_[i] = prepare(data.open[i], X, rowsOf(coveredBins_, bin, false));
@@ -152,7 +162,7 @@ Eigen::VectorXd ClearanceModel::standardised(const Eigen::VectorXd& features) co
 {
     if (features.size() != featureMean_.size() || !features.allFinite())
         throw std::invalid_argument("clearances need all eleven features, finite");
-    return (surfaceFeatures(features) - featureMean_).cwiseQuotient(featureSd_);
+    return standardisedFeatures(featureMean_, featureSd_, features, without_);
 }
 
 Heights ClearanceModel::predict(const Eigen::VectorXd& features, unsigned covered) const
@@ -265,23 +275,29 @@ double ClearanceModel::novelty(const Eigen::VectorXd& features) const
     return std::sqrt(nthSmallest(squaredDistances(features), kNoveltyNeighbour)) / noveltyScale_;
 }
 
-Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data)
+Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data, MissingFeatures without)
 {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(data.featureMean.size());
     double count = 0.0;
-    for (const auto* processes : {&data.open, &data.covered})
-        for (const SurfaceProcess& p : *processes) {
+    for (const bool covered : {false, true})
+        for (int bin = 0; bin < kBins; ++bin) {
+            const SurfaceProcess& p =
+                (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)];
             if (p.weights.size() == 0) continue;
-            sum += p.hyper.lengthScale.array().square().inverse().matrix();
-            count += 1.0;
+            const double weight =
+                without.none() ? 1.0
+                               : static_cast<double>(rowsOf(data.coveredBins, bin, covered).size());
+            sum += weight * p.hyper.lengthScale.array().square().inverse().matrix();
+            count += weight;
         }
     if (count == 0.0) throw std::invalid_argument("the model has no surface process");
     return (sum / count).cwiseSqrt();
 }
 
-double ClearanceModel::noveltyScale(const ModelData& model, const Poll& poll)
+double ClearanceModel::noveltyScale(const ModelData& model, const Poll& poll,
+                                    MissingFeatures without)
 {
-    const Eigen::MatrixXd scenes = scenesInMetric(model, metric(model.clearance));
+    const Eigen::MatrixXd scenes = scenesInMetric(model, metric(model.clearance, without), without);
     std::vector<double> distance;
     for (Eigen::Index u = 0; u < scenes.cols(); ++u) {
         callPoll(poll);

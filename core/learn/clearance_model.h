@@ -7,12 +7,17 @@
 
 #include "core/learn/model.h"
 #include "core/poll.h"
+#include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
 
 /// s as the surface processes see it: the features of FeatureSet::Paf, each force F [N] as log(1 + F / 3).
 Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features);
+
+/// (surfaceFeatures − mean) / sd, and 0 for the features that `without` names.
+Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
+                                     const Eigen::VectorXd& features, MissingFeatures without = {});
 
 /// Bit i is set where ceiling i is finite: the robot is above bin i.
 unsigned coveredBins(const Heights& ceiling);
@@ -41,8 +46,12 @@ struct ResidualSample {
 /// The surface processes of a model, ready to predict.  Immutable; safe to share between threads.
 class ClearanceModel {
 public:
+    /// without: features of s that the processes were trained without (reduced_clearances.h); nothing depends on
+    /// their value.
     /// Throws std::invalid_argument where the model's clearance part is missing or its sizes disagree.
-    explicit ClearanceModel(const ModelData& model);
+    explicit ClearanceModel(const ModelData& model, MissingFeatures without = {});
+
+    MissingFeatures without() const { return without_; }
 
     /// Mean surface coordinate of every bin.  features: FeatureSet::Paf, raw.
     Heights predict(const Eigen::VectorXd& features, unsigned covered) const;
@@ -65,9 +74,11 @@ public:
     double contactBias() const { return contactBias_; }
     double contactSd() const { return contactSd_; }
 
-    /// w_d and the distance a model's noveltyScale is made of; used by training.
-    static Eigen::VectorXd metric(const ClearanceData& data);
-    static double noveltyScale(const ModelData& model, const Poll& poll = {});
+    /// w_d and the distance a model's noveltyScale is made of; used by training.  Where features are left out, a
+    /// process counts in w_d by its rows: one of few rows may have found a length scale that suits no other.
+    static Eigen::VectorXd metric(const ClearanceData& data, MissingFeatures without = {});
+    static double noveltyScale(const ModelData& model, const Poll& poll = {},
+                               MissingFeatures without = {});
 
 private:
     struct Process {
@@ -90,6 +101,7 @@ private:
     void borrow(ResidualSample& sample, const std::vector<int>& rows,
                 const Eigen::VectorXd& distance, int bin, bool covered) const;
 
+    MissingFeatures without_;
     Eigen::VectorXd featureMean_, featureSd_, metric_;
     Eigen::MatrixXd scenes_;  ///< d × U: standardised features times the metric
     std::array<Process, kBins> open_, covered_;

@@ -17,15 +17,16 @@ namespace {
 
 constexpr double kMostNoise = 3.0;  // of surface coordinates, no metres
 
-/// Standardised surface features: U × 11.
-Eigen::MatrixXd inputs(const ModelData& model)
+/// Standardised surface features of those rows: n × 11.
+Eigen::MatrixXd inputs(const ModelData& model, const std::vector<int>& rows,
+                       MissingFeatures without)
 {
-    Eigen::MatrixXd X(model.features.rows(), model.features.cols());
-    for (Eigen::Index u = 0; u < X.rows(); ++u)
-        X.row(u) =
-            (surfaceFeatures(model.features.row(u).transpose()) - model.clearance.featureMean)
-                .cwiseQuotient(model.clearance.featureSd)
-                .transpose();
+    Eigen::MatrixXd X(std::ssize(rows), model.features.cols());
+    for (Eigen::Index k = 0; k < X.rows(); ++k)
+        X.row(k) = standardisedFeatures(
+                       model.clearance.featureMean, model.clearance.featureSd,
+                       model.features.row(rows[static_cast<std::size_t>(k)]).transpose(), without)
+                       .transpose();
     return X;
 }
 
@@ -80,6 +81,46 @@ Proprioception proprioceptionOf(const ModelData& model, Eigen::Index row)
     for (std::size_t d = 0; d < kFeatures; ++d)
         values[d] = model.features(row, static_cast<Eigen::Index>(d));
     return proprioception(values);
+}
+
+/// What a surface process learns from.
+struct SurfaceRows {
+    std::vector<int> rows;
+    Eigen::MatrixXd X;  ///< n × 11
+    Eigen::VectorXd y;  ///< n, centred
+    double mean = 0.0;  ///< taken off y
+};
+
+SurfaceRows surfaceRows(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                        std::vector<int> rows, MissingFeatures without)
+{
+    SurfaceRows own{{}, inputs(model, rows, without), Eigen::VectorXd(std::ssize(rows))};
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        own.y[static_cast<Eigen::Index>(k)] = surfaceOf(model, ceilings, rows[k], bin);
+    own.mean = own.y.mean();
+    own.y.array() -= own.mean;
+    own.rows = std::move(rows);
+    return own;
+}
+
+double rootMeanSquare(const Eigen::VectorXd& values)
+{
+    return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+/// Weights and leave-one-out residuals with those hyper-parameters.
+TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll)
+{
+    TrainedSurface trained;
+    trained.process.mean = own.mean;
+    trained.process.hyper = std::move(hyper);
+    ProjectedProcess projected = projectProcess(own.X, own.y, inducingPositions(own.rows.size()),
+                                                trained.process.hyper, poll);
+    trained.process.weights = std::move(projected.weights);
+    trained.residuals = std::move(projected.leaveOneOut);
+    trained.process.residualSd = rootMeanSquare(trained.residuals);
+    trained.rows = std::move(own.rows);
+    return trained;
 }
 
 /// What a contact adds: pairs of z − m and h − m.
@@ -178,29 +219,25 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
     if (std::ssize(rows) < kFewestTrainingRows)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
 
-    const Eigen::MatrixXd X = inputs(model)(rows, Eigen::all);
-    Eigen::VectorXd y(X.rows());
-    for (std::size_t k = 0; k < rows.size(); ++k)
-        y[static_cast<Eigen::Index>(k)] = surfaceOf(model, ceilings, rows[k], bin);
-    TrainedSurface trained;
-    trained.process.mean = y.mean();
-    y.array() -= trained.process.mean;
-
+    SurfaceRows own = surfaceRows(model, ceilings, bin, std::move(rows), {});
     TrainingOptions search = options;
     search.seed += static_cast<std::uint64_t>(bin);
     search.fullEvaluations = 0;
-    const double sd = std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
-    trained.process.hyper =
-        maximiseLikelihood(X, y, searchStart(X.cols(), sd), search, {.mostNoise = kMostNoise}, poll)
+    Hyperparameters hyper =
+        maximiseLikelihood(own.X, own.y, searchStart(own.X.cols(), rootMeanSquare(own.y)), search,
+                           {.mostNoise = kMostNoise}, poll)
             .hyper;
-    ProjectedProcess projected =
-        projectProcess(X, y, inducingPositions(rows.size()), trained.process.hyper, poll);
-    trained.process.weights = std::move(projected.weights);
-    trained.residuals = std::move(projected.leaveOneOut);
-    trained.process.residualSd =
-        std::sqrt(trained.residuals.squaredNorm() / static_cast<double>(trained.residuals.size()));
-    trained.rows = std::move(rows);
-    return trained;
+    return fitted(std::move(own), std::move(hyper), poll);
+}
+
+TrainedSurface refitSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                            bool covered, const Hyperparameters& known, MissingFeatures without,
+                            const Poll& poll)
+{
+    std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
+    if (std::ssize(rows) < kFewestTrainingRows || known.lengthScale.size() == 0)
+        return constantSurface(model, ceilings, bin, covered, std::move(rows));
+    return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll);
 }
 
 void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered)
@@ -213,9 +250,9 @@ void store(ModelData& model, const TrainedSurface& trained, int bin, bool covere
 }
 
 void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
-                     const Poll& poll)
+                     const Poll& poll, MissingFeatures without)
 {
-    model.clearance.noveltyScale = ClearanceModel::noveltyScale(model, poll);
+    model.clearance.noveltyScale = ClearanceModel::noveltyScale(model, poll, without);
     calibrateContacts(model, ceilings, robot, poll);
 }
 

@@ -23,8 +23,6 @@ struct Column {
     std::string refusal(double value) const;
 };
 
-inline constexpr std::size_t kFeatures = 5 + kForceElements;
-
 /// The features of s in order: pitch, flipper angles, currents, forces.
 std::span<const Column, kFeatures> featureColumns();
 

@@ -41,6 +41,14 @@ Eigen::VectorXd features(FeatureSet set, const Proprioception& s)
     return x;
 }
 
+Eigen::VectorXd knownFeatures(const Proprioception& s)
+{
+    Eigen::VectorXd x(static_cast<Eigen::Index>(kFeatures));
+    Eigen::Index d = 0;
+    for (const std::optional<double>& value : featureValues(s)) x[d++] = value.value_or(0.0);
+    return x;
+}
+
 std::string_view missingFeature(FeatureSet set, const Proprioception& s)
 {
     const FeatureValues all = featureValues(s);

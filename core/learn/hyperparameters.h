@@ -23,6 +23,9 @@ std::vector<std::string_view> featureNames(FeatureSet set);
 /// s as a vector in that order.  Throws std::invalid_argument naming the first missing value.
 Eigen::VectorXd features(FeatureSet set, const Proprioception& s);
 
+/// s in the order of FeatureSet::Paf, 0 where it lacks a feature.
+Eigen::VectorXd knownFeatures(const Proprioception& s);
+
 /// The first feature of the set that s does not have; empty where it has all.
 std::string_view missingFeature(FeatureSet set, const Proprioception& s);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,13 @@ public:
     }
     /// Whether the row has a further column: files of the first version have fewer.
     bool hasMore() const { return at_ < statement_.columns(); }
+    /// Empty: +infinity, which stands for "not measured" in a column that is never NULL.
+    std::optional<double> realOrInfinite()
+    {
+        if (statement_.real(at_) < std::numeric_limits<double>::infinity()) return real();
+        ++at_;
+        return std::nullopt;
+    }
     bool isNone() const { return statement_.isNull(at_); }
     void skip(int columns) { at_ += columns; }
     std::string text()

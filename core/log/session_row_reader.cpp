@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "core/infer/missing_sensors.h"
 #include "core/log/checked_row.h"
 #include "core/log/session_schema.h"
 #include "core/named.h"
@@ -138,10 +139,18 @@ SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
     SceneRow scene{.id = id, .time = row.time()};
     Measurement& m = scene.measurement;
     for (double* value :
-         {&m.time, &m.pitch, &m.roll, &m.frontLeft, &m.frontRight, &m.rearLeft, &m.rearRight,
-          &m.frontLeftCurrent, &m.frontRightCurrent, &m.rearLeftCurrent, &m.rearRightCurrent})
+         {&m.time, &m.pitch, &m.roll, &m.frontLeft, &m.frontRight, &m.rearLeft, &m.rearRight})
         *value = row.real();
-    for (double& force : m.force) force = row.real();
+    const auto feature = [&](std::size_t number, double& value) {
+        const std::optional<double> stored = row.realOrInfinite();
+        m.missing[number] = !stored;
+        value = stored.value_or(0.0);
+    };
+    feature(kFrontCurrentFeature, m.frontLeftCurrent);
+    feature(kFrontCurrentFeature, m.frontRightCurrent);
+    feature(kRearCurrentFeature, m.rearLeftCurrent);
+    feature(kRearCurrentFeature, m.rearRightCurrent);
+    for (std::size_t e = 0; e < m.force.size(); ++e) feature(kFirstForceFeature + e, m.force[e]);
     m.activity = static_cast<RobotActivity>(row.small(0, static_cast<int>(RobotActivity::Stopped)));
     m.refusal = static_cast<Refusal>(row.small(0, static_cast<int>(Refusal::OutOfLimits)));
     if (!row.isNone())
@@ -174,6 +183,8 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
     e.warnings = linesOf(row.text());
     row.skip(1);  // the hash of the draws
     if (row.hasMore()) e.feltTo = row.real();
+    const SceneRow* const scene = byId(rows.scenes, r.scene);
+    e.missing = missingFor(e.settings.method, proprioception(scene->measurement));
     return r;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -184,14 +185,28 @@ std::int64_t SessionWriter::Impl::settingsId(const Settings& s)
     return settingsCount;
 }
 
+namespace {
+
+/// What was not measured is stored as infinity: its columns are never NULL.
+double storedFeature(const Measurement& m, std::size_t feature, double value)
+{
+    return m.missing[feature] ? std::numeric_limits<double>::infinity() : value;
+}
+
+}  // namespace
+
 void SessionWriter::Impl::addScene(const SceneRow& scene)
 {
     const Measurement& m = scene.measurement;
-    const auto& f = m.force;
+    const auto f = [&m](std::size_t e) {
+        return storedFeature(m, kFirstForceFeature + e, m.force[e]);
+    };
+    const auto front = [&m](double value) { return storedFeature(m, kFrontCurrentFeature, value); };
+    const auto rear = [&m](double value) { return storedFeature(m, kRearCurrentFeature, value); };
     row(sceneTable, scene.id, batch.id, scene.time, m.time, m.pitch, m.roll, m.frontLeft,
-        m.frontRight, m.rearLeft, m.rearRight, m.frontLeftCurrent, m.frontRightCurrent,
-        m.rearLeftCurrent, m.rearRightCurrent, f[0], f[1], f[2], f[3], f[4], f[5],
-        static_cast<int>(m.activity), static_cast<int>(m.refusal),
+        m.frontRight, m.rearLeft, m.rearRight, front(m.frontLeftCurrent),
+        front(m.frontRightCurrent), rear(m.rearLeftCurrent), rear(m.rearRightCurrent), f(0), f(1),
+        f(2), f(3), f(4), f(5), static_cast<int>(m.activity), static_cast<int>(m.refusal),
         m.arm ? std::optional(m.arm->bin) : std::nullopt,
         m.arm ? std::optional(m.arm->height) : std::nullopt,
         m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned);

@@ -16,7 +16,8 @@ bool isUnloaded(const Measurement& m, double limit)
 {
     const bool still = m.activity == RobotActivity::Halted || m.activity == RobotActivity::Driving;
     const bool raised = m.frontLeft >= kRaised && m.frontRight >= kRaised;
-    return still && raised
+    const bool felt = (m.missing >> kFirstForceFeature).none();
+    return still && raised && felt
         && std::all_of(m.force.begin(), m.force.end(), [=](double f) { return f < limit; });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -42,10 +43,27 @@ Proprioception proprioception(const Measurement& m)
     s.pitch = m.pitch;
     s.front = (m.frontLeft + m.frontRight) / 2.0;
     s.rear = (m.rearLeft + m.rearRight) / 2.0;
-    s.frontCurrent = (m.frontLeftCurrent + m.frontRightCurrent) / 2.0;
-    s.rearCurrent = (m.rearLeftCurrent + m.rearRightCurrent) / 2.0;
-    for (std::size_t i = 0; i < m.force.size(); ++i) s.force[i] = m.force[i];
+    if (!m.missing[kFrontCurrentFeature])
+        s.frontCurrent = (m.frontLeftCurrent + m.frontRightCurrent) / 2.0;
+    if (!m.missing[kRearCurrentFeature])
+        s.rearCurrent = (m.rearLeftCurrent + m.rearRightCurrent) / 2.0;
+    for (std::size_t i = 0; i < m.force.size(); ++i)
+        if (!m.missing[kFirstForceFeature + i]) s.force[i] = m.force[i];
     return s;
+}
+
+double shownFeature(const Measurement& m, std::size_t feature, double value)
+{
+    return m.missing[feature] ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+MissingFeatures missingFeatures(const Proprioception& s)
+{
+    MissingFeatures missing;
+    missing[kFrontCurrentFeature] = !s.frontCurrent;
+    missing[kRearCurrentFeature] = !s.rearCurrent;
+    for (std::size_t i = 0; i < s.force.size(); ++i) missing[kFirstForceFeature + i] = !s.force[i];
+    return missing;
 }
 
 double turnBetween(double from, double to)

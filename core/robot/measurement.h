@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,6 +9,14 @@
 namespace terratact {
 
 inline constexpr int kForceElements = 6;
+
+/// The features of s in order: pitch, front and rear flipper angle, front and rear current, six forces.
+inline constexpr std::size_t kFeatures = 5 + kForceElements;
+
+/// Features of s that were not measured: bit d is feature d.  Pitch and the flipper angles are always measured.
+using MissingFeatures = std::bitset<kFeatures>;
+inline constexpr std::size_t kFrontCurrentFeature = 3, kRearCurrentFeature = 4,
+                             kFirstForceFeature = 5;
 
 /// The proprioceptive vector s of the paper, left and right flippers averaged.
 /// An empty optional is "not measured"; every present value is finite.
@@ -48,7 +57,7 @@ struct ArmReading {
     bool operator==(const ArmReading&) const = default;
 };
 
-/// One line of telemetry.  Plain values; every number is finite.
+/// One line of telemetry.  Plain values; every number is finite, and 0 where it was not measured.
 struct Measurement {
     double time = 0.0;   ///< [s] on the source's own clock
     double pitch = 0.0;  ///< [rad] nose up positive
@@ -64,14 +73,22 @@ struct Measurement {
     /// Odometry since the robot's start; empty: not measured.
     std::optional<double> travelled{};  ///< [m] along the tracks, forward positive
     std::optional<double> turned{};     ///< [rad] left positive, wrapped to one turn
+    /// Currents (of both sides) and forces that were not measured.
+    MissingFeatures missing{};
     bool operator==(const Measurement&) const = default;
 };
 
 /// Longer without telemetry [s], and the robot may have moved meanwhile without being seen.
 inline constexpr double kLongestSilence = 1.0;
 
-/// Averages left and right.
+/// Averages left and right.  What the measurement lacks is empty.
 Proprioception proprioception(const Measurement& measurement);
+
+/// value, or NaN where the measurement lacks that feature: as numbers are shown.
+double shownFeature(const Measurement& measurement, std::size_t feature, double value);
+
+/// The features that are empty.
+MissingFeatures missingFeatures(const Proprioception& s);
 
 /// The shortest way round from one angle to another [rad], such as Measurement::turned.
 double turnBetween(double from, double to);

@@ -57,7 +57,7 @@ struct RobotModel {
     std::array<double, kForceElements> elementShare{};
     double forceSaturation = 0.0;  ///< [N] an element reads at most this
     /// In the order they are shown; an element of a side belongs to one of them at most, and of each two
-    /// elements of the same number one at least does: an estimate needs all six.
+    /// elements of the same number one at least does: without it every estimate would lack a force.
     std::vector<ForceArrayLayout> forceArrays = leftAndRightArrays();
     ForceCalibration forceCalibration;
     double torquePerAmpere = 0.0;                   ///< [N m / A] of one flipper motor

@@ -230,6 +230,7 @@ Measurement SimulatedRobot::measure()
     m.frontLeftCurrent = m.frontRightCurrent = s.frontCurrent.value_or(0.0);
     m.rearLeftCurrent = m.rearRightCurrent = s.rearCurrent.value_or(0.0);
     for (std::size_t e = 0; e < m.force.size(); ++e) m.force[e] = s.force[e].value_or(0.0);
+    m.missing = missingFeatures(s);
     m.activity = activity_;
     m.refusal = refusal_;
     m.arm = arm_;

@@ -24,15 +24,25 @@ std::optional<double> joined(const std::optional<ElementForce>& left,
     return std::nullopt;
 }
 
-std::optional<std::array<double, kForceElements>> joined(const ElementForces& elements)
+void addForces(Measurement& m, const ElementForces& elements)
 {
-    std::array<double, kForceElements> forces{};
-    for (std::size_t e = 0; e < forces.size(); ++e) {
+    for (std::size_t e = 0; e < m.force.size(); ++e) {
         const std::optional<double> force = joined(elements.left[e], elements.right[e]);
-        if (!force) return std::nullopt;
-        forces[e] = *force;
+        m.force[e] = force.value_or(0.0);
+        m.missing[kFirstForceFeature + e] = !force;
     }
-    return forces;
+}
+
+void addCurrents(Measurement& m, const SensorLine& line)
+{
+    m.missing[kFrontCurrentFeature] = !line.frontCurrents;
+    m.missing[kRearCurrentFeature] = !line.rearCurrents;
+    const Pair front = line.frontCurrents.value_or(Pair{});
+    const Pair rear = line.rearCurrents.value_or(Pair{});
+    m.frontLeftCurrent = front.left;
+    m.frontRightCurrent = front.right;
+    m.rearLeftCurrent = rear.left;
+    m.rearRightCurrent = rear.right;
 }
 
 double clamped(FrameKind kind, std::size_t signal, double value)
@@ -89,7 +99,8 @@ SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotMod
         const std::size_t e = kPerFrame * (set % 2) + i;
         const bool wired =
             haveElement(robot.forceArrays, set < 2 ? Side::Left : Side::Right, static_cast<int>(e));
-        const double voltage = wired ? voltageOf(m.force[e], bias[e], robot) : 0.0;
+        const bool sound = wired && !m.missing[kFirstForceFeature + e];
+        const double voltage = sound ? voltageOf(m.force[e], bias[e], robot) : 0.0;
         three[i] = clamped(FrameKind::LeftForces1To3, i, voltage);
     }
     return three;
@@ -117,28 +128,23 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
 std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStatus& status,
                                          const RobotModel& robot, double time)
 {
-    const auto forces = joined(elementForces(line, robot));
-    const bool whole = line.attitude && line.frontAngles && line.rearAngles && line.frontCurrents
-                    && line.rearCurrents && forces;
-    if (!whole) return std::nullopt;
-    return Measurement{
-        .time = time,
-        .pitch = line.attitude->pitch,
-        .roll = line.attitude->roll,
-        .frontLeft = line.frontAngles->left,
-        .frontRight = line.frontAngles->right,
-        .rearLeft = line.rearAngles->left,
-        .rearRight = line.rearAngles->right,
-        .frontLeftCurrent = line.frontCurrents->left,
-        .frontRightCurrent = line.frontCurrents->right,
-        .rearLeftCurrent = line.rearCurrents->left,
-        .rearRightCurrent = line.rearCurrents->right,
-        .force = *forces,
-        .activity = status.activity,
-        .refusal = status.refusal,
-        .arm = line.arm,
-        .travelled = line.odometry ? std::optional(line.odometry->travelled) : std::nullopt,
-        .turned = line.odometry ? std::optional(line.odometry->turned) : std::nullopt};
+    if (!line.attitude || !line.frontAngles || !line.rearAngles) return std::nullopt;
+    Measurement m{.time = time,
+                  .pitch = line.attitude->pitch,
+                  .roll = line.attitude->roll,
+                  .frontLeft = line.frontAngles->left,
+                  .frontRight = line.frontAngles->right,
+                  .rearLeft = line.rearAngles->left,
+                  .rearRight = line.rearAngles->right,
+                  .activity = status.activity,
+                  .refusal = status.refusal,
+                  .arm = line.arm,
+                  .travelled =
+                      line.odometry ? std::optional(line.odometry->travelled) : std::nullopt,
+                  .turned = line.odometry ? std::optional(line.odometry->turned) : std::nullopt};
+    addCurrents(m, line);
+    addForces(m, elementForces(line, robot));
+    return m;
 }
 
 SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
@@ -149,9 +155,12 @@ SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
                                          clamped(FrameKind::Attitude, 1, m.roll)};
     line.frontAngles = angles(m.frontLeft, m.frontRight);
     line.rearAngles = angles(m.rearLeft, m.rearRight);
-    line.frontCurrents =
-        currents(FrameKind::FrontCurrents, m.frontLeftCurrent, m.frontRightCurrent);
-    line.rearCurrents = currents(FrameKind::RearCurrents, m.rearLeftCurrent, m.rearRightCurrent);
+    if (!m.missing[kFrontCurrentFeature])
+        line.frontCurrents =
+            currents(FrameKind::FrontCurrents, m.frontLeftCurrent, m.frontRightCurrent);
+    if (!m.missing[kRearCurrentFeature])
+        line.rearCurrents =
+            currents(FrameKind::RearCurrents, m.rearLeftCurrent, m.rearRightCurrent);
     for (std::size_t set = 0; set < line.voltages.size(); ++set)
         line.voltages[set] = voltages(m, set, robot);
     line.arm = m.arm;

@@ -25,7 +25,7 @@ struct TelemetryCounters {
     std::uint64_t gaps = 0;        ///< of `used`: one or two frames were missing before it
     std::uint64_t lines = 0;       ///< telemetry lines that made a Measurement
     std::uint64_t unfinished = 0;  ///< lines that never became whole
-    std::uint64_t partial = 0;     ///< whole lines in which something was not measured
+    std::uint64_t partial = 0;     ///< whole lines without attitude or flipper angles
     std::uint64_t orphans = 0;     ///< whole lines without a status of at most 0.25 s beside them
 
     std::uint64_t of(FrameFault fault) const { return faults[static_cast<std::size_t>(fault)]; }

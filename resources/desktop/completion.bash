@@ -37,7 +37,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
@@ -92,7 +92,7 @@ _terratact_options() {
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;
-    evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --classes --class-column --probes \
+    evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --classes --class-column --probes --missing \
       "$estimates" ;;
     hazards) echo --robot --model --drives --step-limit --rates --seed --method ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;

@@ -3406,6 +3406,34 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>a sensor may lie, see the alarms</source>
         <translation>snímač možná neměří správně, viz poplachy</translation>
     </message>
+    <message>
+        <source>no force was measured: the bands are wider</source>
+        <translation>nebyla změřena žádná síla: pásma jsou širší</translation>
+    </message>
+    <message>
+        <source>the force of element %1 was not measured: the bands are wider</source>
+        <translation>síla prvku %1 nebyla změřena: pásma jsou širší</translation>
+    </message>
+    <message>
+        <source>no flipper current was measured: the bands are wider</source>
+        <translation>nebyl změřen žádný proud flipperů: pásma jsou širší</translation>
+    </message>
+    <message>
+        <source>the front flippers&apos; current was not measured: the bands are wider</source>
+        <translation>proud předních flipperů nebyl změřen: pásma jsou širší</translation>
+    </message>
+    <message>
+        <source>the rear flippers&apos; current was not measured: the bands are wider</source>
+        <translation>proud zadních flipperů nebyl změřen: pásma jsou širší</translation>
+    </message>
+    <message>
+        <source>method clearance needs every current and force: local estimates</source>
+        <translation>metoda clearance potřebuje všechny proudy a síly: odhaduje local</translation>
+    </message>
+    <message>
+        <source>the processes use pitch and flipper angles alone</source>
+        <translation>procesy používají jen náklon a úhly flipperů</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -3406,6 +3406,34 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>a sensor may lie, see the alarms</source>
         <translation>ein Sensor misst vielleicht falsch, siehe Alarme</translation>
     </message>
+    <message>
+        <source>no force was measured: the bands are wider</source>
+        <translation>es wurde keine Kraft gemessen: die Bänder sind breiter</translation>
+    </message>
+    <message>
+        <source>the force of element %1 was not measured: the bands are wider</source>
+        <translation>die Kraft von Element %1 wurde nicht gemessen: die Bänder sind breiter</translation>
+    </message>
+    <message>
+        <source>no flipper current was measured: the bands are wider</source>
+        <translation>es wurde kein Flipperstrom gemessen: die Bänder sind breiter</translation>
+    </message>
+    <message>
+        <source>the front flippers&apos; current was not measured: the bands are wider</source>
+        <translation>der Strom der vorderen Flipper wurde nicht gemessen: die Bänder sind breiter</translation>
+    </message>
+    <message>
+        <source>the rear flippers&apos; current was not measured: the bands are wider</source>
+        <translation>der Strom der hinteren Flipper wurde nicht gemessen: die Bänder sind breiter</translation>
+    </message>
+    <message>
+        <source>method clearance needs every current and force: local estimates</source>
+        <translation>das Verfahren clearance braucht alle Ströme und Kräfte: local schätzt</translation>
+    </message>
+    <message>
+        <source>the processes use pitch and flipper angles alone</source>
+        <translation>die Prozesse nutzen nur Nicken und Flipperwinkel</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

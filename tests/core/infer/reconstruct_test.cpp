@@ -188,7 +188,7 @@ TEST(Reconstruct, saysWhenTheChainsHaveNotConverged)
 TEST(Reconstruct, refusesTheWrongModelsAndMissingFeatures)
 {
     const Bench& b = bench();
-    EXPECT_THROW((void)reconstruct(b.scene.s, {}, b.robot, b.pa, quick(Method::Pafc)),
+    EXPECT_THROW((void)reconstruct(b.scene.s, {}, b.robot, b.paf, quick(Method::Pa)),
                  std::invalid_argument);
     Proprioception s = b.scene.s;
     s.force[2].reset();

@@ -97,6 +97,28 @@ TEST_F(Session, givesBackEveryRow)
     EXPECT_EQ(verified.frames, 1000);
 }
 
+TEST_F(Session, keepsWhatASceneLacks)
+{
+    auto writer = someSession(path, 100);
+    ASSERT_TRUE(writer) << writer.error().text;
+    SceneRow scene = someScene(3, 600'000'000);
+    scene.measurement.force[3] = 0.0;
+    scene.measurement.missing[kFirstForceFeature + 3] = true;
+    scene.measurement.missing[kRearCurrentFeature] = true;
+    EstimateRow estimate = someEstimate(3, 600'000'001);
+    estimate.estimate.missing = scene.measurement.missing;
+    ASSERT_TRUE(writer->add(scene));
+    ASSERT_TRUE(writer->add(estimate));
+    ASSERT_TRUE(writer->seal());
+    auto reader = SessionReader::open(path);
+    ASSERT_TRUE(reader) << reader.error().text;
+    ASSERT_EQ(reader->scenes().size(), 3U);
+    EXPECT_EQ(reader->scenes()[2], scene);
+    EXPECT_EQ(reader->estimate(3)->estimate.missing, scene.measurement.missing);
+    EXPECT_TRUE(reader->estimate(2)->estimate.missing.none());
+    EXPECT_FALSE(reader->verify().broken);
+}
+
 TEST_F(Session, isReadFromAReadOnlyFolderOnceSealed)
 {
     seal(path, 100);

@@ -145,7 +145,7 @@ TEST_F(Wire, sendsWhatIsBeyondASignalAsItsEnd)
     EXPECT_NEAR(got->arm->height, 2.0, 1e-9);
 }
 
-TEST_F(Wire, makesNoMeasurementOfHalfALine)
+TEST_F(Wire, makesNoMeasurementWithoutAPose)
 {
     const SensorLine whole = sensorLineOf(measured(), robot);
     const auto has = [&](const SensorLine& line) {
@@ -161,10 +161,21 @@ TEST_F(Wire, makesNoMeasurementOfHalfALine)
     EXPECT_FALSE(has(line));
     (line = whole).rearAngles.reset();
     EXPECT_FALSE(has(line));
-    (line = whole).frontCurrents.reset();
-    EXPECT_FALSE(has(line));
-    (line = whole).rearCurrents.reset();
-    EXPECT_FALSE(has(line));
+}
+
+TEST_F(Wire, namesMissingCurrentsAndForces)
+{
+    SensorLine line = sensorLineOf(measured(), robot);
+    line.rearCurrents.reset();
+    line.voltages[1].reset();  // elements 4 to 6 of both arrays
+    line.voltages[3].reset();
+    const auto got = measurementOf(line, RobotStatus{}, robot, 0.0);
+    ASSERT_TRUE(got);
+    const Proprioception s = proprioception(*got);
+    EXPECT_TRUE(s.frontCurrent && s.force[2]);
+    EXPECT_FALSE(s.rearCurrent || s.force[3] || s.force[4] || s.force[5]);
+    EXPECT_EQ(got->missing, missingFeatures(s));
+    EXPECT_EQ(overTheWire(*got)->missing, got->missing) << "as a robot sends it on";
 }
 
 TEST_F(Wire, takesTheOtherSideForABrokenElement)
@@ -181,7 +192,7 @@ TEST_F(Wire, takesTheOtherSideForABrokenElement)
     EXPECT_NEAR(got->force[1], 0.5, 1e-6);
     EXPECT_NEAR(got->force[5], 19.0, 1e-6);
     (*line.voltages[2])[1] = 0.0;  // and right element 2
-    EXPECT_FALSE(measurementOf(line, RobotStatus{}, robot, 0.0));
+    EXPECT_FALSE(proprioception(*measurementOf(line, RobotStatus{}, robot, 0.0)).force[1]);
 }
 
 TEST_F(Wire, averagesLeftAndRightAndDoesWithoutOneArray)
@@ -199,7 +210,7 @@ TEST_F(Wire, averagesLeftAndRightAndDoesWithoutOneArray)
     EXPECT_NEAR(measurementOf(line, RobotStatus{}, robot, 0.0)->force[0], 2.0, 1e-6);
     EXPECT_FALSE(elementForces(line, robot).left[0]);
     line.voltages[3].reset();
-    EXPECT_FALSE(measurementOf(line, RobotStatus{}, robot, 0.0));
+    EXPECT_FALSE(proprioception(*measurementOf(line, RobotStatus{}, robot, 0.0)).force[5]);
 }
 
 }  // namespace
