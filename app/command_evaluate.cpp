@@ -10,6 +10,7 @@
 #include "app/findings.h"
 #include "app/findings_file.h"
 #include "app/findings_report.h"
+#include "app/missing_sensor_table.h"
 #include "app/model_cards.h"
 #include "app/parallel.h"
 #include "app/probe_trials.h"
@@ -22,6 +23,7 @@
 #include "core/eval/step_forecasts.h"
 #include "core/file_read.h"
 #include "core/file_write.h"
+#include "core/learn/scene_copies.h"
 #include "core/learn/scene_file.h"
 #include "core/learn/sha256.h"
 
@@ -130,6 +132,18 @@ Result<SceneFile> scenesWithTruth(const std::string& path)
     return file;
 }
 
+/// How many of the scenes the model was trained on; says so where there are some.
+std::size_t tellTrainingScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox)
+{
+    const std::size_t trained = trainingScenes(scenes, toolbox.model.data.features);
+    if (trained > 0)
+        say(stderr,
+            "terratact: {} of {} scenes are training scenes of this model: errors look "
+            "smaller than they are\n",
+            trained, scenes.size());
+    return trained;
+}
+
 /// The index file of the classes, where there is one.
 Result<std::optional<Classes>> classesOf(const EvaluateOptions& options)
 {
@@ -213,7 +227,7 @@ Result<std::vector<Scene>> scenesOf(const Shard& shard, std::vector<Scene> all,
 
 /// What the methods, baselines apart, err: into the card of the model.
 Status keepInCard(const EvaluateOptions& options, const std::string& modelHash,
-                  const std::string& dataHash, const Findings& findings)
+                  const std::string& dataHash, const Findings& findings, std::size_t trained)
 {
     std::vector<CardScores> scores;
     for (std::size_t k = 0; k < options.methods.size(); ++k) {
@@ -225,6 +239,7 @@ Status keepInCard(const EvaluateOptions& options, const std::string& modelHash,
                           .data = {},
                           .dataHash = {},
                           .scenes = run.scenes - run.failed,
+                          .trainingScenes = trained,
                           .meanError = all.mean,
                           .coverage = all.coverage});
     }
@@ -246,7 +261,9 @@ Status evaluate(const EvaluateOptions& options)
     if (!classes) return classes.error();
     auto all = scenesWithTruth(options.data);
     if (!all) return all.error();
+    const std::size_t trained = tellTrainingScenes(all->scenes, **toolbox);
     if (Status s = makeDirectory(options.out); !s) return s;
+    if (options.missing) return printMissingSensors(all->scenes, **toolbox, options);
 
     Findings findings{.origin = {},
                       .options = {options.methods, options.settings.seed, options.stepLimit,
@@ -267,7 +284,7 @@ Status evaluate(const EvaluateOptions& options)
     if (options.shard)
         return writeShard(options, (*toolbox)->model.contentHash, all->hash, findings);
     if (Status s = reportFindings(findings, options.out); !s || !options.card) return s;
-    return keepInCard(options, (*toolbox)->model.contentHash, all->hash, findings);
+    return keepInCard(options, (*toolbox)->model.contentHash, all->hash, findings, trained);
 }
 
 }  // namespace terratact

@@ -122,7 +122,9 @@ void printCard(const ModelFacts& facts)
             "({}), {}{}\n",
             s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
             s.dataHash.substr(0, 16), s.date,
-            facts.learntFrom(s) ? "; the scenes it was trained on" : "");
+            s.trainingScenes > 0
+                ? fmt::format("; {} of them are training scenes", s.trainingScenes)
+                : std::string(facts.learntFrom(s) ? "; the scenes it was trained on" : ""));
     if (!facts.trouble.empty()) say(stderr, "terratact: {}\n", facts.trouble);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -179,6 +180,18 @@ private:
     double done_ = 0.0, total_ = 1.0;  // of costOf()
 };
 
+/// "3, 7, 12 and 4 more".
+std::string someOf(const std::set<std::string>& runs)
+{
+    constexpr std::size_t kShown = 3;
+    std::string text;
+    std::size_t count = 0;
+    for (const std::string& run : runs)
+        if (++count <= kShown) text += (text.empty() ? "" : ", ") + run;
+    if (count > kShown) text += fmt::format(" and {} more", count - kShown);
+    return text;
+}
+
 Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& watch)
 {
     const auto tell = [&](const std::string& notice) {
@@ -196,6 +209,12 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
         return fileError(plan.data, error.what());
     }
     if (set.leftOut > 0) tell(fmt::format("{} scenes with unknown values left out", set.leftOut));
+    if (set.exactCopies > 0)
+        tell(fmt::format("{} scenes are there twice: their copies were left out", set.exactCopies));
+    if (set.nearCopies > 0)
+        tell(fmt::format("{} scenes repeat another within the sensors' noise and were left out "
+                         "(runs {})",
+                         set.nearCopies, someOf(set.runsWithCopies)));
     if (const auto rows = set.model.scannedHeights.rows();
         rows > kManyRows && (plan.inducing == 0 || plan.inducing > kManyRows))
         tell(fmt::format(

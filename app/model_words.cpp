@@ -42,7 +42,11 @@ QString ModelWords::card(const ModelFacts& facts)
                      .arg(words::text(s->method), words::number(1000.0 * s->meanError, 1),
                           words::percent(s->coverage), QString::number(s->scenes),
                           words::text(s->data), day(s->date));
-        if (facts.learntFrom(*s)) lines.back() += tr(" – the scenes it was trained on");
+        if (s->trainingScenes > 0)
+            lines.back() +=
+                tr(" – %1 of them are training scenes").arg(QString::number(s->trainingScenes));
+        else if (facts.learntFrom(*s))
+            lines.back() += tr(" – the scenes it was trained on");
     }
     if (shown == 0) lines << tr("never evaluated: its errors are unknown");
     if (!facts.trouble.empty())

@@ -54,6 +54,9 @@ CardScores scoresFrom(TomlSection& section)
     scores.data = section.text("data");
     scores.dataHash = checked(section, "data_sha256", isHash, "a SHA-256");
     scores.scenes = static_cast<std::size_t>(section.number("scenes", {1.0, kMostEvaluated}));
+    if (section.has("training_scenes"))
+        scores.trainingScenes =
+            static_cast<std::size_t>(section.number("training_scenes", {1.0, kMostEvaluated}));
     scores.meanError = section.number("mean_error_m", {0.0, kMostError});
     scores.coverage = section.number("coverage_80", {0.0, 1.0});
     return scores;
@@ -103,6 +106,8 @@ std::string textOf(const ModelCard& card)
         line("data", quoted(scores.data));
         line("data_sha256", quoted(scores.dataHash));
         line("scenes", std::to_string(scores.scenes));
+        if (scores.trainingScenes > 0)
+            line("training_scenes", std::to_string(scores.trainingScenes));
         line("mean_error_m", numberText(scores.meanError));
         line("coverage_80", numberText(scores.coverage));
     }

@@ -13,13 +13,14 @@ namespace terratact {
 
 /// How a model did, with one method, on scenes whose terrain is known.
 struct CardScores {
-    std::string method;      ///< its name
-    std::string date;        ///< of the evaluation, as in ModelCard
-    std::string data;        ///< name of the scenes file
-    std::string dataHash;    ///< its SHA-256, hex
-    std::size_t scenes = 0;  ///< that were estimated
-    double meanError = 0.0;  ///< [m] mean |height − truth| over all bins
-    double coverage = 0.0;   ///< 0 … 1: truths within the 80 % band
+    std::string method;              ///< its name
+    std::string date;                ///< of the evaluation, as in ModelCard
+    std::string data;                ///< name of the scenes file
+    std::string dataHash;            ///< its SHA-256, hex
+    std::size_t scenes = 0;          ///< that were estimated
+    std::size_t trainingScenes = 0;  ///< of the file's scenes, that the model was trained on
+    double meanError = 0.0;          ///< [m] mean |height − truth| over all bins
+    double coverage = 0.0;           ///< 0 … 1: truths within the 80 % band
     bool operator==(const CardScores&) const = default;
 };
 

@@ -14,6 +14,7 @@
 
 #include "core/learn/bin_models.h"
 #include "core/learn/likelihood.h"
+#include "core/learn/scene_copies.h"
 
 namespace terratact {
 
@@ -152,12 +153,17 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
     std::vector<const Scene*> rows;
     for (const Scene& scene : scenes)
         if (isComplete(scene)) rows.push_back(&scene);
-    set.used = static_cast<int>(rows.size());
     set.leftOut = static_cast<int>(scenes.size() - rows.size());
+    SceneCopies copies = withoutCopies(rows);
+    rows = std::move(copies.kept);
+    set.exactCopies = static_cast<int>(copies.exact);
+    set.nearCopies = static_cast<int>(copies.near);
+    set.runsWithCopies = std::move(copies.runs);
+    set.used = static_cast<int>(rows.size());
     if (set.used < kFewestTrainingRows)
         throw std::invalid_argument(
-            fmt::format("training needs at least {} scenes with all heights, currents and "
-                        "forces known, found {}",
+            fmt::format("training needs at least {} different scenes with all heights, currents "
+                        "and forces known, found {}",
                         kFewestTrainingRows, set.used));
     ModelData& model = set.model;
     model.heights.resize(set.used, kBins);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,15 @@ struct RowOptions {
 };
 
 /// Training rows of a model: heights, features and their standardisation, hyper-parameters still unset.
-/// Scenes that lack a height or a feature are left out; `used` counts the rest.
+/// Scenes that lack a height or a feature are left out, then copies (scene_copies.h); `used` counts the rest.
 /// Throws std::invalid_argument when fewer than 30 complete scenes are left or an input never varies.
 struct TrainingSet {
     ModelData model;
     int used = 0;
-    int leftOut = 0;
+    int leftOut = 0;                       ///< incomplete
+    int exactCopies = 0;                   ///< left out
+    int nearCopies = 0;                    ///< left out
+    std::set<std::string> runsWithCopies;  ///< of the near ones
 };
 TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& options = {});
 

@@ -362,6 +362,10 @@
         <source>made by: %1</source>
         <translation>vytvořen: %1</translation>
     </message>
+    <message>
+        <source> – %1 of them are training scenes</source>
+        <translation> – %1 z nich jsou trénovací scény</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>

@@ -362,6 +362,10 @@
         <source>made by: %1</source>
         <translation>gemacht mit: %1</translation>
     </message>
+    <message>
+        <source> – %1 of them are training scenes</source>
+        <translation> – %1 davon sind Trainingsszenen</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>
