@@ -55,6 +55,12 @@ say '' '## Generated ground of another seed'
 show simulate --terrain varied --count 150 --exact-truth --seed 2 --out unseen.csv
 show evaluate --data unseen.csv --methods pafc,clearance,joint,local --seed 1 --out unseen
 
+say '' '## Missing sensors' '' \
+  'The same scenes, real and generated, where currents or forces were not measured (core/README.md).' \
+  'One array alone, left or right, is no case of its own: its forces stand for the mean of both.'
+show evaluate --missing --data real.csv --methods local --seed 1 --out lacking
+show evaluate --missing --data unseen.csv --methods local --seed 1 --out lacking
+
 say '' '## The paper’s training set' '' \
   'The same real scenes, the model trained as in the paper: 28 runs over boxes of two heights.'
 show simulate --terrain boxes --seed 1 --out boxes.csv
