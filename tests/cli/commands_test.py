@@ -68,8 +68,8 @@ class Commands(unittest.TestCase):
     def test_tradeoff_measures_a_method(self):
         data, out = self.first_scenes(1), self.path / "tradeoff"
         text = run("tradeoff", "--model", self.model, "--data", data, "--methods", "pafc,local", "--reference-sweeps",
-                   640, "--out", out)
-        self.assertRegex(text, r"pafc +640 draws, worst R-hat \d\.\d+, worst effective draws \d+, "
+                   160, "--out", out)
+        self.assertRegex(text, r"pafc +160 draws, worst R-hat \d\.\d+, worst effective draws \d+, "
                                r"error of the means \d+\.\d+ mm\n +WARNING: fewer than \d{4,} draws.*\n +WARNING: R-hat above 1.01")
         points = rows(out / "tradeoff.csv")
         self.assertEqual({(p["method"], p["varied"]) for p in points},
