@@ -14,11 +14,28 @@
 
 namespace terratact {
 
+namespace {
+
+/// Under the heading "felt", as short as the heading.
+QString feltWord(Touch touch)
+{
+    switch (touch) {
+    case Touch::Felt: return NumbersTable::tr("yes");
+    case Touch::FeltInPart: return NumbersTable::tr("in part");
+    case Touch::Bounded: return touchWord(touch);
+    case Touch::NotFelt: return NumbersTable::tr("no");
+    case Touch::Unrecorded: break;
+    }
+    return words::kNothing;
+}
+
+}  // namespace
+
 NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, parent)
 {
     setAccessibleName(tr("The scene as numbers"));
     setHorizontalHeaderLabels({tr("bin [m]"), tr("height [m]"), tr("sd [m]"), tr("10 % [m]"),
-                               tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("touch"),
+                               tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("felt"),
                                tr("step to next"), tr("R-hat"), tr("ESS"), tr("two heights")});
     setTip(
         *horizontalHeaderItem(Step),
@@ -60,7 +77,7 @@ void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
         set(bin, High, words::signedNumber(e.q90[i], 3));
         set(bin, Ceiling, words::signedNumber(e.ceiling[i], 3));
         set(bin, From, provenanceWord(provenance(e, bin)));
-        set(bin, Touched, touchWord(e.touch[i]));
+        set(bin, Touched, feltWord(e.touch[i]));
         set(bin, Step,
             bin + 1 < kBins && !e.draws.empty() ? words::number(steps[i].p, 3) : words::kNothing);
         set(bin, Rhat, words::rhat(e.rhat[i]));

@@ -5125,12 +5125,24 @@ F1</translation>
         <translation>%1 (%2 %) nebo %3 (%4 %)</translation>
     </message>
     <message>
-        <source>touch</source>
-        <translation>ohmatáno</translation>
-    </message>
-    <message>
         <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within 0.2 m, which is over two bins, and anywhere ahead</source>
         <translation>P schodu jen k dalšímu úseku; P verdiktu počítá schody do 0.2 m, tedy přes dva úseky, a kdekoli vpředu</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ano</translation>
+    </message>
+    <message>
+        <source>in part</source>
+        <translation>zčásti</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>ne</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>ohmatáno</translation>
     </message>
 </context>
 <context>

@@ -5125,12 +5125,24 @@ F1</translation>
         <translation>%1 (%2 %) oder %3 (%4 %)</translation>
     </message>
     <message>
-        <source>touch</source>
-        <translation>ertastet</translation>
-    </message>
-    <message>
         <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within 0.2 m, which is over two bins, and anywhere ahead</source>
         <translation>P einer Stufe nur zum nächsten Abschnitt; das P des Urteils zählt Stufen innerhalb von 0.2 m, also über zwei Abschnitte, und irgendwo voraus</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>in part</source>
+        <translation>teils</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>ertastet</translation>
     </message>
 </context>
 <context>

@@ -110,7 +110,7 @@ class Peer(unittest.TestCase):
         rng = numpy.random.default_rng(3)
         for method in ("pa", "pac"):
             out = few.with_suffix(f".{method}.csv")
-            run("reconstruct", "--model", self.model, "--data", few, "--method", method, "--sweeps", 24000,
+            run("reconstruct", "--model", self.model, "--data", few, "--method", method, "--hazard-rate", 0, "--sweeps", 24000,
                 "--chains", 48, "--burn-in", 100, "--out", out)
             ours = rows(out)
             for k, scene in enumerate(rows(few)):
