@@ -162,8 +162,8 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
     set.used = static_cast<int>(rows.size());
     if (set.used < kFewestTrainingRows)
         throw std::invalid_argument(
-            fmt::format("training needs at least {} different scenes with all heights, currents "
-                        "and forces known, found {}",
+            fmt::format("training needs at least {} scenes with all heights, currents and "
+                        "forces known, each other than the rest, found {}",
                         kFewestTrainingRows, set.used));
     ModelData& model = set.model;
     model.heights.resize(set.used, kBins);

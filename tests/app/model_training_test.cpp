@@ -41,7 +41,12 @@ TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
 {
     const std::vector<Scene> few = someScenes(4, 1);
     std::vector<Scene> scenes;
-    while (scenes.size() <= kManyRows) scenes.insert(scenes.end(), few.begin(), few.end());
+    // Each time with other rear flippers: copies would be left out.
+    for (double rear = 0.0; scenes.size() <= 11 * kManyRows / 10; rear += 0.02)
+        for (Scene scene : few) {
+            scene.s.rear += rear;
+            scenes.push_back(std::move(scene));
+        }
     plan.conditionalRows = 20'000;
     const auto noticesOf = [&](const std::vector<Scene>& all) {
         plan.data = written("learn.csv", all);
@@ -54,10 +59,10 @@ TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
     };
     EXPECT_NE(noticesOf(scenes).find("--inducing 1200"), std::string::npos);
     plan.inducing = 600;
-    EXPECT_EQ(noticesOf(scenes), "");
+    EXPECT_EQ(noticesOf(scenes).find("--inducing"), std::string::npos);
     plan.inducing = 0;
     scenes.resize(kManyRows);
-    EXPECT_EQ(noticesOf(scenes), "");
+    EXPECT_EQ(noticesOf(scenes).find("--inducing"), std::string::npos);
 }
 
 TEST_F(Training, saysWhenEachBinOfEachKindBeginsAndEnds)

@@ -32,7 +32,7 @@ TEST(PrepareTraining, leavesOutScenesWithUnknownValues)
     scenes[5].s.force[0].reset();
     const TrainingSet set = prepareTraining(scenes);
     EXPECT_EQ(set.leftOut, 2);
-    EXPECT_EQ(set.used, static_cast<int>(scenes.size()) - 2);
+    EXPECT_EQ(set.used + set.exactCopies + set.nearCopies, static_cast<int>(scenes.size()) - 2);
 }
 
 TEST(PrepareTraining, refusesTooFewScenesAndInputsThatNeverVary)
