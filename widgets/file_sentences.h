@@ -197,6 +197,7 @@ namespace terratact {
     // Of a log of CAN traffic.
     QT_TRANSLATE_NOOP("core", "holds no frame"),
     QT_TRANSLATE_NOOP("core", "is longer than %1 bytes"),
+    QT_TRANSLATE_NOOP("core", "is longer than %1 bytes: this is no log of CAN frames as text"),
     QT_TRANSLATE_NOOP("core", "has no time; record with candump -L"),
     QT_TRANSLATE_NOOP("core", "an error frame cannot be a remote frame"),
     QT_TRANSLATE_NOOP("core", "an error frame cannot be a CAN FD frame"),

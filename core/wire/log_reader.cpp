@@ -108,7 +108,9 @@ Result<LogReader::Line> LogReader::readLine()
 Result<LogReader::Line> LogReader::endOfLongLine()
 {
     ++line_;
-    const Error tooLong = error(fmt::format("is longer than {} bytes", kLongestLine));
+    const Error tooLong =
+        error(fmt::format("is longer than {} bytes{}", kLongestLine,
+                          format_ ? "" : ": this is no log of CAN frames as text"));
     const Result<std::string_view> begin = bytes_.peek(1);
     text_ = begin ? begin->substr(0, kLongestLine) : std::string_view();
     bytes_.take(text_.size());

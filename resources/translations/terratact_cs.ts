@@ -3438,6 +3438,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the processes use pitch and flipper angles alone</source>
         <translation>procesy používají jen náklon a úhly flipperů</translation>
     </message>
+    <message>
+        <source>is longer than %1 bytes: this is no log of CAN frames as text</source>
+        <translation>je delší než %1 bajtů: to není textový záznam rámců CAN</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

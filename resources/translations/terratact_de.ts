@@ -3438,6 +3438,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the processes use pitch and flipper angles alone</source>
         <translation>die Prozesse nutzen nur Nicken und Flipperwinkel</translation>
     </message>
+    <message>
+        <source>is longer than %1 bytes: this is no log of CAN frames as text</source>
+        <translation>ist länger als %1 Bytes: das ist kein Protokoll von CAN-Frames als Text</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

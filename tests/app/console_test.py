@@ -49,7 +49,7 @@ class Console(unittest.TestCase):
         log = os.path.join(os.environ["TERRATACT_SOURCE_DIR"], "docs", "can_demo.log")
         done = run(log)  # as far as it gets without a display: the log is read before
         self.assertIn("no display", done.stderr)
-        for path, why in (("/nowhere/x.log", "No such file"), (CONSOLE, "needs a log of candump -L")):
+        for path, why in (("/nowhere/x.log", "No such file"), (CONSOLE, "this is no log of CAN frames as text")):
             done = run(path)
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stderr, f"^terratact-console: {path}.*{why}")
