@@ -64,6 +64,23 @@ QString outlookOf(const Verdict& verdict)
     return {};
 }
 
+/// The shortfall and the help in a few words, for the two lines of the strip.
+QString briefShortfall(const Verdict& verdict)
+{
+    QString text;
+    switch (verdict.shortfall) {
+    case Shortfall::None: break;
+    case Shortfall::NothingFelt: text = VerdictStrip::tr("flippers press on nothing"); break;
+    case Shortfall::ShortHorizon:
+        text = VerdictStrip::tr("felt to %1 m only").arg(words::signedNumber(verdict.horizon, 2));
+        break;
+    case Shortfall::Spanned: text = VerdictStrip::tr("not felt under the flippers"); break;
+    }
+    if (verdict.help == Help::Flatten) text += VerdictStrip::tr(", flatter flippers help");
+    if (verdict.help == Help::DriveOn) text += VerdictStrip::tr(", 0.1 m further helps");
+    return text;
+}
+
 /// How far the answer goes, and what lies behind it.
 QString clearText(const Verdict& verdict)
 {
@@ -249,10 +266,13 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
     setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
     setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);
-    QString why = whyOf(verdict);
+    const bool falls = verdict.outlook == Outlook::CannotTell && !isWithheld
+                    && verdict.shortfall != Shortfall::None;
+    QString why = falls ? briefShortfall(verdict) : whyOf(verdict);
     if (!probe.isEmpty() && !isWithheld) why += QStringLiteral(" — ") + probe;
     reason_->setText(why);
     QStringList tip{why};
+    if (falls) tip << whyOf(verdict);
     for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
     say(badgeOf(verdict), outlookOf(verdict), isWithheld);

@@ -7914,6 +7914,26 @@ vpředu</translation>
         <source>a sensor may lie</source>
         <translation>snímač možná neměří správně</translation>
     </message>
+    <message>
+        <source>flippers press on nothing</source>
+        <translation>flippery na nic netlačí</translation>
+    </message>
+    <message>
+        <source>felt to %1 m only</source>
+        <translation>ohmatáno jen do %1 m</translation>
+    </message>
+    <message>
+        <source>not felt under the flippers</source>
+        <translation>pod flippery neohmatáno</translation>
+    </message>
+    <message>
+        <source>, flatter flippers help</source>
+        <translation>, pomohou plošší flippery</translation>
+    </message>
+    <message>
+        <source>, 0.1 m further helps</source>
+        <translation>, pomůže o 0.1 m dál</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ViewMenu</name>

@@ -7914,6 +7914,26 @@ voraus</translation>
         <source>a sensor may lie</source>
         <translation>ein Sensor misst vielleicht falsch</translation>
     </message>
+    <message>
+        <source>flippers press on nothing</source>
+        <translation>Flipper drücken auf nichts</translation>
+    </message>
+    <message>
+        <source>felt to %1 m only</source>
+        <translation>nur bis %1 m ertastet</translation>
+    </message>
+    <message>
+        <source>not felt under the flippers</source>
+        <translation>unter den Flippern nicht ertastet</translation>
+    </message>
+    <message>
+        <source>, flatter flippers help</source>
+        <translation>, flachere Flipper helfen</translation>
+    </message>
+    <message>
+        <source>, 0.1 m further helps</source>
+        <translation>, 0.1 m weiter hilft</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ViewMenu</name>
