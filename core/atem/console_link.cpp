@@ -103,7 +103,8 @@ GateView ConsoleLink::gateView(double now) const
 bool ConsoleLink::moves(double now) const
 {
     const auto& robot = listener_.status();
-    if (driving_ || !robot || arming_.cause == DisarmCause::OperatorAbsent) return true;
+    if (driving_ || !robot || stopLatched_ || arming_.cause == DisarmCause::OperatorAbsent)
+        return true;
     const bool stands = robot->activity == RobotActivity::Halted
                      || robot->activity == RobotActivity::Pressed
                      || robot->activity == RobotActivity::Stopped;

@@ -3836,7 +3836,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>Explore the terrain (A)</source>
-        <translation>Gelände erkunden (A)</translation>
+        <translation>Erkunden (A)</translation>
     </message>
     <message>
         <source>Abort (Esc)</source>
@@ -3984,7 +3984,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>Probe at %1 (B)</source>
-        <translation>Sondieren bei %1 (B)</translation>
+        <translation>Sonde %1 (B)</translation>
     </message>
     <message>
         <source>The robot presses anew, then the arm is proposed; nothing moves the arm before you approve it</source>

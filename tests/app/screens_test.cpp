@@ -299,10 +299,11 @@ TEST_F(Screens, verdict)
         for (Heights& heights : e.draws) halve(heights);
         for (double& sd : e.sd) sd *= 0.5;
         e.touch.fill(Touch::Felt);  // else the simulated ground would be spanned in places
-        e.settings.hazardRate = 0.0;
     };
     inEveryLanguage([&] {
         open({.before = 0.5, .linkLostAfter = 0.8});
+        console->preferences().change(
+            [](Preferences& p) { p.hazardRate = kHazardRateRange.least; });
         alterEstimates(halved);
         ASSERT_NO_FATAL_FAILURE(explore());
         ASSERT_NO_FATAL_FAILURE(withLimit(Outlook::Clear));
