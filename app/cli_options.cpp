@@ -40,7 +40,7 @@ void addEffort(CLI::App& app, Settings& settings)
 }
 
 /// Shells and scripts write the standard input so.
-std::string inputPath(std::string given)
+std::string inputPath(const std::string& given)
 {
     return given == "-" ? "/dev/stdin" : given;
 }

@@ -213,7 +213,7 @@ bool Estimation::restore()
 {
     if (!isAside() || scene_) return false;
     Aside aside = *std::exchange(aside_, std::nullopt);
-    scene_ = std::move(aside.scene);
+    scene_ = aside.scene;
     pose_ = aside.pose;
     capturedAt_ = aside.capturedAt;
     wasUnheard_ = aside.wasUnheard;

@@ -116,16 +116,16 @@ Status checkCommandFiles(const CommandFiles& files)
     for (const std::string& path : files.outputs) {
         onStandardOutput = onStandardOutput || isStandardOutput(path);
         const Identity output = outputIdentity(path);
-        if (const Status s = checkApart(output, files.inputs); !s) return s;
-        if (const Status s = checkApart(output, files.companions); !s) return s;
-        if (const Status s = written.add(path); !s) return s;
+        if (Status s = checkApart(output, files.inputs); !s) return s;
+        if (Status s = checkApart(output, files.companions); !s) return s;
+        if (Status s = written.add(path); !s) return s;
     }
     for (const std::string& path : files.updates) {
-        if (const Status s = checkApart(outputIdentity(path), files.inputs); !s) return s;
-        if (const Status s = written.add(path); !s) return s;
+        if (Status s = checkApart(outputIdentity(path), files.inputs); !s) return s;
+        if (Status s = written.add(path); !s) return s;
     }
     if (onStandardOutput) return Done{};
-    if (const Status s = checkApart(outputIdentity("-"), files.inputs); !s) return s;
+    if (Status s = checkApart(outputIdentity("-"), files.inputs); !s) return s;
     return written.add("-");
 }
 

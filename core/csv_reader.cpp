@@ -342,7 +342,7 @@ bool CsvReader::isBlank() const
 Result<bool> CsvReader::next()
 {
     for (;;) {
-        const Result<bool> more = readRecord();
+        Result<bool> more = readRecord();
         if (!more || !*more) return more;
         if (isBlank()) continue;
         if (columns_ == 0) return true;

@@ -187,8 +187,9 @@ Status makeDirectory(const std::string& path, FolderAccess access)
         for (std::filesystem::path at = path; !at.empty() && !std::filesystem::exists(at, failed);
              at = at.parent_path())
             missing.push_back(at.string());
-        for (auto at = missing.rbegin(); at != missing.rend(); ++at)
-            (void)::mkdir(at->c_str(), S_IRWXU);  // where it fails, so does what follows
+        std::reverse(missing.begin(), missing.end());
+        for (const std::string& at : missing)
+            (void)::mkdir(at.c_str(), S_IRWXU);  // where it fails, so does what follows
     }
     std::filesystem::create_directories(path, failed);
     if (failed)

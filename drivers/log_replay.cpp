@@ -223,7 +223,7 @@ Status LogReplay::obey(double now)
         if (!to && ended_ && told_.repeats && told_.length > 0.0) to = 0.0;
     }
     if (to) {
-        if (const Status done = goTo(*to, now); !done) return done;
+        if (Status done = goTo(*to, now); !done) return done;
     }
     if (paused && !pausedAt_) pausedAt_ = now;
     if (!paused && pausedAt_) *due_ += now - *std::exchange(pausedAt_, std::nullopt);
@@ -237,10 +237,10 @@ Status LogReplay::goTo(double seconds, double now)
         if (!log) return log.error();
         log_ = *std::move(log);
         logTime_ = 0.0;
-        if (const Status done = fetch(); !done) return done;
+        if (Status done = fetch(); !done) return done;
     }
     while (next_ && logTime_ < firstTime_ + seconds)
-        if (const Status done = fetch(); !done) return done;
+        if (Status done = fetch(); !done) return done;
     due_ = now;
     if (pausedAt_) pausedAt_ = now;
     return Done{};

@@ -87,7 +87,7 @@ TerrainProfile randomHazardTerrain(Hazard hazard, double roughness, std::mt19937
     TerrainPath path;
     path.level(between(rng, kHazardBegin, kHazardEnd));
     addHazardShape(path, hazard, rng);
-    const TerrainProfile ground = std::move(path).finish(kRandomTerrainLength);
+    TerrainProfile ground = std::move(path).finish(kRandomTerrainLength);
     if (roughness == 0.0) return ground;
     return sum(ground, isoRoughness(roughness, kRandomTerrainLength, rng));
 }

@@ -195,9 +195,10 @@ void FaultySensors::keepScene(const Measurement& truth)
 double FaultySensors::late(Sensor sensor, double value) const
 {
     const double until = past_.back().time - fault_.amount + 1e-9;
-    for (auto line = past_.rbegin(); line != past_.rend(); ++line) {
-        value = readingsOf(*line)[indexOf(sensor)].value_or(value);
-        if (line->time <= until) break;
+    for (std::size_t k = past_.size(); k > 0; --k) {
+        const Measurement& line = past_[k - 1];
+        value = readingsOf(line)[indexOf(sensor)].value_or(value);
+        if (line.time <= until) break;
     }
     return value;
 }
@@ -221,7 +222,7 @@ double FaultySensors::faulty(Sensor sensor, double value, const Measurement& tru
         return value + eitherWay();
     case FaultKind::Scatter: return value + eitherWay();
     case FaultKind::Flipped: return -value;
-    case FaultKind::Swapped: return of(truth, value);
+    case FaultKind::Swapped:
     case FaultKind::SwappedAxles: return of(truth, value);
     case FaultKind::Late: return late(sensor, value);
     case FaultKind::OutOfRange: return 2.0 * limitOf(sensor);

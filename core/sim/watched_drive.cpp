@@ -63,7 +63,8 @@ private:
         for (double waited = 0.0; robot_.activity() != RobotActivity::Pressed;
              waited += style_.period)
             if (waited > kLongestPress || !step()) return false;
-        for (double stood = 0.0; stood < style_.standing; stood += style_.period)
+        const long steps = std::lround(std::ceil(style_.standing / style_.period - 1e-9));
+        for (long k = 0; k < steps; ++k)
             if (!step()) return false;
         return true;
     }

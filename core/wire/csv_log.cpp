@@ -171,7 +171,7 @@ private:
             field(fields, dialect_ == Dialect::PythonCan ? "arbitration_id" : "id");
         if (digits.starts_with("0x")) digits.remove_prefix(2);
         frame.extended = frame.extended || frame.error;  // of an error class 29 bits count, too
-        const Status done = setFrameId(frame, digits, dialect_ == Dialect::Own ? 10 : 16);
+        Status done = setFrameId(frame, digits, dialect_ == Dialect::Own ? 10 : 16);
         frame.extended = frame.extended && !frame.error;
         return done;
     }
@@ -193,7 +193,7 @@ private:
             field(fields, kLengths.at(static_cast<std::size_t>(dialect_)));
         const auto length = isDigits(text) ? integerFrom<unsigned>(text) : std::nullopt;
         frame.fd = frame.fd || (dialect_ != Dialect::Own && length.value_or(0) > kClassicBytes);
-        if (const Status done = setFrameLength(frame, length.value_or(kFdBytes + 1), text); !done)
+        if (Status done = setFrameLength(frame, length.value_or(kFdBytes + 1), text); !done)
             return done;
         if (frame.remote) return Done{};
         if (dialect_ == Dialect::Gvret) return takeColumns(fields, frame);
@@ -212,20 +212,20 @@ private:
         for (std::size_t i = 0; i < frame.length; ++i) {
             const std::string_view digits =
                 first + i < fields.size() ? fields[first + i] : std::string_view();
-            if (const Status done = setFrameByte(frame, i, digits); !done) return done;
+            if (Status done = setFrameByte(frame, i, digits); !done) return done;
         }
         return Done{};
     }
 
     static Status takeDigits(std::string_view digits, CanFrame& frame)
     {
-        if (digits.size() < 2U * frame.length) frame.isCut = frame.length > kClassicBytes;
+        if (digits.size() < std::size_t{2} * frame.length)
+            frame.isCut = frame.length > kClassicBytes;
         const std::size_t known = bytesOf(frame).size();
         if (digits.size() != 2 * known)
             return expectedInLog("as many bytes as the length says", digits);
         for (std::size_t i = 0; i < known; ++i)
-            if (const Status done = setFrameByte(frame, i, digits.substr(2 * i, 2)); !done)
-                return done;
+            if (Status done = setFrameByte(frame, i, digits.substr(2 * i, 2)); !done) return done;
         return Done{};
     }
 

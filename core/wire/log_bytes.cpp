@@ -146,7 +146,7 @@ Result<std::size_t> LogBytes::more()
     block_.erase(0, at_);
     at_ = 0;
     std::array<char, kBlock> room{};
-    const Result<std::size_t> got = packed_ ? unpack(room) : source_(room);
+    Result<std::size_t> got = packed_ ? unpack(room) : source_(room);
     if (!got || *got == 0) return got;
     const std::string_view bytes(room.data(), *got);
     if (isWide_)
@@ -164,7 +164,7 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
     p.stream.avail_out = static_cast<uInt>(room.size());
     while (p.stream.avail_out == room.size() && !p.isTorn) {
         if (p.stream.avail_in == 0) {
-            const Result<std::size_t> got = source_(p.input);
+            Result<std::size_t> got = source_(p.input);
             if (!got) return got;
             p.stream.next_in = reinterpret_cast<Bytef*>(p.input.data());
             p.stream.avail_in = static_cast<uInt>(*got);

@@ -137,7 +137,7 @@ std::string binaryKindOf(std::string_view begin)
     };
     for (const auto& [magic, kind] : kKinds) {
         if (!begin.starts_with(magic)) continue;
-        const std::string is = "is " + std::string(kind);
+        std::string is = "is " + std::string(kind);
         if (kind.find(": unpack") != std::string_view::npos) return is;
         if (magic == "SQLite format 3\0"sv)
             return is + "; expected a log of CAN frames: session export makes one of a session";

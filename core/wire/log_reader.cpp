@@ -86,7 +86,7 @@ Result<LogReader::Line> LogReader::readLine()
             if (const std::string kind = binaryKindOf(*got); !kind.empty())
                 return fileError(name_, kind);
         const std::size_t end = got->find('\n', looked);
-        if (end != std::string_view::npos && end <= kLongestLine) {
+        if (end <= kLongestLine) {  // npos is larger
             ++line_;
             text_ = got->substr(0, end);
             bytes_.take(end + 1);
