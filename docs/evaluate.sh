@@ -57,7 +57,8 @@ show evaluate --data unseen.csv --methods pafc,clearance,joint,local --seed 1 --
 
 say '' '## Missing sensors' '' \
   'The same scenes, real and generated, where currents or forces were not measured (core/README.md).' \
-  'One array alone, left or right, is no case of its own: its forces stand for the mean of both.'
+  'One array alone, left or right, is no case of its own: its forces stand for the mean of both.' \
+  'How the processes are made without them was chosen with a look at these scans, too: the real rows are no untouched numbers.'
 show evaluate --missing --data real.csv --methods local --seed 1 --out lacking
 show evaluate --missing --data unseen.csv --methods local --seed 1 --out lacking
 
