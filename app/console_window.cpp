@@ -78,6 +78,8 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     qApp->installEventFilter(this);
     qApp->installEventFilter(new CalmWheel(this));
     connect(&prepare_, &QTimer::timeout, this, &ConsoleWindow::prepareSome);
+    tryLater_.setSingleShot(true);
+    connect(&tryLater_, &QTimer::timeout, this, &ConsoleWindow::fitLettersInTurns);
 }
 
 QLabel* ConsoleWindow::addStrip(const QString& look)
@@ -274,7 +276,10 @@ void ConsoleWindow::setLook(ThemeName theme, int wanted)
     if (theme == theme_ && wanted == wanted_) return arrange();
     theme_ = theme;
     wanted_ = wanted;
-    if (!sameLetters) return fitLetters();
+    if (!sameLetters) {
+        trying_ = largestToTry();
+        return fitLettersInTurns();
+    }
     // No colour needs more room than another.
     applyLook(*qApp, theme_, lookInForce().fontScale);
     arrange();
@@ -371,29 +376,47 @@ int ConsoleWindow::largestToTry() const
 
 void ConsoleWindow::fitLetters()
 {
-    std::optional<std::pair<int, QSize>> last;
-    const auto needsWith = [this, &last](int percent) {
-        if (last && last->first == percent) return last->second;
-        if (percent != lookInForce().fontScale || theme_ != lookInForce().theme)
-            applyLook(*qApp, theme_, percent);
-        arrange();
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-        forgetSizes(*this);
-        last = {percent, needs()};
-        if (last->second.expandedTo(room()) != room())
-            tooLarge_ = TooLarge{percent, room(), arrangement()};
-        return last->second;
-    };
+    trying_ = largestToTry();
+    while (!tryLetters()) continue;
+}
+
+void ConsoleWindow::fitLettersInTurns()
+{
+    if (tryLetters()) return;
+    setUpdatesEnabled(false);  // nobody is to see letters that are too large
+    tryLater_.start(0);
+}
+
+bool ConsoleWindow::tryLetters()
+{
     fits_ = false;  // in the making
+    tryLater_.stop();
     letScroll(false);
-    const int percent = lettersThatFit(largestToTry(), room(), needsWith);
-    setLeast(needsWith(percent));
-    arrange();
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-    forgetSizes(*this);
+    if (trying_ != lookInForce().fontScale || theme_ != lookInForce().theme)
+        applyLook(*qApp, theme_, trying_);
+    layOutAnew();
+    const QSize needed = needs();
+    if (needed.expandedTo(room()) != room()) {
+        tooLarge_ = TooLarge{trying_, room(), arrangement()};
+        if (trying_ > kSmallestFont) {
+            trying_ = smallerLetters(trying_, needed, room());
+            return false;
+        }
+    }
+    setLeast(needed);
+    layOutAnew();
     fits_ = true;
     arrange();
     keepOnScreen();
+    setUpdatesEnabled(true);
+    return true;
+}
+
+void ConsoleWindow::layOutAnew()
+{
+    arrange();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    forgetSizes(*this);
 }
 
 /// A window that had to grow may have grown over the edge, beyond which STOP must not lie.
@@ -424,10 +447,12 @@ bool ConsoleWindow::event(QEvent* event)
     if (needed.expandedTo(size()) == size()) return done;
     // More than was foreseen.
     const bool isSmallest = lookInForce().fontScale <= kSmallestFont;
-    if (needed.expandedTo(room()) != room() && !isSmallest)
-        fitLetters();
-    else
+    if (needed.expandedTo(room()) != room() && !isSmallest) {
+        trying_ = largestToTry();
+        fitLettersInTurns();
+    } else {
         setLeast(needed.expandedTo(minimumSize()));
+    }
     return done;
 }
 

@@ -40,6 +40,8 @@ public:
 
     /// Room for the window [px] instead of its screen's, for a picture that needs no screen.
     void setRoom(QSize room);
+    /// The letters are being fitted, which may take some turns of the event loop.
+    bool isMeasured() const { return !fits_; }
     int bannerLine() const;   ///< [px] that banners need, whether there are any or not
     int bannersTake() const;  ///< [px] that they take from the pages now
     /// Another window's place upon this one: below the header with STOP and a banner's line, and no larger than what is
@@ -90,7 +92,6 @@ protected:
     void setLook(ThemeName theme, int wanted);
     /// Lays out anew what depends on the letters in force, and as for the smallest window while it is measured.
     virtual void arrange() {}
-    bool isMeasured() const { return !fits_; }
     /// Another for another arrangement, which may need another room.
     virtual int arrangement() const { return 0; }
 
@@ -109,7 +110,11 @@ private:
     void setLeast(QSize needed);
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
-    void fitLetters();
+    void fitLetters();  ///< at once
+    void
+    fitLettersInTurns();  ///< those of trying_, smaller ones each in a later turn of the event loop
+    bool tryLetters();  ///< those of trying_; false: they are too large, and it is what to try next
+    void layOutAnew();
     int largestToTry() const;
     /// Styles some widgets of pages that were never seen, so that a page is there at once when it is first chosen.
     void prepareSome();
@@ -121,6 +126,7 @@ private:
     int wanted_;         ///< letters [%]
     QSize room_;         ///< invalid: the screen's
     bool fits_ = false;  ///< the letters have been fitted
+    int trying_ = 0;     ///< letters [%] to try
     /// The smallest letters [%] that were too large, and for what: larger ones need not be tried.
     struct TooLarge {
         int percent;
@@ -128,7 +134,7 @@ private:
         int arrangement;
     };
     std::optional<TooLarge> tooLarge_;
-    QTimer prepare_;
+    QTimer prepare_, tryLater_;
     QList<QPointer<QWidget>> unprepared_;
     bool unasked_ = false;
 

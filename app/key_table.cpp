@@ -108,7 +108,7 @@ QString KeyTable::html() const
                           .arg(namesOf(entries_[i]), entries_[i].meaning.toHtmlEscaped());
         column += QStringLiteral("</table>");
     }
-    return QStringLiteral("<table><tr><td valign=top>%1</td><td width=40></td><td "
+    return QStringLiteral("<table width=100%><tr><td valign=top>%1</td><td width=40></td><td "
                           "valign=top>%2</td></tr></table>")
         .arg(columns[0], columns[1]);
 }

@@ -4,6 +4,7 @@
 #include <QLayout>
 #include <QWidget>
 #include <algorithm>
+#include <cmath>
 
 #include "app/preferences.h"
 #include "widgets/look.h"
@@ -17,12 +18,16 @@ struct Letters {
 
 }  // namespace
 
-int lettersThatFit(int wanted, QSize room, const std::function<QSize(int)>& needs)
+int smallerLetters(int percent, QSize needs, QSize room)
 {
-    int percent = std::max(wanted, kSmallestFont);
-    while (percent > kSmallestFont && needs(percent).expandedTo(room) != room)
-        percent = std::max(percent - kLetterStep, kSmallestFont);
-    return percent;
+    const auto share = [](int has, int wants) {
+        return static_cast<double>(has) / std::max(wants, 1);
+    };
+    const double fits =
+        percent
+        * std::min(share(room.width(), needs.width()), share(room.height(), needs.height()));
+    const int steps = static_cast<int>(std::ceil((percent - fits) / kLetterStep - 1e-9));
+    return std::max(percent - std::max(steps, 1) * kLetterStep, kSmallestFont);
 }
 
 void forgetSizes(QWidget& widget)

@@ -2,15 +2,15 @@
 
 #include <QSize>
 #include <QString>
-#include <functional>
 
 class QWidget;
 
 namespace terratact {
 
-/// The largest letters [%] of at most `wanted` with which a window needs no more than `room`, in steps of kLetterStep
-/// down from the wanted ones; kSmallestFont where none do.  needs: what it needs [px] with letters of so many %.
-int lettersThatFit(int wanted, QSize room, const std::function<QSize(int)>& needs);
+/// The next letters [%] to try where those of `percent` made a window need more than its room [px]: in steps of
+/// kLetterStep down from them, kSmallestFont at the least.  Sizes that do not fit even if all that the window needs
+/// shrinks with its letters are left out.
+int smallerLetters(int percent, QSize needs, QSize room);
 
 inline constexpr int kLetterStep = 10;  ///< [%]
 

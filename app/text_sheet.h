@@ -3,14 +3,15 @@
 #include <QList>
 #include <QWidget>
 
-class QLabel;
 class QPushButton;
 class QScrollArea;
 
 namespace terratact {
 
+class SheetText;
+
 /// HTML of which no tag can name a file to load: any but those of headings, paragraphs, tables and bold letters, or with
-/// another attribute than theirs, is shown as it is written.  A QLabel opens what an image names, also a device or a pipe.
+/// another attribute than theirs, is shown as it is written.  Qt opens what an image names, also a device or a pipe.
 QString withoutResources(const QString& html);
 
 /// A text in a small window of its own: as large as it needs to be, and where there is less room it scrolls.  It can be
@@ -35,7 +36,7 @@ protected:
 private:
     QList<int> closedBy_;
     QScrollArea* area_ = nullptr;
-    QLabel* text_ = nullptr;
+    SheetText* text_ = nullptr;
     QPushButton* copy_ = nullptr;
     QPushButton* close_ = nullptr;
 };

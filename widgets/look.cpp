@@ -213,6 +213,26 @@ QPalette paletteOf(const Theme& t)
     return colours;
 }
 
+/// Takes the style sheet away and tells no widget: the sheet that comes in its place tells each, once.
+void dropSheet(QApplication& application)
+{
+    QWidgetList untold;
+    for (QWidget* widget : QApplication::allWidgets()) {
+        if (!widget->testAttribute(Qt::WA_WState_Polished)
+            || widget->testAttribute(Qt::WA_SetStyle))
+            continue;
+        // By these two QApplication::setStyle() tells which widgets are told.
+        widget->setAttribute(Qt::WA_WState_Polished, false);
+        widget->setAttribute(Qt::WA_SetStyle);
+        untold << widget;
+    }
+    application.setStyleSheet(QString());
+    for (QWidget* widget : untold) {
+        widget->setAttribute(Qt::WA_WState_Polished);
+        widget->setAttribute(Qt::WA_SetStyle, false);
+    }
+}
+
 }  // namespace
 
 const Theme& theme()
@@ -252,7 +272,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     }
     if (colours) QApplication::setPalette(paletteOf(current));
     // A sheet in place of another is given to each widget as often as it has ancestors (Qt 6.4); the first one only once.
-    if (!first) application.setStyleSheet(QString());
+    if (!first) dropSheet(application);
     application.setStyleSheet(styleSheet());
 }
 

@@ -342,23 +342,72 @@ TEST(About, namesNoFileThatIsNotThere)
     }
 }
 
+/// The letters that a window ends with, and after how many tries.
+std::pair<int, int> lettersThatFit(int wanted, QSize room, const std::function<QSize(int)>& needs)
+{
+    int percent = wanted, tries = 1;
+    for (; percent > kSmallestFont && needs(percent).expandedTo(room) != room; ++tries)
+        percent = smallerLetters(percent, needs(percent), room);
+    return {percent, tries};
+}
+
 TEST(Letters, areTheLargestThatFit)
 {
-    const auto needs = [](int percent) { return QSize(10 * percent, 5 * percent); };
-    EXPECT_EQ(lettersThatFit(100, {2000, 2000}, needs), 100) << "never larger than wanted";
-    EXPECT_EQ(lettersThatFit(200, {2000, 1000}, needs), 200) << "just so";
-    EXPECT_EQ(lettersThatFit(200, {1999, 2000}, needs), 190) << "too wide";
-    EXPECT_EQ(lettersThatFit(200, {2000, 701}, needs), 140) << "too high";
-    EXPECT_EQ(lettersThatFit(155, {1460, 2000}, needs), 145) << "steps are from the wanted ones";
-    EXPECT_EQ(lettersThatFit(200, {100, 100}, needs), kSmallestFont) << "smaller there are none";
+    const auto fits = [](int wanted, QSize room) {
+        return lettersThatFit(wanted, room,
+                              [](int percent) { return QSize(10 * percent, 5 * percent); });
+    };
+    EXPECT_EQ(fits(100, {2000, 2000}), std::pair(100, 1)) << "never larger than wanted";
+    EXPECT_EQ(fits(200, {2000, 1000}), std::pair(200, 1)) << "just so";
+    EXPECT_EQ(fits(200, {1999, 2000}), std::pair(190, 2)) << "too wide";
+    EXPECT_EQ(fits(200, {2000, 700}), std::pair(140, 2)) << "too high";
+    EXPECT_EQ(fits(155, {1460, 2000}), std::pair(145, 2)) << "steps are from the wanted ones";
+    EXPECT_EQ(fits(200, {100, 100}), std::pair(kSmallestFont, 2)) << "smaller there are none";
+}
+
+TEST(Letters, areTheLargestWherePartsDoNotShrink)
+{
+    for (int room = 900; room < 1700; room += 7) {
+        const auto needs = [](int percent) { return QSize(5 * percent, 700 + 4 * percent); };
+        const auto [percent, tries] = lettersThatFit(200, {2000, room}, needs);
+        EXPECT_EQ(percent, std::clamp((room - 700) / 40 * 10, kSmallestFont, 200)) << room;
+        EXPECT_LE(tries, 8) << room;
+    }
+}
+
+TEST_F(Look, changedWhileItRunsIsAsFromTheStart)
+{
+    Preferences night;
+    night.theme = ThemeName::NightRed;
+    night.fontScale = 120;
+    const auto settingsPage = [this] {
+        window->setRoom({1600, 1000});
+        window->resize(1600, 1000);
+        window->rail()->choose(window->rail()->pageOf(Qt::Key_F7));
+        gui::settle(*window->settings());
+        return gui::painted(*window->settings());
+    };
+    window.reset();
+    open(night);
+    const QImage fromTheStart = settingsPage();
+    window.reset();
+    open();
+    const QImage byDay = settingsPage();
+    for (const Qt::Key key : {Qt::Key_6, Qt::Key_Minus, Qt::Key_5, Qt::Key_0}) press(key);
+    for (int i = 0; i < 2; ++i) press(Qt::Key_Plus);
+    EXPECT_EQ(settingsPage(), fromTheStart);
+    for (const Qt::Key key : {Qt::Key_0, Qt::Key_6, Qt::Key_4}) press(key);
+    EXPECT_EQ(settingsPage(), byDay);
 }
 
 TEST_F(Look, lettersThatDoNotFitTheScreenAreSaidAndKeptForALargerOne)
 {
     window->setRoom({1200, 680});
     window->preferences().change([](Preferences& p) { p.fontScale = 200; });
+    ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
     const int fits = lookInForce().fontScale;
     EXPECT_LT(fits, 200);
+    EXPECT_TRUE(window->updatesEnabled());
     EXPECT_LE(window->minimumWidth(), 1200);
     EXPECT_LE(window->minimumHeight(), 680);
     const QString note = QStringLiteral("200 % wanted, %1 % fits this screen").arg(fits);

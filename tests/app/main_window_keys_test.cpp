@@ -343,6 +343,7 @@ TEST_F(Console, theSheetOfKeysLeavesTheHeaderFreeAndAllOfItCanBeReached)
     window->setRoom({1200, 680});
     for (const int letters : {100, 200}) {
         window->preferences().change([=](Preferences& p) { p.fontScale = letters; });
+        ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
         window->resize(1200, 680);
         QTest::keyClick(window.get(), Qt::Key_F1);
         auto* sheet = window->findChild<TextSheet*>();

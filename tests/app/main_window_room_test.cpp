@@ -75,6 +75,7 @@ TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
     ScriptedSource* source = openScripted();
     window->setRoom({1200, 680});
     window->preferences().change([](Preferences& p) { p.fontScale = 200; });
+    ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
     window->resize(window->minimumSize());
     ASSERT_TRUE(readyToExplore());
     const QSize least = window->minimumSize();

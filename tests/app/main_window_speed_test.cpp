@@ -6,7 +6,9 @@
 #include <QEventLoop>
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -137,46 +139,70 @@ TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
     EXPECT_LT(seconds.back(), 2.0) << "a hang";
 }
 
-/// What an action of the interface keeps the window's thread busy for without a pause [ms].
-double longestOf(MainWindow& window, const std::function<void()>& action)
+/// For how long an action of the interface keeps the window's thread busy without a pause [ms of its processor time].
+double longestOf(const std::function<void()>& action)
 {
     LoopBeat beat;
-    QTest::qWait(20);
+    QTest::qWait(10);
     const double before = threadMilliseconds();
     action();
     const double atOnce = threadMilliseconds() - before;
-    (void)window;
-    QTest::qWait(250);
+    QTest::qWait(70);
     beat.stop();
     return std::max(atOnce, beat.own(1.0));
 }
 
+struct Action {
+    std::string name;
+    std::function<void()> act;
+    double took = std::numeric_limits<double>::infinity();  ///< [ms]
+};
+
 TEST_F(Console, noActionOfTheInterfaceBlocksForLong)
 {
-    ScriptedSource* source = openScripted();
-    (void)source;
+    openScripted();
     ASSERT_TRUE(readyToExplore());
     window->setRoom({1024, 600});
     window->resize(1024, 600);
     QTest::qWait(1500);  // what is prepared while nothing happens
-    const auto key = [this](int pressed, Qt::KeyboardModifiers with = Qt::NoModifier) {
-        return longestOf(
-            *window, [&] { QTest::keyClick(window.get(), static_cast<Qt::Key>(pressed), with); });
+    std::vector<Action> actions;
+    const auto key = [&](const std::string& name, int pressed, Qt::KeyboardModifiers with = {}) {
+        actions.push_back({name, [=, this] {
+                               QTest::keyClick(window.get(), static_cast<Qt::Key>(pressed), with);
+                           }});
     };
-    std::vector<std::pair<std::string, double>> took;
+    const auto wantLetters = [&](int percent) {
+        actions.push_back({"letters " + std::to_string(percent), [=, this] {
+                               window->preferences().change(
+                                   [percent](Preferences& p) { p.fontScale = percent; });
+                           }});
+    };
     for (int page = Qt::Key_F3; page <= Qt::Key_F9; ++page)
-        took.emplace_back("F" + std::to_string(page - Qt::Key_F1 + 1), key(page));
-    took.emplace_back("F2", key(Qt::Key_F2));
+        key("F" + std::to_string(page - Qt::Key_F1 + 1), page);
+    key("F2", Qt::Key_F2);
     for (const int theme : {Qt::Key_5, Qt::Key_6, Qt::Key_4})
-        took.emplace_back("theme", key(theme, Qt::ControlModifier));
-    for (const int letters :
-         {Qt::Key_Plus, Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Minus, Qt::Key_Minus, Qt::Key_0})
-        took.emplace_back("letters", key(letters, Qt::ControlModifier));
-    for (const int layout : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_2})
-        took.emplace_back("layout", key(layout, Qt::ControlModifier));
-    for (const auto& [what, ms] : took) std::printf("%-8s %6.1f ms\n", what.c_str(), ms);
-    // 50 ms are wanted; processor time, too, is longer where caches are shared with others that compute.
-    for (const auto& [what, ms] : took) EXPECT_LT(ms, 80.0) << what;
+        key("theme", theme, Qt::ControlModifier);
+    for (const int letters : {Qt::Key_Minus, Qt::Key_Plus, Qt::Key_Plus, Qt::Key_0})
+        key("letters", letters, Qt::ControlModifier);
+    wantLetters(200);  // several sizes are tried
+    wantLetters(100);
+    for (const int layout : {Qt::Key_1, Qt::Key_3, Qt::Key_2})
+        key("layout", layout, Qt::ControlModifier);
+    for (const auto& [name, modifier] :
+         {std::pair{"keys", Qt::NoModifier}, std::pair{"about", Qt::ControlModifier}}) {
+        key(name, Qt::Key_F1, modifier);
+        actions.push_back({std::string(name) + " away", [] {
+                               if (QWidget* const sheet = QApplication::activeWindow())
+                                   QTest::keyClick(sheet, Qt::Key_F1);
+                           }});
+    }
+    constexpr int kRounds = 3;  // the shortest counts: processor time, too, is longer beside others
+    for (int round = 0; round < kRounds; ++round)
+        for (Action& action : actions) action.took = std::min(action.took, longestOf(action.act));
+    for (const Action& action : actions) {
+        std::printf("%-12s %6.1f ms\n", action.name.c_str(), action.took);
+        EXPECT_LT(action.took, 50.0) << action.name;
+    }
 }
 
 }  // namespace
