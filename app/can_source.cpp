@@ -129,7 +129,8 @@ Status CanSource::send(const Command& command)
     const std::scoped_lock lock(mutex_);
     const auto sent = link_.send(command, steadyNow());
     if (const auto* refusal = std::get_if<GateRefusal>(&sent)) return Error{describe(*refusal), 0};
-    Status left = bus_->send(std::get<CanFrame>(sent));
+    const auto* frame = std::get_if<CanFrame>(&sent);
+    Status left = frame ? bus_->send(*frame) : Done{};  // else it waits and leaves in next()
     remember(command, static_cast<bool>(left));
     return left;
 }

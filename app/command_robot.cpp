@@ -31,9 +31,11 @@ Status runRobot(const RobotOptions& options)
     const auto ground = robotGround(options.terrain, options.seed);
     if (!ground) return ground.error();
     std::random_device device;
-    const auto onBus = withFault(
-        {.firstEpoch = static_cast<std::uint8_t>(1 + device() % 255), .speed = options.speed},
-        options.fault);
+    const auto onBus =
+        withFault({.firstEpoch = static_cast<std::uint8_t>(1 + device() % 255),
+                   .firstChallenge = static_cast<std::uint16_t>(1 + device() % 65535),
+                   .speed = options.speed},
+                  options.fault);
     if (!onBus) return onBus.error();
     auto bus = SocketCan::open({.interface = options.can, .transmit = true, .maxUnconfirmed = 0});
     if (!bus) return bus.error();

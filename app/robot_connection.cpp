@@ -33,6 +33,7 @@ Result<std::unique_ptr<BuiltInRobot>> builtInRobot(const RobotModel& model,
     const auto ground = robotGround(options.terrain, options.seed);
     if (!ground) return ground.error();
     const auto onBus = withFault({.firstEpoch = static_cast<std::uint8_t>(1 + drawn() % 255),
+                                  .firstChallenge = static_cast<std::uint16_t>(1 + drawn() % 65535),
                                   .speed = options.isPicture() ? kDemoSpeed : 1.0},
                                  options.fault);
     if (!onBus) return onBus.error();

@@ -137,7 +137,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "nothing refused"),
     QT_TRANSLATE_NOOP("core", "the arm does not reach that bin"),
     QT_TRANSLATE_NOOP("core", "the robot finds no pose to rest in there"),
-    QT_TRANSLATE_NOOP("core", "the command is not of this arming"),
+    QT_TRANSLATE_NOOP("core", "the command is late or not of this arming"),
     QT_TRANSLATE_NOOP("core", "the command is beyond the robot's limits"),
     QT_TRANSLATE_NOOP("core", "yes"),
     QT_TRANSLATE_NOOP("core", "no"),

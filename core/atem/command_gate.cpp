@@ -31,7 +31,7 @@ bool standsStill(RobotActivity activity)
 struct Judge {
     const GateView& view;
     const GateLimits& limits;
-    std::uint8_t epoch;
+    const ReceivedCommand& frame;
 
     // What makes safe.
     GateRefusal operator()(const StopCommand&) const { return None; }
@@ -113,7 +113,8 @@ struct Judge {
         if (view.link != LinkState::Good || !view.robot) return LinkNotGood;
         if (!isFresh(view.statusAge, limits.statusAge)) return LinkNotGood;
         if (!isFresh(view.answerAge, limits.answerAge)) return NotAnswered;
-        return epoch == view.robot->epoch ? None : WrongEpoch;
+        if (frame.epoch && *frame.epoch != view.robot->epoch) return WrongEpoch;
+        return view.challenge != 0 && frame.challenge == view.challenge ? None : NotAnswered;
     }
 
     GateRefusal stopRefusal() const
@@ -126,7 +127,8 @@ struct Judge {
     GateRefusal motionRefusal() const
     {
         if (const GateRefusal refusal = stopRefusal(); refusal != None) return refusal;
-        const bool here = view.arming.phase == ArmingPhase::Armed && view.arming.epoch == epoch;
+        const bool here =
+            view.arming.phase == ArmingPhase::Armed && view.arming.epoch == view.robot->epoch;
         return here && view.robot->armed ? None : NotArmed;
     }
 };
@@ -152,7 +154,7 @@ GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits&
     if (content.kind == FrameKind::ConsoleHeartbeat)
         return isFresh(view.operatorAge, operatorPatience(view, limits)) ? None : OperatorAbsent;
     const std::optional<ReceivedCommand> sent = commandOf(content);
-    return sent ? std::visit(Judge{view, limits, sent->epoch}, sent->command) : NotAllowed;
+    return sent ? std::visit(Judge{view, limits, *sent}, sent->command) : NotAllowed;
 }
 
 std::string describe(GateRefusal refusal)

@@ -19,7 +19,7 @@ enum class GateRefusal : std::uint8_t {
     OperatorAbsent,  ///< window or panel has not answered lately
     ForeignSender,   ///< somebody else sends this console's frames
     LinkNotGood,     ///< no status of the robot to rely on
-    NotAnswered,     ///< the robot does not answer heartbeats: what arrives may be a recording
+    NotAnswered,  ///< no answer to a heartbeat, or not its challenge: what arrives may be a recording
     WrongEpoch,
     StopLatched,
     NotStopped,  ///< nothing to release
@@ -48,6 +48,7 @@ struct GateView {
     LinkState link = LinkState::Unknown;  ///< of RobotStatus
     double statusAge = kNever;            ///< [s] of the last sound RobotStatus
     double answerAge = kNever;            ///< [s] Freshness::age
+    std::uint16_t challenge = 0;          ///< of the newest answer since the last halt; 0: none
     double operatorAge = kNever;          ///< [s] since the slower of window and panel answered
     /// Something of the robot moves or was told to: then a heartbeat, too, needs an operator who answers now.
     bool moves = true;
@@ -77,7 +78,8 @@ double operatorPatience(const GateView& view, const GateLimits& limits);
 /// The last thing that every outgoing frame passes: judges the bytes themselves, so that it relies on
 /// nobody who made them.  Deny by default.  Stop, Halt, AbortAtem and disarming always pass when well
 /// formed; a heartbeat while the operator's window and panel answer, or pause while nothing moves; all else needs operator, link, the
-/// robot's epoch and the state that its row in the table of tests/core/atem/command_gate_test.cpp shows.
+/// robot's epoch and challenge, and the state that its row in the table of tests/core/atem/command_gate_test.cpp
+/// shows.
 /// Pure; a NaN in view or limits refuses.
 GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits);
 

@@ -23,6 +23,8 @@ bool isMotion(const Command& command)
         || std::holds_alternative<AdvanceCommand>(command);
 }
 
+constexpr std::uint16_t kAnyChallenge = 1;  // as if the robot had answered
+
 double orNever(std::optional<double> age)
 {
     return age.value_or(GateView::kNever);
@@ -55,7 +57,10 @@ std::optional<Measurement> ConsoleLink::receive(const CanFrame& frame, bool echo
     const std::uint64_t consoles = listener_.counters().fromConsole;
     std::optional<Measurement> measurement = listener_.take(frame, now);
     if (listener_.counters().fromConsole != consoles) foreignSeen_ = now;
-    if (listener_.token()) freshness_.echoed(*listener_.token());
+    if (const auto token = listener_.token()) {
+        freshness_.echoed(*token);
+        if (freshness_.answersAnew(*token)) challenge_ = listener_.challenge();
+    }
     return measurement;
 }
 
@@ -89,6 +94,7 @@ GateView ConsoleLink::gateView(double now) const
     GateView view{.link = listener_.link(FrameKind::RobotStatus, now),
                   .statusAge = orNever(listener_.age(FrameKind::RobotStatus, now)),
                   .answerAge = orNever(freshness_.age(now)),
+                  .challenge = challenge_,
                   .operatorAge = operatorSeen_ ? now - *operatorSeen_ : GateView::kNever,
                   .moves = moves(now),
                   .foreignSender = foreignSender(now),
@@ -111,28 +117,59 @@ bool ConsoleLink::moves(double now) const
     return !stands || (motionSent_ && now - *motionSent_ < kMotionShows);
 }
 
-std::variant<CanFrame, GateRefusal> ConsoleLink::send(const Command& command, double now)
+GateRefusal ConsoleLink::refusalOf(const Command& command, std::uint16_t challenge,
+                                   double now) const
+{
+    GateView view = gateView(now);
+    view.challenge = challenge;
+    if (std::holds_alternative<ReleaseStopCommand>(command))
+        view.stopLatched = false;  // it is what is to be released
+    return judge(frameOfNext(command, challenge), view, options_.gate);
+}
+
+CanFrame ConsoleLink::frameOfNext(const Command& command, std::uint16_t challenge) const
+{
+    const std::uint8_t epoch = listener_.status() ? listener_.status()->epoch : std::uint8_t{0};
+    return frameOf(command, epoch, counters_[static_cast<std::size_t>(kindOf(command))], challenge);
+}
+
+std::variant<CanFrame, GateRefusal, ConsoleLink::Waits> ConsoleLink::send(const Command& command,
+                                                                          double now)
 {
     // Before the gate: what the operator no longer wants ends even where the frame does not get out.
     driving_.reset();
+    waiting_.reset();
     if (std::holds_alternative<StopCommand>(command)) stopLatched_ = true;
-    const bool releases = std::holds_alternative<ReleaseStopCommand>(command);
 
-    const FrameKind kind = kindOf(command);
-    std::uint8_t& counter = counters_[static_cast<std::size_t>(kind)];
-    const std::uint8_t epoch = listener_.status() ? listener_.status()->epoch : std::uint8_t{0};
-    const CanFrame frame = frameOf(command, epoch, counter);
-    GateView view = gateView(now);
-    if (releases) view.stopLatched = false;  // it is what is to be released
-    const GateRefusal refusal = judge(frame, view, options_.gate);
+    GateRefusal refusal = refusalOf(command, challenge_, now);
+    const bool waits = challenge_ == 0 && refusal == GateRefusal::NotAnswered
+                    && (refusal = refusalOf(command, kAnyChallenge, now)) == GateRefusal::None;
+    if (waits) {
+        waiting_ = Waiting{command, now};
+        return Waits{};
+    }
+    const bool releases = std::holds_alternative<ReleaseStopCommand>(command);
     if (releases && (refusal == GateRefusal::None || refusal == GateRefusal::NotStopped))
         stopLatched_ = false;
     if (endsApproval(command)) approved_.reset();
     if (refusal != GateRefusal::None) return refusal;
-    ++counter;
+    const CanFrame frame = frameOfNext(command, challenge_);
+    left(command, now);
+    return frame;
+}
+
+// What the gate has let out.
+void ConsoleLink::left(const Command& command, double now)
+{
+    ++counters_[static_cast<std::size_t>(kindOf(command))];
     if (isMotion(command)) motionSent_ = now;
     if (const auto* drive = std::get_if<DriveCommand>(&command)) driving_ = Driving{*drive, now};
-    return frame;
+    const auto* arm = std::get_if<ArmCommand>(&command);
+    if (arm && !arm->armed) disarmSent_ = now;
+    if (!arm && safety(command) == 0) return;
+    challenge_ = 0;  // the robot voids what it has given out
+    freshness_.beginAnew();
+    lastBeat_.reset();  // asks for the next one at once
 }
 
 std::optional<CanFrame> ConsoleLink::passed(const Command& command, double now)
@@ -146,9 +183,20 @@ std::vector<CanFrame> ConsoleLink::tick(double now)
 {
     std::vector<CanFrame> out;
     arm(now, out);
+    sendWaiting(now, out);
     keepDriving(now, out);
     beat(now, out);
     return out;
+}
+
+void ConsoleLink::sendWaiting(double now, std::vector<CanFrame>& out)
+{
+    if (!waiting_) return;
+    const Waiting waiting = *waiting_;
+    const double waited = now - waiting.since;
+    if (!(waited >= 0.0 && waited < kWaits)) return waiting_.reset();
+    if (const auto frame = passed(waiting.command, now)) out.push_back(*frame);
+    if (waiting_) waiting_->since = waiting.since;
 }
 
 void ConsoleLink::arm(double now, std::vector<CanFrame>& out)
@@ -176,9 +224,26 @@ void ConsoleLink::arm(double now, std::vector<CanFrame>& out)
     if (before.phase != ArmingPhase::Requested && arming_.phase == ArmingPhase::Requested) {
         if (const auto frame = passed(ArmCommand{true}, now)) out.push_back(*frame);
     }
-    if (mustTellRobot(before, arming_)) {
+    const bool tells = mustTellRobot(before, arming_);
+    if (tells) {
         if (const auto frame = passed(ArmCommand{false}, now)) out.push_back(*frame);
     }
+    if (arming_.phase == ArmingPhase::Requested || tells)
+        owesDisarm_ = true;
+    else if (!robot || !robot->armed)
+        owesDisarm_ = false;
+    disarmRobot(now, out);
+}
+
+// A robot that says it is armed while this console is not: its Disarm was lost, or its Arm came late.  A robot that
+// somebody else may have armed is left alone.
+void ConsoleLink::disarmRobot(double now, std::vector<CanFrame>& out)
+{
+    const bool armed = listener_.status() && listener_.status()->armed;
+    if (arming_.phase != ArmingPhase::Disarmed || !armed) return;
+    if (foreignSender(now) && !owesDisarm_) return;
+    if (!isDue(disarmSent_, kDisarmPeriod, now)) return;
+    if (const auto frame = passed(ArmCommand{false}, now)) out.push_back(*frame);
 }
 
 void ConsoleLink::keepDriving(double now, std::vector<CanFrame>& out)

@@ -32,7 +32,10 @@ class ConsoleLink {
 public:
     static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]
     static constexpr double kDrivePeriod = 0.02;     ///< [s]
-    static constexpr double kForeignFor = 5.0;       ///< [s] a foreign sender is remembered
+    static constexpr double kDisarmPeriod =
+        0.1;                                    ///< [s] to a robot that is armed and should not be
+    static constexpr double kWaits = 0.25;      ///< [s] at most, of a command for a challenge
+    static constexpr double kForeignFor = 5.0;  ///< [s] a foreign sender is remembered
     static constexpr double kMotionShows =
         0.5;  ///< [s] after which the robot's status shows a motion
 
@@ -59,10 +62,14 @@ public:
     /// The operator's word for one probe at `now`; it ends with the next probe, halt, stop or abort.
     void approve(int bin, double now);
 
+    /// All that keeps a command from leaving is that the robot has voided its challenge, for what made safe before
+    /// it.  It leaves in tick() with the next answer, unless another command comes, or none of kWaits.
+    struct Waits {};
+
     /// The frame of a command, or why it may not leave.  A drive goes on in tick() until another command.
     /// Stop latches until ReleaseStop is sent, or refused because a robot over a good link is not stopped.
     /// Arming is not for here but for wantArming.
-    std::variant<CanFrame, GateRefusal> send(const Command& command, double now);
+    std::variant<CanFrame, GateRefusal, Waits> send(const Command& command, double now);
 
     /// What is due; to be called at least every 20 ms.
     std::vector<CanFrame> tick(double now);
@@ -78,7 +85,12 @@ private:
     bool linkGood(double now) const;
     bool foreignSender(double now) const;
     std::optional<CanFrame> passed(const Command& command, double now);
+    GateRefusal refusalOf(const Command& command, std::uint16_t challenge, double now) const;
+    CanFrame frameOfNext(const Command& command, std::uint16_t challenge) const;
+    void left(const Command& command, double now);
+    void sendWaiting(double now, std::vector<CanFrame>& out);
     void arm(double now, std::vector<CanFrame>& out);
+    void disarmRobot(double now, std::vector<CanFrame>& out);
     void beat(double now, std::vector<CanFrame>& out);
     void keepDriving(double now, std::vector<CanFrame>& out);
 
@@ -89,6 +101,10 @@ private:
     ArmingState arming_;
     bool wanted_ = false, confirmed_ = false, disarmed_ = false;
     bool stopLatched_ = false;
+    bool owesDisarm_ =
+        false;  ///< this console asked to arm, and the robot has not said since that it is not
+    std::uint16_t challenge_ = 0;  ///< of the newest answer; 0: none since the robot voided them
+    std::optional<double> disarmSent_;
     std::optional<double> operatorSeen_, foreignSeen_, goodSince_, lastBeat_, motionSent_;
     struct Approved {
         int bin;
@@ -100,6 +116,11 @@ private:
         double sent;
     };
     std::optional<Driving> driving_;
+    struct Waiting {
+        Command command;
+        double since;
+    };
+    std::optional<Waiting> waiting_;
     std::array<std::uint8_t, kFrameKinds> counters_{};
 };
 

@@ -31,7 +31,7 @@ std::string describe(Refusal refusal)
     case Refusal::NotPressed: return "the front flippers are not pressed to the ground";
     case Refusal::NoRestPose: return "the robot finds no pose to rest in there";
     case Refusal::NotArmed: return "the robot is not armed";
-    case Refusal::WrongEpoch: return "the command is not of this arming";
+    case Refusal::WrongEpoch: return "the command is late or not of this arming";
     case Refusal::OutOfLimits: return "the command is beyond the robot's limits";
     }
     throw std::invalid_argument("describe: no such Refusal");

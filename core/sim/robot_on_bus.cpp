@@ -43,7 +43,7 @@ std::optional<RobotFault> robotFaultFromName(std::string_view text)
 
 RobotOnBus::RobotOnBus(RobotModel model, SimulatedRobot robot, const Options& options)
     : model_(std::move(model)), robot_(std::move(robot)), options_(options),
-      receiver_(options.firstEpoch)
+      receiver_(options.firstEpoch, options.firstChallenge)
 {
     if (!(options.speed > 0.0 && options.speed <= 1000.0))
         throw std::invalid_argument("RobotOnBus: the speed must lie above 0 and at most at 1000");
@@ -73,11 +73,16 @@ std::vector<CanFrame> RobotOnBus::receive(const CanFrame& frame, double now)
         lastCounter_ = answer.counter;
     }
     switch (answer.verdict) {
-    case CommandVerdict::Heartbeat: return {robotHeartbeat(*answer.token, heartbeatCounter_++)};
+    case CommandVerdict::Heartbeat:
+        return {robotHeartbeat(*answer.token, heartbeatCounter_++, answer.challenge)};
     case CommandVerdict::Accepted: obey(*answer.command); break;
     case CommandVerdict::NotArmed:
     case CommandVerdict::NoHeartbeat: refuse(Refusal::NotArmed); break;
     case CommandVerdict::WrongEpoch: refuse(Refusal::WrongEpoch); break;
+    case CommandVerdict::TooLate:
+        // Drives that were on their way when a key was released are nothing to report.
+        if (answer.kind != FrameKind::Drive) refuse(Refusal::WrongEpoch);
+        break;
     case CommandVerdict::NotACommand:
     case CommandVerdict::Malformed:
     case CommandVerdict::Repeated:
@@ -143,8 +148,7 @@ void RobotOnBus::live(double dt)
 void RobotOnBus::reboot()
 {
     receiver_.disarm();
-    const std::uint8_t epoch = receiver_.epoch();
-    receiver_ = CommandReceiver(epoch);
+    receiver_ = CommandReceiver(receiver_.epoch(), receiver_.nextChallenge());
     robot_.command(ReleaseStopCommand{});
     robot_.command(HaltCommand{});
     exploring_ = false;

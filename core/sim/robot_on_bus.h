@@ -44,8 +44,9 @@ std::optional<RobotFault> robotFaultFromName(std::string_view text);
 class RobotOnBus {
 public:
     struct Options {
-        std::uint8_t firstEpoch = 1;  ///< drawn anew at every start, not 0
-        double speed = 1.0;           ///< simulated seconds per second
+        std::uint8_t firstEpoch = 1;       ///< drawn anew at every start, not 0
+        std::uint16_t firstChallenge = 1;  ///< drawn anew at every start, not 0
+        double speed = 1.0;                ///< simulated seconds per second
         RobotFault fault = RobotFault::None;
         double faultAt = 0.0;                      ///< [s] after the first tick
         std::optional<SensorFault> sensorFault{};  ///< from faultAt on, too
@@ -54,7 +55,7 @@ public:
     static constexpr double kRebootTime = 1.0;   ///< [s]
     static constexpr double kLongestTick = 0.2;  ///< [s] of time that a late tick catches up with
 
-    /// Throws std::invalid_argument for epoch 0, or unless 0 < speed ≤ 1000 and faultAt ≥ 0.
+    /// Throws std::invalid_argument for epoch or challenge 0, or unless 0 < speed ≤ 1000 and faultAt ≥ 0.
     RobotOnBus(RobotModel model, SimulatedRobot robot, const Options& options);
 
     /// What the robot sends in answer to one frame.

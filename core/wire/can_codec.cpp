@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -70,37 +71,37 @@ CanFrame packed(FrameKind kind, std::uint8_t counter, const Values& values)
 
 struct CommandValues {
     FrameKind kind;
-    Values values;  ///< the first one is the epoch
+    Values values;  ///< in the order of the layout
 };
 
 // One function per command, so that a new command does not compile without its frame.
 struct ToValues {
-    double epoch;
+    double epoch, challenge;
     CommandValues operator()(const StopCommand&) const { return {FrameKind::Stop, {}}; }
     CommandValues operator()(const ReleaseStopCommand&) const
     {
-        return {FrameKind::ReleaseStop, {epoch}};
+        return {FrameKind::ReleaseStop, {epoch, challenge}};
     }
     CommandValues operator()(const HaltCommand&) const { return {FrameKind::Halt, {epoch}}; }
     CommandValues operator()(const DriveCommand& c) const
     {
-        return {FrameKind::Drive, {epoch, c.speed}};
+        return {FrameKind::Drive, {epoch, c.speed, challenge}};
     }
     CommandValues operator()(const PressCommand& c) const
     {
-        return {FrameKind::PressFlippers, {epoch, c.torque}};
+        return {FrameKind::PressFlippers, {epoch, c.torque, challenge}};
     }
     CommandValues operator()(const ProbeCommand& c) const
     {
-        return {FrameKind::ProbeBin, {epoch, static_cast<double>(c.bin)}};
+        return {FrameKind::ProbeBin, {epoch, static_cast<double>(c.bin), challenge}};
     }
     CommandValues operator()(const ArmCommand& c) const
     {
-        return {FrameKind::Arm, {epoch, c.armed ? 1.0 : 0.0}};
+        return {FrameKind::Arm, {epoch, c.armed ? 1.0 : 0.0, challenge}};
     }
     CommandValues operator()(const BeginAtemCommand&) const
     {
-        return {FrameKind::BeginAtem, {epoch}};
+        return {FrameKind::BeginAtem, {epoch, challenge}};
     }
     CommandValues operator()(const AbortAtemCommand&) const
     {
@@ -108,11 +109,11 @@ struct ToValues {
     }
     CommandValues operator()(const HoldFlippersCommand& c) const
     {
-        return {FrameKind::HoldFlippers, {epoch, c.front, c.rear}};
+        return {FrameKind::HoldFlippers, {c.front, c.rear, challenge}};
     }
     CommandValues operator()(const AdvanceCommand& c) const
     {
-        return {FrameKind::Advance, {epoch, c.distance}};
+        return {FrameKind::Advance, {epoch, c.distance, challenge}};
     }
 };
 
@@ -127,11 +128,19 @@ std::optional<Command> commandFrom(FrameKind kind, const Values& v)
     case FrameKind::BeginAtem: return BeginAtemCommand{};
     case FrameKind::AbortAtem: return AbortAtemCommand{};
     case FrameKind::PressFlippers: return PressCommand{v[1]};
-    case FrameKind::HoldFlippers: return HoldFlippersCommand{v[1], v[2]};
+    case FrameKind::HoldFlippers: return HoldFlippersCommand{v[0], v[1]};
     case FrameKind::ProbeBin: return ProbeCommand{static_cast<int>(v[1])};
     case FrameKind::Advance: return AdvanceCommand{v[1]};
     default: return std::nullopt;
     }
+}
+
+std::optional<double> valueOf(const Unpacked& content, std::string_view name)
+{
+    const auto signals = layoutOf(content.kind).payload;
+    const auto at = std::ranges::find(signals, name, &SignalLayout::name);
+    if (at == signals.end()) return std::nullopt;
+    return content.values[static_cast<std::size_t>(at - signals.begin())];
 }
 
 Values valuesOf(const std::optional<Pair>& pair)
@@ -249,12 +258,14 @@ bool meansStop(const CanFrame& frame)
 
 FrameKind kindOf(const Command& command)
 {
-    return std::visit(ToValues{0.0}, command).kind;
+    return std::visit(ToValues{0.0, 0.0}, command).kind;
 }
 
-CanFrame frameOf(const Command& command, std::uint8_t epoch, std::uint8_t counter)
+CanFrame frameOf(const Command& command, std::uint8_t epoch, std::uint8_t counter,
+                 std::uint16_t challenge)
 {
-    const CommandValues content = std::visit(ToValues{static_cast<double>(epoch)}, command);
+    const ToValues toValues{static_cast<double>(epoch), static_cast<double>(challenge)};
+    const CommandValues content = std::visit(toValues, command);
     return packed(content.kind, counter, content.values);
 }
 
@@ -262,7 +273,10 @@ std::optional<ReceivedCommand> commandOf(const Unpacked& content)
 {
     const std::optional<Command> command = commandFrom(content.kind, content.values);
     if (!command) return std::nullopt;
-    return ReceivedCommand{*command, static_cast<std::uint8_t>(content.values[0])};
+    ReceivedCommand received{.command = *command, .challenge = challengeOf(content)};
+    if (const auto epoch = valueOf(content, "Epoch"))
+        received.epoch = static_cast<std::uint8_t>(*epoch);
+    return received;
 }
 
 CanFrame consoleHeartbeat(std::uint16_t token, std::uint8_t counter)
@@ -270,9 +284,10 @@ CanFrame consoleHeartbeat(std::uint16_t token, std::uint8_t counter)
     return packed(FrameKind::ConsoleHeartbeat, counter, {static_cast<double>(token)});
 }
 
-CanFrame robotHeartbeat(std::uint16_t token, std::uint8_t counter)
+CanFrame robotHeartbeat(std::uint16_t token, std::uint8_t counter, std::uint16_t challenge)
 {
-    return packed(FrameKind::RobotHeartbeat, counter, {static_cast<double>(token)});
+    return packed(FrameKind::RobotHeartbeat, counter,
+                  {static_cast<double>(token), static_cast<double>(challenge)});
 }
 
 std::optional<std::uint16_t> tokenOf(const Unpacked& content)
@@ -280,6 +295,12 @@ std::optional<std::uint16_t> tokenOf(const Unpacked& content)
     if (content.kind != FrameKind::ConsoleHeartbeat && content.kind != FrameKind::RobotHeartbeat)
         return std::nullopt;
     return static_cast<std::uint16_t>(content.values[0]);
+}
+
+std::optional<std::uint16_t> challengeOf(const Unpacked& content)
+{
+    const std::optional<double> value = valueOf(content, "Challenge");
+    return value ? std::optional(static_cast<std::uint16_t>(*value)) : std::nullopt;
 }
 
 CanFrame frameOf(const RobotStatus& s, std::uint8_t counter)

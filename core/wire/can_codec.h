@@ -48,15 +48,18 @@ bool meansStop(const CanFrame& frame);
 
 // Commands.
 
-/// epoch: as announced by the robot; without meaning in a Stop.
-CanFrame frameOf(const Command& command, std::uint8_t epoch, std::uint8_t counter);
+/// epoch: as announced by the robot; without meaning in a Stop, which has none, as HoldFlippers has not.
+/// challenge: of the robot's newest answer, 0 for none; without meaning in what makes safe, but for Arm.
+CanFrame frameOf(const Command& command, std::uint8_t epoch, std::uint8_t counter,
+                 std::uint16_t challenge = 0);
 
 /// The kind of frame a command travels in.
 FrameKind kindOf(const Command& command);
 
 struct ReceivedCommand {
     Command command;
-    std::uint8_t epoch = 0;  ///< 0 in a Stop, which has none
+    std::optional<std::uint8_t> epoch{};       ///< of the frames that carry one
+    std::optional<std::uint16_t> challenge{};  ///< likewise; 0 is no robot's
 };
 /// Empty where the frame holds no command (a heartbeat, telemetry).
 std::optional<ReceivedCommand> commandOf(const Unpacked& content);
@@ -64,9 +67,11 @@ std::optional<ReceivedCommand> commandOf(const Unpacked& content);
 // Heartbeats.
 
 CanFrame consoleHeartbeat(std::uint16_t token, std::uint8_t counter);
-CanFrame robotHeartbeat(std::uint16_t token, std::uint8_t counter);
+CanFrame robotHeartbeat(std::uint16_t token, std::uint8_t counter, std::uint16_t challenge = 0);
 /// Empty where the frame is no heartbeat.
 std::optional<std::uint16_t> tokenOf(const Unpacked& content);
+/// Of a RobotHeartbeat or a command; empty where the frame has no such signal.
+std::optional<std::uint16_t> challengeOf(const Unpacked& content);
 
 // Telemetry.
 

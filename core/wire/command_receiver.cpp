@@ -1,14 +1,50 @@
 #include "core/wire/command_receiver.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace terratact {
+namespace {
 
-CommandReceiver::CommandReceiver(std::uint8_t firstEpoch)
+bool isYoung(double given, double now)
+{
+    return now >= given && now - given <= CommandReceiver::kChallengeLife;
+}
+
+}  // namespace
+
+CommandReceiver::CommandReceiver(std::uint8_t firstEpoch, std::uint16_t firstChallenge)
     : epoch_(firstEpoch), heartbeat_(layoutOf(FrameKind::ConsoleHeartbeat).dataId,
-                                     {.stale = kHeartbeatLimit, .lost = kHeartbeatLimit})
+                                     {.stale = kHeartbeatLimit, .lost = kHeartbeatLimit}),
+      nextChallenge_(firstChallenge)
 {
     if (firstEpoch == 0) throw std::invalid_argument("CommandReceiver: no epoch is 0");
+    if (firstChallenge == 0) throw std::invalid_argument("CommandReceiver: no challenge is 0");
+}
+
+// The same one again where it is young: heartbeats that come fast do not use the numbers up.
+std::uint16_t CommandReceiver::give(double now)
+{
+    std::erase_if(challenges_, [now](const Challenge& c) { return !isYoung(c.given, now); });
+    if (!challenges_.empty() && now - challenges_.back().given < kChallengePeriod)
+        return challenges_.back().number;
+    challenges_.push_back({.number = nextChallenge_, .given = now});
+    if (++nextChallenge_ == 0) nextChallenge_ = 1;
+    return challenges_.back().number;
+}
+
+bool CommandReceiver::isFresh(std::optional<std::uint16_t> challenge, double now) const
+{
+    return std::ranges::any_of(challenges_, [&](const Challenge& c) {
+        return c.number == challenge && isYoung(c.given, now);
+    });
+}
+
+// Nothing that was sent up to now is obeyed any more.
+void CommandReceiver::forget()
+{
+    challenges_.clear();
+    counters_.fill(std::nullopt);
 }
 
 void CommandReceiver::disarm()
@@ -16,7 +52,7 @@ void CommandReceiver::disarm()
     armed_ = false;
     lastDrive_.reset();
     epoch_ = epoch_ == 255 ? std::uint8_t{1} : static_cast<std::uint8_t>(epoch_ + 1);
-    counters_.fill(std::nullopt);
+    forget();
 }
 
 CommandReceiver::Silence CommandReceiver::tick(double now)
@@ -28,6 +64,7 @@ CommandReceiver::Silence CommandReceiver::tick(double now)
     const bool ranOut = lastDrive_ && !(now - *lastDrive_ <= kDriveLimit);
     if (!ranOut) return Silence::None;
     lastDrive_.reset();
+    forget();
     return Silence::OfDrive;
 }
 
@@ -59,7 +96,9 @@ CommandReceiver::Answer CommandReceiver::heartbeat(const CanFrame& frame, const 
     switch (heartbeat_.receive(bytesOf(frame), now)) {
     case FrameCheck::Ok:
     case FrameCheck::SomeLost:
-        return {.verdict = CommandVerdict::Heartbeat, .token = tokenOf(content)};
+        return {.verdict = CommandVerdict::Heartbeat,
+                .token = tokenOf(content),
+                .challenge = give(now)};
     case FrameCheck::Repeated: return {.verdict = CommandVerdict::Repeated};
     case FrameCheck::WrongSequence: return {.verdict = CommandVerdict::WrongSequence};
     case FrameCheck::WrongCrc: break;
@@ -88,22 +127,21 @@ CommandReceiver::Answer CommandReceiver::judge(const Unpacked& content,
 std::optional<CommandVerdict>
 CommandReceiver::refusalOf(FrameKind kind, const ReceivedCommand& received, double now)
 {
-    if (received.epoch != epoch_) return CommandVerdict::WrongEpoch;
-    if (kind == FrameKind::ReleaseStop) return std::nullopt;
+    if (received.epoch.value_or(epoch_) != epoch_) return CommandVerdict::WrongEpoch;
     const bool alive = heartbeat_.state(now) == LinkState::Good;
-    if (kind == FrameKind::Arm)
-        return alive ? std::nullopt : std::optional(CommandVerdict::NoHeartbeat);
-    return armed_ && alive ? std::nullopt : std::optional(CommandVerdict::NotArmed);
+    if (kind == FrameKind::Arm && !alive) return CommandVerdict::NoHeartbeat;
+    const bool needsArming = kind != FrameKind::Arm && kind != FrameKind::ReleaseStop;
+    if (needsArming && !(armed_ && alive)) return CommandVerdict::NotArmed;
+    return isFresh(received.challenge, now) ? std::nullopt : std::optional(CommandVerdict::TooLate);
 }
 
 std::optional<CommandVerdict> CommandReceiver::outOfOrder(const Unpacked& content)
 {
     auto& counter = counters_[static_cast<std::size_t>(content.kind)];
-    const std::optional<std::uint8_t> before = counter;
-    counter = content.counter;
-    if (!before) return std::nullopt;
-    const int delta = (content.counter - *before) & 0xFF;
+    const int delta = counter ? (content.counter - *counter) & 0xFF : 1;
     if (delta == 0) return CommandVerdict::Repeated;
+    if (delta > 0x7F) return CommandVerdict::WrongSequence;  // an old one, which sets nothing back
+    counter = content.counter;
     return delta > E2eReceiver::kMaxDelta ? std::optional(CommandVerdict::WrongSequence)
                                           : std::nullopt;
 }
@@ -115,7 +153,10 @@ void CommandReceiver::obey(const Command& command, double now)
         armed_ = arm->armed;
         return;
     }
-    if (safety(command) > 0) lastDrive_.reset();
+    if (safety(command) > 0) {
+        lastDrive_.reset();
+        forget();
+    }
     if (std::holds_alternative<DriveCommand>(command)) lastDrive_ = now;
 }
 

@@ -8,8 +8,10 @@ namespace terratact {
 namespace {
 
 constexpr double kTurn = 3.1416;  // [rad] half a turn, to the last digit of its scale
+constexpr double kHeld = 3.14;    // [rad] of a flipper, in 12 bits
 constexpr SignalLayout kEpoch{"Epoch", 24, 8, false, 1.0, 0.0, 255.0, ""};
 constexpr SignalLayout kToken{"Token", 24, 16, false, 1.0, 0.0, 65535.0, ""};
+constexpr SignalLayout kChallenge{"Challenge", 48, 16, false, 1.0, 0.0, 65535.0, ""};
 
 constexpr SignalLayout flag(std::string_view name, int start)
 {
@@ -33,12 +35,19 @@ constexpr SignalLayout voltage(std::string_view name, int start)
 
 constexpr SignalLayout kEpochAlone[]{kEpoch};
 constexpr SignalLayout kTokenAlone[]{kToken};
-constexpr SignalLayout kArm[]{kEpoch, flag("Armed", 32)};
-constexpr SignalLayout kDrive[]{kEpoch, {"Speed", 32, 16, true, 1e-4, -0.6, 0.6, "m/s"}};
-constexpr SignalLayout kPress[]{kEpoch, {"Torque", 32, 16, false, 0.01, 0.01, 60.0, "N.m"}};
-constexpr SignalLayout kHold[]{kEpoch, angle("Front", 32), angle("Rear", 48)};
-constexpr SignalLayout kProbe[]{kEpoch, {"Bin", 32, 8, false, 1.0, 0.0, 10.0, ""}};
-constexpr SignalLayout kAdvance[]{kEpoch, {"Distance", 32, 16, false, 1e-4, 0.001, 0.1, "m"}};
+constexpr SignalLayout kAnswer[]{kToken, kChallenge};
+constexpr SignalLayout kFresh[]{kEpoch, kChallenge};
+constexpr SignalLayout kArm[]{kEpoch, flag("Armed", 32), kChallenge};
+constexpr SignalLayout kDrive[]{
+    kEpoch, {"Speed", 32, 16, true, 1e-4, -0.6, 0.6, "m/s"}, kChallenge};
+constexpr SignalLayout kPress[]{
+    kEpoch, {"Torque", 32, 16, false, 0.01, 0.01, 60.0, "N.m"}, kChallenge};
+constexpr SignalLayout kHold[]{{"Front", 24, 12, true, 2e-3, -kHeld, kHeld, "rad"},
+                               {"Rear", 36, 12, true, 2e-3, -kHeld, kHeld, "rad"},
+                               kChallenge};
+constexpr SignalLayout kProbe[]{kEpoch, {"Bin", 32, 8, false, 1.0, 0.0, 10.0, ""}, kChallenge};
+constexpr SignalLayout kAdvance[]{
+    kEpoch, {"Distance", 32, 16, false, 1e-4, 0.001, 0.1, "m"}, kChallenge};
 constexpr SignalLayout kOdometry[]{{"Travelled", 24, 24, true, 1e-3, -8388.607, 8388.607, "m"},
                                    {"Turned", 48, 15, true, 2e-4, -kTurn, kTurn, "rad"},
                                    flag("Measured", 63)};
@@ -67,11 +76,11 @@ constexpr double kLine = 0.05;  // [s] of telemetry
 // In the order of FrameKind.
 constexpr std::array<FrameLayout, kFrameKinds> kLayouts{{
     {"Stop", 0x010, 0x5410, true, 0.0, {}},
-    {"ReleaseStop", 0x011, 0x5411, true, 0.0, kEpochAlone},
+    {"ReleaseStop", 0x011, 0x5411, true, 0.0, kFresh},
     {"Arm", 0x012, 0x5412, true, 0.0, kArm},
     {"Halt", 0x013, 0x5413, true, 0.0, kEpochAlone},
     {"Drive", 0x014, 0x5414, true, 0.02, kDrive},
-    {"BeginAtem", 0x015, 0x5415, true, 0.0, kEpochAlone},
+    {"BeginAtem", 0x015, 0x5415, true, 0.0, kFresh},
     {"AbortAtem", 0x016, 0x5416, true, 0.0, kEpochAlone},
     {"PressFlippers", 0x017, 0x5417, true, 0.0, kPress},
     {"HoldFlippers", 0x018, 0x5418, true, 0.0, kHold},
@@ -80,7 +89,7 @@ constexpr std::array<FrameLayout, kFrameKinds> kLayouts{{
     {"ConsoleHeartbeat", 0x01B, 0x541B, true, 0.1, kTokenAlone},
     {"Odometry", 0x01F, 0x541F, false, kLine, kOdometry},
     {"RobotStatus", 0x020, 0x5420, false, kLine, kStatus},
-    {"RobotHeartbeat", 0x021, 0x5421, false, 0.0, kTokenAlone},
+    {"RobotHeartbeat", 0x021, 0x5421, false, 0.0, kAnswer},
     {"Attitude", 0x022, 0x5422, false, kLine, kAttitude},
     {"FrontAngles", 0x023, 0x5423, false, kLine, kAngles},
     {"RearAngles", 0x024, 0x5424, false, kLine, kAngles},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -16,7 +17,7 @@ public:
     void sent(std::uint16_t token, double now)
     {
         if (!std::isfinite(now)) throw std::invalid_argument("Freshness: the time must be finite");
-        asked_[next_] = Asked{token, now};
+        asked_[next_] = Asked{.token = token, .time = now, .before = false};
         next_ = (next_ + 1) % asked_.size();
     }
 
@@ -31,6 +32,20 @@ public:
         return false;
     }
 
+    /// What is sent from here on is told from what has been sent: see answersAnew().
+    void beginAnew()
+    {
+        for (std::optional<Asked>& asked : asked_)
+            if (asked) asked->before = true;
+    }
+    /// Whether this token left after the last beginAnew() and is one of the last four.
+    bool answersAnew(std::uint16_t token) const
+    {
+        return std::ranges::any_of(asked_, [token](const std::optional<Asked>& asked) {
+            return asked && !asked->before && asked->token == token;
+        });
+    }
+
     /// How long ago the newest heartbeat that has been answered left [s]; empty before the first.
     std::optional<double> age(double now) const
     {
@@ -41,6 +56,7 @@ private:
     struct Asked {
         std::uint16_t token;
         double time;
+        bool before;
     };
     std::array<std::optional<Asked>, 4> asked_{};
     std::size_t next_ = 0;

@@ -46,7 +46,10 @@ std::optional<Measurement> TelemetryListener::take(const CanFrame& frame, double
     }
     if (!isInOrder(frame, content.kind, now)) return std::nullopt;
     if (status) status_ = status;
-    if (const auto token = tokenOf(content)) token_ = token;
+    if (const auto token = tokenOf(content)) {
+        token_ = token;
+        challenge_ = challengeOf(content).value_or(0);
+    }
     const std::optional<SensorLine> line = reader_.take(content);
     return line ? measured(*line, now) : std::nullopt;
 }

@@ -55,6 +55,8 @@ public:
 
     /// The token of the last sound RobotHeartbeat, for Freshness::echoed.
     std::optional<std::uint16_t> token() const { return token_; }
+    /// The challenge beside it; 0 for none.
+    std::uint16_t challenge() const { return challenge_; }
 
     /// The last whole line of sensors, whether or not it made a measurement, and what its elements feel.
     const std::optional<SensorLine>& line() const { return line_; }
@@ -72,6 +74,7 @@ private:
     SensorLineReader reader_;
     std::optional<RobotStatus> status_;
     std::optional<std::uint16_t> token_;
+    std::uint16_t challenge_ = 0;
     std::optional<SensorLine> line_;
     ElementForces forces_;
     TelemetryCounters counters_;

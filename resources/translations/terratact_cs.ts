@@ -1351,8 +1351,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>robot tam nenajde polohu, v níž by stál</translation>
     </message>
     <message>
-        <source>the command is not of this arming</source>
-        <translation>povel není z této aktivace</translation>
+        <source>the command is late or not of this arming</source>
+        <translation>povel přišel pozdě nebo není z této aktivace</translation>
     </message>
     <message>
         <source>the command is beyond the robot&apos;s limits</source>

@@ -1351,8 +1351,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Roboter findet dort keine Lage, in der er ruht</translation>
     </message>
     <message>
-        <source>the command is not of this arming</source>
-        <translation>der Befehl ist nicht von dieser Freigabe</translation>
+        <source>the command is late or not of this arming</source>
+        <translation>der Befehl kam zu spät oder ist nicht von dieser Freigabe</translation>
     </message>
     <message>
         <source>the command is beyond the robot&apos;s limits</source>

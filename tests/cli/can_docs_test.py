@@ -57,8 +57,8 @@ def demo_log():
         if i % 2 == 0:
             token = 9301 * (i + 1) % 65536
             frames.append((begin + 0.05 * i + 0.02, frame("ConsoleHeartbeat", i // 2, Token=token)))
-            frames.append((begin + 0.05 * i + 0.021, frame("RobotHeartbeat", i // 2, Token=token)))
-    frames.append((begin + 0.03, frame("PressFlippers", 0, Epoch=7, Torque=34)))
+            frames.append((begin + 0.05 * i + 0.021, frame("RobotHeartbeat", i // 2, Token=token, Challenge=311 + i // 2)))
+    frames.append((begin + 0.03, frame("PressFlippers", 0, Epoch=7, Torque=34, Challenge=311)))
     frames.append((begin + 0.28, frame("Stop", 0)))
     return "".join(line(time, sent) for time, sent in sorted(frames))
 

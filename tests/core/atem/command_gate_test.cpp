@@ -18,6 +18,7 @@ using enum GateRefusal;
 
 constexpr GateLimits kLimits;
 constexpr std::uint8_t kEpoch = 77;
+constexpr std::uint16_t kChallenge = 0xC0DE;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 using Change = std::function<void(GateView&)>;
@@ -29,6 +30,7 @@ GateView ready(RobotActivity activity = RobotActivity::Halted, bool exploring = 
     view.link = LinkState::Good;
     view.statusAge = 0.05;
     view.answerAge = 0.1;
+    view.challenge = kChallenge;
     view.operatorAge = 0.01;
     view.stopLatched = false;
     view.arming = {.phase = ArmingPhase::Armed, .epoch = kEpoch};
@@ -57,7 +59,7 @@ GateView requested()
 GateRefusal verdict(const Command& command, const GateView& view,
                     const GateLimits& limits = kLimits)
 {
-    return judge(frameOf(command, kEpoch, 1), view, limits);
+    return judge(frameOf(command, kEpoch, 1, kChallenge), view, limits);
 }
 
 struct Case {
@@ -135,6 +137,8 @@ TEST(Gate, needsOperatorLinkAndAnswerForAllElse)
         {NotAnswered, [](GateView& v) { v.answerAge = 0.2501; }},
         {NotAnswered, [](GateView& v) { v.answerAge = kNan; }},
         {NotAnswered, [](GateView& v) { v.answerAge = GateView::kNever; }},
+        {NotAnswered, [](GateView& v) { v.challenge = 0; }},
+        {NotAnswered, [](GateView& v) { v.challenge = kChallenge + 1; }},
         {WrongEpoch, [](GateView& v) { v.robot->epoch = kEpoch + 1; }},
         {StopLatched, [](GateView& v) { v.stopLatched = true; }},
     };
@@ -142,7 +146,11 @@ TEST(Gate, needsOperatorLinkAndAnswerForAllElse)
         for (std::size_t i = 0; i < wrong.size(); ++i) {
             GateView view = c.view;
             wrong[i].second(view);
-            EXPECT_EQ(verdict(c.command, view), wrong[i].first) << c.command.index() << " " << i;
+            // Hold has no epoch of its own: the arming has.
+            const bool hold = std::holds_alternative<HoldFlippersCommand>(c.command);
+            const GateRefusal expected =
+                hold && wrong[i].first == WrongEpoch ? NotArmed : wrong[i].first;
+            EXPECT_EQ(verdict(c.command, view), expected) << c.command.index() << " " << i;
         }
 }
 
@@ -218,6 +226,16 @@ TEST(Gate, keepsExploringAndDrivingApart)
     }
 }
 
+TEST(Gate, refusesChallengeZeroThoughTheFrameHasItToo)
+{
+    for (const Case& c : conditional()) {
+        GateView view = c.view;
+        view.challenge = 0;
+        EXPECT_EQ(judge(frameOf(c.command, kEpoch, 1, 0), view, kLimits), NotAnswered)
+            << c.command.index();
+    }
+}
+
 TEST(Gate, armsOnlyWhatTheOperatorHasConfirmed)
 {
     GateView view = requested();
@@ -269,19 +287,19 @@ TEST(Gate, keepsEveryValueWithinItsLimitToOneRawStep)
         {[](double v) {
              return HoldFlippersCommand{v, 0.0};
          },
-         ready(), 1.0, 1e-4, [](GateLimits& l, double v) { l.highestFlipper = v; }},
+         ready(), 1.0, 2e-3, [](GateLimits& l, double v) { l.highestFlipper = v; }},
         {[](double v) {
              return HoldFlippersCommand{0.0, v};
          },
-         ready(), 1.0, 1e-4, [](GateLimits& l, double v) { l.highestFlipper = v; }},
+         ready(), 1.0, 2e-3, [](GateLimits& l, double v) { l.highestFlipper = v; }},
         {[](double v) {
              return HoldFlippersCommand{v, 0.0};
          },
-         ready(), 0.5, 1e-4, [](GateLimits& l, double v) { l.lowestFlipper = -v; }, -1.0},
+         ready(), 0.5, 2e-3, [](GateLimits& l, double v) { l.lowestFlipper = -v; }, -1.0},
         {[](double v) {
              return HoldFlippersCommand{0.0, v};
          },
-         ready(), 0.5, 1e-4, [](GateLimits& l, double v) { l.lowestFlipper = -v; }, -1.0},
+         ready(), 0.5, 2e-3, [](GateLimits& l, double v) { l.lowestFlipper = -v; }, -1.0},
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Limited& c = all[i];
@@ -302,10 +320,10 @@ TEST(Gate, isOpenOverTheWholeDbcByDefaultAndNeverBeyond)
     EXPECT_EQ(verdict(PressCommand{60.0}, ready(RobotActivity::Pressed, true)), None);
     EXPECT_EQ(verdict(AdvanceCommand{0.001}, ready()), None);
     EXPECT_EQ(verdict(PressCommand{0.01}, ready(RobotActivity::Pressed, true)), None);
-    EXPECT_EQ(verdict(HoldFlippersCommand{3.1416, -1.6}, ready()), None);
-    EXPECT_EQ(verdict(HoldFlippersCommand{-1.6001, 0.0}, ready()), OverLimit);
+    EXPECT_EQ(verdict(HoldFlippersCommand{3.14, -1.6}, ready()), None);
+    EXPECT_EQ(verdict(HoldFlippersCommand{-1.602, 0.0}, ready()), OverLimit);
     // A frame with 0.1001 m: built by hand, because the codec does not.
-    CanFrame frame = frameOf(AdvanceCommand{0.1}, kEpoch, 1);
+    CanFrame frame = frameOf(AdvanceCommand{0.1}, kEpoch, 1, kChallenge);
     frame.data[4] = 1001 & 0xFF;
     frame.data[5] = 1001 >> 8;
     protect(std::span(frame.data).first(8), 1, layoutOf(FrameKind::Advance).dataId);
@@ -320,7 +338,7 @@ TEST(Gate, sweepsEveryRawSpeed)
     limits.speed = 0.2;
     int passed = 0;
     for (int raw = -32768; raw <= 32767; ++raw) {
-        CanFrame frame = frameOf(DriveCommand{0.0}, kEpoch, 1);
+        CanFrame frame = frameOf(DriveCommand{0.0}, kEpoch, 1, kChallenge);
         frame.data[4] = static_cast<std::uint8_t>(raw & 0xFF);
         frame.data[5] = static_cast<std::uint8_t>((raw >> 8) & 0xFF);
         protect(std::span(frame.data).first(8), 1, layoutOf(FrameKind::Drive).dataId);
@@ -412,7 +430,7 @@ TEST(Gate, leaksNoFlaggedFrameAndNoExtendedIdentifier)
     std::mt19937 rng(3);
     std::uint64_t leaks = 0;
     std::vector<CanFrame> frames;
-    for (const Case& c : conditional()) frames.push_back(frameOf(c.command, kEpoch, 1));
+    for (const Case& c : conditional()) frames.push_back(frameOf(c.command, kEpoch, 1, kChallenge));
     for (const Command& c : safeCommands()) frames.push_back(frameOf(c, kEpoch, 1));
     for (const CanFrame& frame : frames)
         for (unsigned flags = 1; flags < 16; ++flags) {

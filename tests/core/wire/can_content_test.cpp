@@ -38,11 +38,11 @@ const std::vector<SentCommand>& commands()
     return all;
 }
 
-TEST(Commands, travelInTheirFramesWithTheirEpoch)
+TEST(Commands, travelInTheirFramesWithEpochAndChallenge)
 {
     std::set<std::size_t> kinds;
     for (const SentCommand& sent : commands()) {
-        const CanFrame frame = frameOf(sent.command, 213, 42);
+        const CanFrame frame = frameOf(sent.command, 213, 42, 0xABCD);
         const DbcMessage& m = message(sent.name);
         EXPECT_EQ(frame.id, m.id) << sent.name;
         EXPECT_EQ(message(kindOf(sent.command)).name, sent.name);
@@ -53,8 +53,13 @@ TEST(Commands, travelInTheirFramesWithTheirEpoch)
         const auto got = commandOf(content);
         ASSERT_TRUE(got) << sent.name;
         EXPECT_EQ(got->command.index(), sent.command.index()) << sent.name;
-        EXPECT_EQ(got->epoch, sent.name == "Stop" ? 0 : 213) << sent.name;
-        EXPECT_EQ(frameOf(got->command, got->epoch, 42), frame) << sent.name << " changed";
+        const bool hasEpoch = sent.name != "Stop" && sent.name != "HoldFlippers";
+        EXPECT_EQ(got->epoch, hasEpoch ? std::optional<std::uint8_t>(213) : std::nullopt)
+            << sent.name;
+        const bool fresh = safety(sent.command) == 0 || sent.name == "Arm";
+        EXPECT_EQ(got->challenge, fresh ? std::optional<std::uint16_t>(0xABCD) : std::nullopt)
+            << sent.name;
+        EXPECT_EQ(frameOf(got->command, 213, 42, 0xABCD), frame) << sent.name << " changed";
         kinds.insert(sent.command.index());
     }
     EXPECT_EQ(kinds.size(), std::variant_size_v<Command>) << "a command is missing here";
@@ -74,12 +79,15 @@ TEST(Commands, areRefusedBeyondTheirRange)
 TEST(Heartbeats, carryTheirToken)
 {
     const CanFrame asked = consoleHeartbeat(0xBEEF, 3);
-    const CanFrame answered = robotHeartbeat(0xBEEF, 5);
+    const CanFrame answered = robotHeartbeat(0xBEEF, 5, 0xCAFE);
     EXPECT_EQ(asked.id, message("ConsoleHeartbeat").id);
     EXPECT_EQ(answered.id, message("RobotHeartbeat").id);
     EXPECT_EQ(physical(asked, message("ConsoleHeartbeat").signal("Token")), 0xBEEF);
     EXPECT_EQ(tokenOf(contentOf(asked)), 0xBEEF);
     EXPECT_EQ(tokenOf(contentOf(answered)), 0xBEEF);
+    EXPECT_EQ(physical(answered, message("RobotHeartbeat").signal("Challenge")), 0xCAFE);
+    EXPECT_EQ(challengeOf(contentOf(answered)), 0xCAFE);
+    EXPECT_FALSE(challengeOf(contentOf(asked)));
     EXPECT_FALSE(tokenOf(contentOf(frameOf(HaltCommand{}, 1, 1))));
     EXPECT_FALSE(commandOf(contentOf(asked)));
 }

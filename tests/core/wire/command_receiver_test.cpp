@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace terratact {
@@ -15,12 +16,12 @@ struct RobotEnd : testing::Test {
     Verdict send(const Command& command) { return send(command, robot.epoch()); }
     Verdict send(const Command& command, std::uint8_t epoch)
     {
-        return robot.receive(frameOf(command, epoch, next++), now).verdict;
+        return robot.receive(frameOf(command, epoch, next++, challenge), now).verdict;
     }
     void beat(int times)
     {
         for (int i = 0; i < times; ++i, now += 0.1)
-            robot.receive(consoleHeartbeat(token, heartbeats++), now);
+            challenge = robot.receive(consoleHeartbeat(token, heartbeats++), now).challenge;
         now -= 0.1;
     }
     void arm()
@@ -28,12 +29,18 @@ struct RobotEnd : testing::Test {
         beat(10);
         ASSERT_EQ(send(ArmCommand{true}), Verdict::Accepted);
         ASSERT_TRUE(robot.armed());
+        now += 0.1;
+        beat(1);  // arming voids the challenge
+    }
+    CanFrame drive(std::uint8_t counter) const
+    {
+        return frameOf(DriveCommand{0.1}, robot.epoch(), counter, challenge);
     }
 
     CommandReceiver robot{7};
     double now = 50.0;
     std::uint8_t next = 0, heartbeats = 0;
-    std::uint16_t token = 4711;
+    std::uint16_t token = 4711, challenge = 0;
 };
 
 TEST_F(RobotEnd, armsOnlyForAConsoleThatHasBeenAliveForAWhile)
@@ -86,18 +93,96 @@ TEST_F(RobotEnd, takesEveryMotionOnceAndInOrder)
 {
     arm();
     const std::uint8_t epoch = robot.epoch();
-    const CanFrame drive = frameOf(DriveCommand{0.1}, epoch, 250);
-    EXPECT_EQ(robot.receive(drive, now).verdict, Verdict::Accepted);
-    EXPECT_EQ(robot.receive(drive, now).verdict, Verdict::Repeated);
-    EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, epoch, 253), now).verdict,
-              Verdict::Accepted);
-    EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, epoch, 0), now).verdict, Verdict::Accepted)
-        << "over the counter's end";
-    EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, epoch, 4), now).verdict,
-              Verdict::WrongSequence);
-    EXPECT_EQ(robot.receive(drive, now).verdict, Verdict::WrongSequence);
-    EXPECT_EQ(robot.receive(frameOf(ProbeCommand{7}, epoch, 99), now).verdict, Verdict::Accepted)
+    EXPECT_EQ(robot.receive(drive(250), now).verdict, Verdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(250), now).verdict, Verdict::Repeated);
+    EXPECT_EQ(robot.receive(drive(253), now).verdict, Verdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(0), now).verdict, Verdict::Accepted) << "over the counter's end";
+    EXPECT_EQ(robot.receive(drive(4), now).verdict, Verdict::WrongSequence);
+    EXPECT_EQ(robot.receive(drive(250), now).verdict, Verdict::WrongSequence);
+    EXPECT_EQ(robot.receive(drive(251), now).verdict, Verdict::WrongSequence)
+        << "an old frame set the counter back";
+    EXPECT_EQ(robot.receive(drive(5), now).verdict, Verdict::Accepted);
+    EXPECT_EQ(robot.receive(frameOf(ProbeCommand{7}, epoch, 99, challenge), now).verdict,
+              Verdict::Accepted)
         << "every kind has its own counter";
+}
+
+TEST_F(RobotEnd, wantsAChallengeThatIsAtMostHalfASecondOld)
+{
+    arm();
+    const std::uint16_t given = challenge;
+    const double since = now;
+    EXPECT_NE(given, 0);
+    EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, robot.epoch(), 0, 0), now).verdict,
+              Verdict::TooLate)
+        << "none";
+    EXPECT_EQ(
+        robot.receive(frameOf(DriveCommand{0.1}, robot.epoch(), 0, robot.nextChallenge()), now)
+            .verdict,
+        Verdict::TooLate)
+        << "one that was not given out";
+    for (int i = 0; i < 4; ++i) {
+        now += 0.1;
+        beat(1);
+        EXPECT_NE(challenge, given);
+    }
+    challenge = given;
+    now = since + 0.499;
+    EXPECT_EQ(send(DriveCommand{0.1}), Verdict::Accepted);
+    now = since + 0.501;
+    EXPECT_EQ(send(DriveCommand{0.1}), Verdict::TooLate);
+    EXPECT_EQ(send(ArmCommand{true}), Verdict::TooLate) << "an Arm expires, too";
+    EXPECT_EQ(send(ReleaseStopCommand{}), Verdict::TooLate);
+    challenge = 0;
+    EXPECT_EQ(send(ArmCommand{false}), Verdict::Accepted) << "disarming needs none";
+}
+
+TEST_F(RobotEnd, voidsItsChallengesWhereverItHalts)
+{
+    const auto voids = [this](const std::function<void()>& halt) {
+        arm();
+        const std::uint16_t before = challenge;
+        halt();
+        challenge = before;
+        const Verdict late = send(DriveCommand{0.1}, robot.epoch());
+        return late != Verdict::Accepted;
+    };
+    EXPECT_TRUE(voids([this] { send(HaltCommand{}); }));
+    EXPECT_TRUE(robot.armed()) << "a halt disarms nobody";
+    EXPECT_TRUE(voids([this] { send(AbortAtemCommand{}); }));
+    EXPECT_TRUE(voids([this] { send(ArmCommand{false}); }));
+    EXPECT_TRUE(voids([this] { send(StopCommand{}); }));
+    EXPECT_TRUE(voids([this] { robot.disarm(); }));
+    EXPECT_TRUE(voids([this] {
+        ASSERT_EQ(send(DriveCommand{0.1}), Verdict::Accepted);
+        now += 0.2;
+        beat(1);
+        now += 0.06;
+        EXPECT_EQ(robot.tick(now), Silence::OfDrive);
+    }));
+}
+
+TEST_F(RobotEnd, givesAChallengeOutOnceWithin54Minutes)
+{
+    beat(1);
+    const std::uint16_t first = challenge;
+    int heartbeatsBetween = 0;
+    do {
+        now += 0.01;
+        beat(1);
+        ASSERT_NE(challenge, 0);
+        ++heartbeatsBetween;
+    } while (challenge == first);
+    EXPECT_GE(heartbeatsBetween, 5) << "heartbeats that come fast use none up";
+    for (int i = 2; i < 65535; ++i) {
+        now += 0.06;
+        beat(1);
+        ASSERT_NE(challenge, first) << i;
+    }
+    now += 0.06;
+    beat(1);
+    EXPECT_EQ(challenge, first);
+    EXPECT_THROW(CommandReceiver(1, 0), std::invalid_argument);
 }
 
 TEST_F(RobotEnd, takesWhatMakesSafeFromAnyEpochAndInAnyOrder)
@@ -132,6 +217,7 @@ TEST_F(RobotEnd, releasesItsStopOnlyInThisEpoch)
 {
     const std::uint8_t old = robot.epoch();
     send(StopCommand{});
+    beat(1);
     EXPECT_EQ(send(ReleaseStopCommand{}, old), Verdict::WrongEpoch);
     EXPECT_EQ(send(ReleaseStopCommand{}), Verdict::Accepted);
     EXPECT_FALSE(robot.armed()) << "and does not arm by it";
@@ -142,10 +228,10 @@ TEST_F(RobotEnd, refusesEveryFrameOfARecordedSession)
     std::vector<CanFrame> recorded;
     arm();
     for (int i = 0; i < 500; ++i)  // 10 s of driving
-        recorded.push_back(frameOf(DriveCommand{0.2}, robot.epoch(), static_cast<std::uint8_t>(i)));
-    recorded.push_back(frameOf(ArmCommand{true}, robot.epoch(), 9));
-    recorded.push_back(frameOf(ReleaseStopCommand{}, robot.epoch(), 9));
-    recorded.push_back(frameOf(ProbeCommand{7}, robot.epoch(), 9));
+        recorded.push_back(drive(static_cast<std::uint8_t>(i)));
+    recorded.push_back(frameOf(ArmCommand{true}, robot.epoch(), 9, challenge));
+    recorded.push_back(frameOf(ReleaseStopCommand{}, robot.epoch(), 9, challenge));
+    recorded.push_back(frameOf(ProbeCommand{7}, robot.epoch(), 9, challenge));
     send(ArmCommand{false});
     arm();
     int accepted = 0;
@@ -159,7 +245,7 @@ TEST_F(RobotEnd, takesNothingThatWaitedOnAStalledBus)
     arm();
     std::vector<CanFrame> queued;
     for (int i = 0; i < 100; ++i) {  // 2 s at 50 Hz, and the heartbeats between
-        queued.push_back(frameOf(DriveCommand{0.2}, robot.epoch(), static_cast<std::uint8_t>(i)));
+        queued.push_back(drive(static_cast<std::uint8_t>(i)));
         if (i % 5 == 0) queued.push_back(consoleHeartbeat(token, heartbeats++));
     }
     for (double end = now + 2.0; now < end; now += 0.05) robot.tick(now);
@@ -191,6 +277,8 @@ TEST_F(RobotEnd, haltsWhenTheDriveIsNotRenewed)
     EXPECT_EQ(robot.tick(sent + 0.251), Silence::OfDrive);
     EXPECT_EQ(robot.tick(sent + 0.252), Silence::None);
     EXPECT_TRUE(robot.armed());
+    EXPECT_EQ(send(DriveCommand{0.2}), Verdict::TooLate) << "it was sent before the end";
+    beat(2);
     ASSERT_EQ(send(DriveCommand{0.2}), Verdict::Accepted);
     ASSERT_EQ(send(HaltCommand{}), Verdict::Accepted);
     beat(5);
