@@ -40,6 +40,7 @@ void addFaults(CLI::App& app, Job& job)
         ->check(CLI::Range(0.001, 1.0));
     c->add_flag("--blocks", o->blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
+    c->add_flag("--return", o->comesBack, "Every drive turns round at its end and comes back");
     addNumber(*c, "--seed", o->settings.seed, "Seed of terrain, noise and estimates");
     c->callback([o, &job] {
         useShippedRobot(o->robot);

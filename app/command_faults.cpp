@@ -52,6 +52,7 @@ WatchedDrives driveWatched(const FaultsOptions& options, const RobotModel& robot
         WatchedStyle style;
         style.flippers = randomDriveStyle(rng);
         style.spacing = options.spacing;
+        style.comesBack = options.comesBack;
         drives[k] = driveWithTelemetry(robot, grounds[k], style, rng());
         progress.tick();
     });
@@ -153,7 +154,8 @@ bool isFlagged(const FaultRow& row)
 
 void printHead(const FaultsOptions& options, std::size_t drives)
 {
-    say("{} drives over {}, a scene every {:.2f} m\n", drives, options.terrain, options.spacing);
+    say("{} drives over {}{}, a scene every {:.2f} m\n", drives, options.terrain,
+        options.comesBack ? " and back" : "", options.spacing);
     say("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80", "suspect",
         "doubt", "drives", "after s", "scenes", "left mm", "in 80");
 }

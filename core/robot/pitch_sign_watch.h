@@ -17,13 +17,14 @@ namespace terratact {
 class PitchSignWatch {
 public:
     static constexpr double kCut = 7.0;
-    static constexpr double kLimit = 13.0;
-    static constexpr double kHold = 600.0;  ///< [s] suspected for, unless the CUSUM returns to 0
+    static constexpr double kLimit = 15.0;
+    static constexpr double kHold =
+        600.0;  ///< [s] suspected for, unless the CUSUM falls to half of kLimit
 
     explicit PitchSignWatch(const RobotModel& robot) : pitchSd_(robot.pitchSd) {}
     void take(const Measurement& line);
     const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
-    bool isCleared() const { return sum_ <= 0.0; }
+    bool isCleared() const { return sum_ < kLimit / 2.0; }
     void reset();
 
 private:

@@ -31,6 +31,11 @@ std::string describeTrouble(const SensorSuspicion& s)
     case SensorTrouble::NoLoad: return "no load while the flippers press, disconnected?";
     case SensorTrouble::LoadedFree: return "loaded while nothing presses, drifted?";
     case SensorTrouble::SidesDiffer: return "left and right differ by the same at every press";
+    case SensorTrouble::OffGround:
+        return "does not fit the ground driven over, offset or sign flipped?";
+    case SensorTrouble::WrongOrder: return "load where no ground was, order reversed?";
+    case SensorTrouble::BothWays:
+        return "does not fit the same ground driven in both directions, zero shifted?";
     }
     throw std::invalid_argument("describe: no such SensorTrouble");
 }

@@ -19,8 +19,11 @@ enum class SensorTrouble : std::uint8_t {
     NoLoad,        ///< feels nothing although the flippers press
     LoadedFree,    ///< feels a load although nothing can press on it
     SidesDiffer,   ///< left and right differ by the same amount at every press
+    OffGround,     ///< does not fit the ground that the tracks have driven over
+    WrongOrder,    ///< the force elements are counted from the wrong end
+    BothWays,      ///< differs on the same ground in both directions
 };
-inline constexpr int kSensorTroubles = 9;
+inline constexpr int kSensorTroubles = 12;
 
 struct SensorSuspicion {
     Sensor sensor = Sensor::Pitch;

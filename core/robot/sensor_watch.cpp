@@ -16,7 +16,7 @@ auto keyOf(const SensorSuspicion& s)
 }  // namespace
 
 SensorWatch::SensorWatch(const RobotModel& robot)
-    : spikes_(robot), presses_(robot), pitchSign_(robot)
+    : spikes_(robot), presses_(robot), pitchSign_(robot), ground_(robot), return_(robot)
 {
 }
 
@@ -27,6 +27,8 @@ void SensorWatch::reset()
     presses_.reset();
     pitchSign_.reset();
     unloaded_.reset();
+    ground_.reset();
+    return_.reset();
     last_.reset();
 }
 
@@ -42,9 +44,18 @@ void SensorWatch::take(const Measurement& line)
     presses_.take(line);
     pitchSign_.take(line);
     unloaded_.take(line);
-    for (const auto* found : {&stuck_.found(), &spikes_.found(), &presses_.found(),
-                              &pitchSign_.found(), &unloaded_.found()})
+    ground_.take(line);
+    return_.take(line);
+    for (const auto* found :
+         {&stuck_.found(), &spikes_.found(), &presses_.found(), &pitchSign_.found(),
+          &unloaded_.found(), &ground_.found(), &return_.found()})
         for (const SensorSuspicion& suspicion : *found) note(suspicion);
+    forgetCleared();
+    forgetOld(line.time);
+}
+
+void SensorWatch::forgetCleared()
+{
     const auto isOfPitchSign = [](const SensorSuspicion& s) {
         return s.sensor == Sensor::Pitch && s.trouble == SensorTrouble::Flipped;
     };
@@ -53,7 +64,10 @@ void SensorWatch::take(const Measurement& line)
         std::erase_if(standing_, [&](const SensorSuspicion& s) {
             return s.sensor == sensor && PressWatch::judges(s.trouble) && !isOfPitchSign(s);
         });
-    forgetOld(line.time);
+    std::erase_if(standing_, [this](const SensorSuspicion& s) {
+        return ground_.isCleared(s)
+            || (s.trouble == SensorTrouble::BothWays && return_.isCleared());
+    });
 }
 
 void SensorWatch::note(const SensorSuspicion& found)

@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/robot/ground_watch.h"
 #include "core/robot/pitch_sign_watch.h"
 #include "core/robot/press_watch.h"
+#include "core/robot/return_watch.h"
 #include "core/robot/robot_model.h"
 #include "core/robot/sensor.h"
 #include "core/robot/sensor_suspicion.h"
@@ -34,6 +36,7 @@ public:
 
 private:
     void note(const SensorSuspicion& found);
+    void forgetCleared();
     void forgetOld(double now);
 
     StuckWatch stuck_;
@@ -41,6 +44,8 @@ private:
     PressWatch presses_;
     PitchSignWatch pitchSign_;
     UnloadedWatch unloaded_;
+    GroundWatch ground_;
+    ReturnWatch return_;
     std::optional<double> last_;
     std::vector<SensorSuspicion> standing_;
 };

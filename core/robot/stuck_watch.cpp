@@ -127,7 +127,9 @@ void StuckWatch::take(const Measurement& line)
     for (std::size_t i = 0; i < kSensors; ++i) {
         if (!readings[i]) continue;
         Run& run = runs_[i];
-        if (!before_ || !last_[i] || *readings[i] != run.value) {
+        const bool turns =
+            kindOf(sensorAt(i)) == SensorKind::Way && before_ && line.turned != before_->turned;
+        if (!before_ || !last_[i] || *readings[i] != run.value || turns) {
             run = {};
             run.value = *readings[i];
             run.since = line.time;

@@ -15,7 +15,8 @@ namespace terratact {
 ///             through 0.6 s of pressing
 ///   currents  for 3 s of standing in which another current did; or from the drive to the press
 ///   forces    between 0 and the end of their range, from the drive to the press, while another changed by 3 N
-///   odometry  for 3 s of driving with resting flippers in which pitch changed by 0.1 rad, or for 10 s
+///   odometry  for 3 s of driving with resting flippers in which pitch changed by 0.1 rad, or for 10 s;
+///             not while the robot turns on the spot
 /// A roll that has been exactly 0 since the first line is one that the robot does not measure.
 class StuckWatch {
 public:

@@ -9,11 +9,15 @@
 namespace terratact {
 namespace {
 
-constexpr std::string_view kTilt = "a tilt of the whole world agrees with every other sensor: "
-                                   "compare on level ground, or turn round";
-constexpr std::string_view kFrontAngle =
-    "no other sensor tells a flipper's angle: compare with the flippers laid flat on a floor";
-constexpr std::string_view kHeld = "the rear flippers are held: no press moves them";
+constexpr std::string_view kTilt = "a tilt of the whole world agrees with every other sensor until "
+                                   "the robot comes back: compare on level ground";
+constexpr std::string_view kSmallAngle = "a few degrees are less than the ground under the tracks "
+                                         "tells: lay the flippers flat on a floor";
+constexpr std::string_view kPasses = "the tracks must first pass ground that several presses felt";
+constexpr std::string_view kTooLow =
+    "an angle that is too small looks like hollow ground: lay the flippers flat on a floor";
+constexpr std::string_view kNearTracks =
+    "within 7° of the tracks both signs fit the ground: lay the flippers flat on a floor";
 constexpr std::string_view kAlike =
     "left and right are moved together, and the estimate uses their mean";
 constexpr std::string_view kElement =
@@ -46,16 +50,16 @@ constexpr std::array kTried{
     TriedFault{"late:front", "both front angles 0.5 s late", ""},
     TriedFault{"flipped:front", "both front angles' sign flipped", ""},
     TriedFault{"spikes:front", "front angles ±10° in one line of four", ""},
-    TriedFault{"offset:front:0.1745", "both front angles +10°", kFrontAngle},
-    TriedFault{"drift:front:0.1", "both front angles drift 6° a minute", kFrontAngle},
+    TriedFault{"offset:front:0.1745", "both front angles +10°", ""},
+    TriedFault{"drift:front:0.1", "both front angles drift 6° a minute", kSmallAngle},
     TriedFault{"offset:front-left:0.1745", "left front angle +10°", ""},
     TriedFault{"offset:front-left:0.0873", "left front angle +5°", ""},
     TriedFault{"swapped:front", "front angles' sides swapped", kAlike},
     TriedFault{"swapped-axles:angles", "front and rear angles swapped", ""},
     TriedFault{"stuck:rear", "both rear angles stuck", ""},
     TriedFault{"spikes:rear", "rear angles ±10° in one line of four", ""},
-    TriedFault{"offset:rear:-0.1745", "both rear angles -10°", kHeld},
-    TriedFault{"flipped:rear", "both rear angles' sign flipped", kHeld},
+    TriedFault{"offset:rear:-0.1745", "both rear angles -10°", kTooLow},
+    TriedFault{"flipped:rear", "both rear angles' sign flipped", kNearTracks},
     TriedFault{"zero:currents", "currents zero", ""},
     TriedFault{"stuck:currents", "currents stuck", ""},
     TriedFault{"flipped:currents", "currents' sign flipped", ""},
@@ -73,7 +77,7 @@ constexpr std::array kTried{
     TriedFault{"full-scale:force-6", "element 6 saturated", ""},
     TriedFault{"offset:force-3:3", "element 3 +3 N", ""},
     TriedFault{"zero:force-6", "element 6 zero", kElement},
-    TriedFault{"swapped:forces", "forces in the reverse order", kElement},
+    TriedFault{"swapped:forces", "forces in the reverse order", kPasses},
     TriedFault{"stuck:odometry", "odometry stuck", ""},
     TriedFault{"late:odometry", "odometry 0.5 s late", ""},
     TriedFault{"spikes:odometry", "odometry ±1 m in one line of four", ""},

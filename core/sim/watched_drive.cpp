@@ -1,6 +1,9 @@
 #include "core/sim/watched_drive.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace terratact {
 namespace {
@@ -8,14 +11,15 @@ namespace {
 constexpr double kRoomBehind = 0.7;    // [m]
 constexpr double kLongestPress = 5.0;  // [s]
 constexpr double kLongestWay = 10.0;   // [s] without getting on
+constexpr double kAtAngle = 1e-6;      // [rad]
 
 /// Runs one drive and keeps what the robot sends.
 class Drive {
 public:
-    Drive(const RobotModel& robot, const TerrainProfile& terrain, const WatchedStyle& style,
-          std::uint64_t seed, std::size_t most)
+    Drive(const RobotModel& robot, const TerrainProfile& terrain, double startX,
+          const WatchedStyle& style, std::uint64_t seed, std::size_t most)
         : style_(style), most_(most), robot_(robot, terrain,
-                                             {.startX = terrain.begin() + kRoomBehind,
+                                             {.startX = startX,
                                               .rearAngle = style.flippers.rearAngle,
                                               .drivingAngle = style.flippers.drivingAngle,
                                               .noise = {},
@@ -28,12 +32,25 @@ public:
     {
         while (goOn() && press()) {
         }
-        return std::move(lines_);
+        return std::exchange(lines_, {});
     }
 
-private:
-    double x() const { return robot_.rest().pose.base.x; }
+    /// The front flippers come up; the tracks rest.
+    std::vector<WatchedLine> raise()
+    {
+        robot_.command(DriveCommand{0.0});
+        const double high = style_.flippers.drivingAngle - kAtAngle;
+        for (double waited = 0.0; robot_.rest().pose.front < high && waited <= kLongestWay;
+             waited += style_.period)
+            if (!step()) break;
+        return std::exchange(lines_, {});
+    }
 
+    double x() const { return robot_.rest().pose.base.x; }
+    double pitch() const { return robot_.rest().pose.pitch; }
+    Measurement measure() { return robot_.measure(); }
+
+private:
     /// False: the drive is over.
     bool step()
     {
@@ -76,13 +93,68 @@ private:
     std::vector<WatchedLine> lines_;
 };
 
+/// The same ground for a robot that looks the other way: x → begin + end − x.
+TerrainProfile turnedRound(const TerrainProfile& terrain)
+{
+    std::vector<Vec2> points = terrain.points();
+    std::reverse(points.begin(), points.end());
+    for (Vec2& p : points) p.x = terrain.begin() + terrain.end() - p.x;
+    return TerrainProfile(std::move(points));
+}
+
+void append(std::vector<WatchedLine>& lines, std::vector<WatchedLine> more)
+{
+    const Measurement last = lines.back().measurement;
+    for (WatchedLine& line : more) {
+        Measurement& m = line.measurement;
+        m.time += last.time;
+        m.travelled = m.travelled.value_or(0.0) + last.travelled.value_or(0.0);
+        m.turned = last.turned;
+        lines.push_back(std::move(line));
+    }
+}
+
+/// A robot on a slope of one direction, turned by ψ, has the pitch ½ θ (1 + cos ψ) + ½ θ' (1 − cos ψ), θ and θ' those
+/// of both ends.
+std::vector<WatchedLine> turning(Drive& out, Drive& back, double period, const Measurement& last)
+{
+    std::vector<WatchedLine> lines;
+    const long count = std::lround(kTurning / period);
+    for (long k = 1; k <= count; ++k) {
+        const double turned =
+            std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
+        const double share = (1.0 - std::cos(turned)) / 2.0;
+        Drive& at = share < 0.5 ? out : back;
+        WatchedLine line{.measurement = at.measure(), .truth = std::nullopt};
+        Measurement& m = line.measurement;
+        m.pitch += (1.0 - share) * out.pitch() + share * back.pitch() - at.pitch();
+        m.time = last.time + static_cast<double>(k) * period;
+        m.travelled = last.travelled;
+        m.turned = turned;
+        m.activity = RobotActivity::Driving;
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::vector<WatchedLine> driveWithTelemetry(const RobotModel& robot, const TerrainProfile& terrain,
                                             const WatchedStyle& style, std::uint64_t seed,
                                             std::size_t most)
 {
-    return Drive(robot, terrain, style, seed, most).run();
+    Drive out(robot, terrain, terrain.begin() + kRoomBehind, style, seed, most);
+    std::vector<WatchedLine> lines = out.run();
+    if (!style.comesBack) return lines;
+    for (WatchedLine& line : out.raise()) lines.push_back(std::move(line));
+    const double startX = terrain.begin() + terrain.end() - out.x();
+    if (lines.empty()) return lines;
+    Drive back(robot, turnedRound(terrain), startX, style, ~seed, most);
+    for (WatchedLine& line : turning(out, back, style.period, lines.back().measurement))
+        lines.push_back(std::move(line));
+    append(lines, back.run());
+    if (lines.size() > most) lines.resize(most);
+    return lines;
 }
 
 }  // namespace terratact

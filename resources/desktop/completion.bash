@@ -24,6 +24,23 @@ _terratact_list() {
   mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -P "$before" -W "$*" -- "${word##*,}")
 }
 
+# KIND:SENSORS of a sensor that lies; the other words, $@, come first.  A colon parts words where COMP_WORDBREAKS says so.
+_terratact_faults() {
+  local kinds="stuck stuck-at-scene zero offset drift spikes scatter flipped swapped swapped-axles late out-of-range full-scale"
+  local sensors="pitch roll attitude front rear angles front-left front-right rear-left rear-right front-current rear-current \
+    currents front-left-current front-right-current rear-left-current rear-right-current forces force-1 force-2 force-3 force-4 \
+    force-5 force-6 odometry all"
+  if [[ $parted == : ]]; then
+    _terratact_words "$sensors"
+  elif [[ $word == *:* ]]; then
+    mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -P "${word%%:*}:" -W "$sensors" -- "${word#*:}")
+  else
+    compopt -o nospace 2>/dev/null
+    _terratact_words "$*"
+    mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -S : -W "$kinds" -- "$word")
+  fi
+}
+
 # CAN interfaces, which Linux gives the type 280.
 _terratact_buses() {
   local type names=()
@@ -37,7 +54,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--exact-truth | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--return | *:--exact-truth | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
@@ -73,9 +90,9 @@ _terratact_value() {
     *:--theme) _terratact_words day night-red high-contrast ;;
     *:--layout) _terratact_words drive probe review ;;
     *:--language) _terratact_words en cs de ;;
-    *:--fault) _terratact_words none silence stuck-imu dead-element refuse-probe slow-arm reboot ;;
+    *:--fault) _terratact_faults none silence stuck-imu dead-element refuse-probe slow-arm reboot ;;
     *:--disturb)
-      _terratact_words none imu-noise forces-high forces-low dead-element soft-ground light-robot heavy-robot \
+      _terratact_faults none imu-noise forces-high forces-low dead-element soft-ground light-robot heavy-robot \
         friction-free
       ;;
     *:--*) ;;  # a number or a word of the user's own
@@ -98,7 +115,7 @@ _terratact_options() {
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
-    faults) echo --robot --model --terrain --drives --spacing --step --blocks --seed ;;
+    faults) echo --robot --model --terrain --drives --spacing --step --blocks --return --seed ;;
     ghost) echo --robot --model --terrain --drives --spacing --step --blocks --methods --sd-factor --seed ;;
     probes) echo --data ;;
     calibrate) echo --data --robot ;;
@@ -144,11 +161,15 @@ _terratact_argument() {
 }
 
 _terratact() {
-  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=
+  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command= parted=
   if [[ $word == = ]]; then  # "--seed=" comes as two words, "--seed=1" as three
     word=
   elif [[ $previous == = ]]; then
     previous=${COMP_WORDS[COMP_CWORD - 2]}
+  elif [[ $word == : ]]; then  # "stuck:pi" comes as three words, too
+    word= parted=: previous=${COMP_WORDS[COMP_CWORD - 2]}
+  elif [[ $previous == : ]]; then
+    parted=: previous=${COMP_WORDS[COMP_CWORD - 3]}
   fi
   if [[ $1 == *terratact-console ]]; then
     command=console

@@ -3407,6 +3407,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>levý a pravý se liší stejně při každém přítlaku</translation>
     </message>
     <message>
+        <source>does not fit the ground driven over, offset or sign flipped?</source>
+        <translation>neodpovídá přejetému terénu, posun nebo obrácené znaménko?</translation>
+    </message>
+    <message>
+        <source>load where no ground was, order reversed?</source>
+        <translation>zátěž tam, kde terén nebyl, obrácené pořadí?</translation>
+    </message>
+    <message>
+        <source>does not fit the same ground driven in both directions, zero shifted?</source>
+        <translation>neodpovídá témuž terénu přejetému oběma směry, posunutá nula?</translation>
+    </message>
+    <message>
         <source>a sensor may lie, see the alarms</source>
         <translation>snímač možná neměří správně, viz poplachy</translation>
     </message>

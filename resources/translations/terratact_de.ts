@@ -3407,6 +3407,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>links und rechts unterscheiden sich bei jedem Andrücken gleich</translation>
     </message>
     <message>
+        <source>does not fit the ground driven over, offset or sign flipped?</source>
+        <translation>passt nicht zum überfahrenen Boden, verschoben oder Vorzeichen vertauscht?</translation>
+    </message>
+    <message>
+        <source>load where no ground was, order reversed?</source>
+        <translation>Last, wo kein Boden war, Reihenfolge umgekehrt?</translation>
+    </message>
+    <message>
+        <source>does not fit the same ground driven in both directions, zero shifted?</source>
+        <translation>passt nicht zum selben Boden in beiden Richtungen, Nullpunkt verschoben?</translation>
+    </message>
+    <message>
         <source>a sensor may lie, see the alarms</source>
         <translation>ein Sensor misst vielleicht falsch, siehe Alarme</translation>
     </message>

@@ -182,8 +182,10 @@ class Completion(unittest.TestCase):
                     with self.subTest(program=program, command=command, option=name):
                         if option.choices:
                             choices += 1
-                            self.assertEqual(completed(program, *command.split(), name, ""), sorted(option.choices))
-                            self.assertEqual(completed(program, *command.split(), name, "=", ""), sorted(option.choices))
+                            for typed in (("",), ("=", "")):
+                                proposed = completed(program, *command.split(), name, *typed)
+                                begun = [word for word in proposed if word.endswith(":")]  # KIND:SENSORS
+                                self.assertEqual([w for w in proposed if w not in begun], sorted(option.choices))
                         after = completed(program, *command.split(), name, "--")
                         flags += not option.takes_value
                         self.assertEqual(after, [] if option.takes_value else sorted(options))
@@ -192,6 +194,23 @@ class Completion(unittest.TestCase):
 
     def test_a_list_goes_on_after_its_comma(self):
         self.assertEqual(completed("terratact", "evaluate", "--methods", "pa,jo"), ["pa,joint"])
+
+    def test_faults_are_those_that_the_program_reads(self):
+        done = subprocess.run([CLI, "simulate", "--disturb", "no:such", "--out", os.devnull], capture_output=True, text=True,
+                              timeout=60, check=False)
+        said = re.search(r"KIND one of ([\w -]+), SENSORS one of ([\w -]+)", done.stderr)
+        self.assertIsNotNone(said, done.stderr)
+        kinds, sensors = said[1].split(), said[2].split()
+        page = plain(page_of("terratact").read_text().split(".SH FAULTS")[1].split(".SH ")[0])
+        for word in kinds + [sensor for sensor in sensors if not re.match(r"force-\d", sensor)]:
+            self.assertRegex(page, rf"\b{word}\b")
+        for option in (("robot", "--fault"), ("simulate", "--disturb")):
+            proposed = completed("terratact", *option, "")
+            self.assertLessEqual({f"{kind}:" for kind in kinds}, set(proposed))
+            self.assertIn("none", proposed)
+            self.assertEqual(completed("terratact", *option, "stuck", ":", ""), sorted(sensors))
+            self.assertEqual(completed("terratact", *option, "stuck", ":", "pi"), ["pitch"])
+            self.assertEqual(completed("terratact", *option, "stuck:pi"), ["stuck:pitch"])
 
     def test_files_are_those_that_fit(self):
         with tempfile.TemporaryDirectory() as folder:
