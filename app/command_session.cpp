@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
+#include <set>
 
 #include "app/payload_signals.h"
 #include "app/say.h"
+#include "app/scene_origins.h"
 #include "app/session_commands.h"
 #include "app/session_text.h"
 #include "app/text_output.h"
@@ -127,19 +127,6 @@ void addMeasured(const SessionReader& session, const RobotModel& robot, const Sc
         if (measured.bin[i]) scene.truth[i] = measured.bin[i]->height;
 }
 
-/// Which file each scene came from, by its time [ns] since 1970 and what was measured then.
-using SceneKey = std::pair<std::int64_t, FeatureValues>;
-using SceneOrigins = std::map<SceneKey, std::string>;
-
-/// Says that scenes of a file are those of others, as a copy of a session has them.
-void tellRepeated(const std::string& path, std::size_t repeated, std::size_t all,
-                  const std::string& first)
-{
-    if (repeated == 0) return;
-    say(stderr, "terratact: {}: {} of its {} scenes are in {} too{}: they are taken once\n", path,
-        repeated, all, first, repeated == all ? ", which is the same recording" : "");
-}
-
 Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
                  std::vector<Scene>& scenes)
 {
@@ -147,17 +134,9 @@ Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
     if (!session) return session.error();
     const auto robot = robotOf(*session);
     if (measured && !robot) return robot.error();
-    SceneOrigins added;
-    std::size_t repeated = 0;
-    std::string first;
+    const std::set<std::int64_t> repeated = origins.take(*session);
     for (const SceneRow& row : session->scenes()) {
-        const SceneKey key{wallTimeOf(session->start(), row.time),
-                           featureValues(proprioception(row.measurement))};
-        if (const auto before = origins.find(key); before != origins.end()) {
-            if (++repeated == 1) first = before->second;
-            continue;
-        }
-        added.emplace(key, path);
+        if (repeated.contains(row.id)) continue;
         Scene scene{.run = driveName(path),
                     .time = secondsOf(row.time),
                     .s = proprioception(row.measurement),
@@ -168,8 +147,6 @@ Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
             addMeasured(*session, *robot, row, scene);
         scenes.push_back(std::move(scene));
     }
-    tellRepeated(path, repeated, session->scenes().size(), first);
-    origins.merge(added);
     for (const SessionDamage& damage : session->damage())
         say(stderr, "terratact: {}: left out: {}\n", path, damageText(session->start(), damage));
     return Done{};

@@ -6,12 +6,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "app/interrupt.h"
 #include "app/parallel.h"
 #include "app/progress.h"
 #include "app/say.h"
 #include "app/scene_estimates.h"
+#include "app/scene_origins.h"
 #include "app/session_commands.h"
 #include "app/session_text.h"
 #include "app/text_output.h"
@@ -66,6 +68,13 @@ struct Rerun {
     bool asRecorded = false;  ///< nothing was to be other
 };
 
+std::size_t sessionsOf(const std::vector<Rerun>& reruns)
+{
+    std::set<const SessionReader*> sessions;
+    for (const Rerun& rerun : reruns) sessions.insert(rerun.session);
+    return sessions.size();
+}
+
 Scene evaluated(const SceneRow& row)
 {
     Scene scene{
@@ -87,11 +96,13 @@ public:
         SessionReader& reader = *sessions_.back();
         for (const SessionDamage& damage : reader.damage())
             say(stderr, "terratact: {}: left out: {}\n", file, damageText(reader.start(), damage));
+        const std::set<std::int64_t> repeated = origins_.take(reader);
         bool any = false;
         for (const EstimateRow& row : reader.estimates()) {
             if (options_.estimate != 0 && row.id != options_.estimate) continue;
             if (interrupt_.came()) throw Cancelled{};
             any = true;
+            if (repeated.contains(row.scene)) continue;
             if (Status done = repeat(reader, row); !done) return done;
         }
         if (!any && options_.estimate != 0)
@@ -232,7 +243,7 @@ private:
             "\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
             "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
             "median estimate, {:.0f} mm in the worst\n",
-            reruns_.size(), sessions_.size(), same, lastBits, other,
+            reruns_.size(), sessionsOf(reruns_), same, lastBits, other,
             1000.0 * moved[moved.size() / 2], 1000.0 * moved.back());
     }
 
@@ -376,6 +387,7 @@ private:
     Interrupt interrupt_;
     std::FILE* const messages_ = messagesBeside(options_.out);
     Toolboxes toolboxes_;
+    SceneOrigins origins_;
     std::vector<std::unique_ptr<SessionReader>> sessions_;
     std::vector<Rerun> reruns_;
 };

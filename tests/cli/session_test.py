@@ -535,7 +535,7 @@ class WhatIf(Session):
         title = "contacts and probes at later poses against the bands that odometry took there"
         one = run("session", "what-if", folder)
         self.assertRegex(one, title + r"\n.*bands\n  then +[1-9]\d* .*\n  now +[1-9]\d* .*\n$")
-        shutil.copy(folder / "a.tts", folder / "b.tts")
+        make("moves-later", folder / "b.tts")
         both = run("session", "what-if", folder)
         lines = [line for line in both[both.index(title):].splitlines() if line.startswith("  then")]
         self.assertEqual([line.rsplit("/", 1)[-1] for line in lines[:2]], ["a.tts", "b.tts"])
@@ -565,10 +565,18 @@ class WhatIf(Session):
 
     def test_a_folder_is_all_its_sessions(self):
         shutil.copy(self.drive, self.path / "a.tts")
-        shutil.copy(self.drive, self.path / "b.tts")
+        make("later", self.path / "b.tts")
         text = run("session", "what-if", self.path, "--method", "local")
         self.assertIn("of 2 sessions", text)
         self.assertRegex(text, r"a\.tts: estimate 1 [\s\S]*b\.tts: estimate 1 ")
+
+    def test_a_copy_of_a_session_is_judged_once(self):
+        copy = self.path / "other_name.tts"
+        shutil.copy(self.drive, copy)
+        twice = subprocess.run([CLI, "session", "what-if", self.drive, copy, self.drive], capture_output=True, text=True,
+                               timeout=500, check=True)
+        self.assertEqual(twice.stdout, run("session", "what-if", self.drive))
+        self.assertEqual(twice.stderr.count("which is the same recording: they are taken once"), 2)
 
 
 class Report(Session):

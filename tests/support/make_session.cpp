@@ -2,7 +2,7 @@
 //   rows   500 frames that mean nothing, and rows of every kind
 //   drive  a simulated drive with two explorations
 //   moves  likewise, with four explorations a few centimetres from each other
-//   later  the same drive, a minute later
+//   later, moves-later   the same drives, a minute later
 //   lie    the same drive, every height recorded 1 mm too high
 //   open   like rows, as a program leaves it that died
 //   long   likewise, of 6000 frames
@@ -23,6 +23,7 @@ void make(const std::string& kind, const std::string& path)
 {
     if (kind == "drive") return recordDrive(path);
     if (kind == "moves") return recordShortMoves(path);
+    if (kind == "moves-later") return recordShortMoves(path, 60);
     if (kind == "later") return recordDrive(path, {.later = 60});
     if (kind == "lie") return recordDrive(path, {.lie = 0.001});
     auto writer = someSession(path, kind == "long" ? 6000 : 500);

@@ -264,10 +264,10 @@ inline void recordDrive(const std::string& path, const RecordedDrive::Options& o
 
 /// A drive up to the step with an exploration every few centimetres, so that contacts come to lie where an estimate
 /// before had been sampled.  Sealed.
-inline void recordShortMoves(const std::string& path)
+inline void recordShortMoves(const std::string& path, std::int64_t later = 0)
 {
     RecordedDrive drive(path, TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml",
-                        TERRATACT_SOURCE_DIR "/resources/models/default.ttm", {});
+                        TERRATACT_SOURCE_DIR "/resources/models/default.ttm", {.later = later});
     drive.arm();
     std::uint64_t seed = 0;
     for (const double before : {0.62, 0.57, 0.52, 0.47}) {
