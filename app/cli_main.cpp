@@ -12,6 +12,7 @@
 #include "app/cli_options.h"
 #include "app/cli_subcommands.h"
 #include "app/say.h"
+#include "core/memory_limit.h"
 
 namespace terratact {
 
@@ -69,7 +70,7 @@ int main(int argc, char** argv)
     try {
         return terratact::afterPrinting(terratact::realMain(argc, argv));
     } catch (const std::exception& error) {
-        terratact::say(stderr, "terratact: {}\n", error.what());
+        terratact::say(stderr, "terratact: {}\n", terratact::describeFailure(error));
         return terratact::kFailed;
     }
 }

@@ -11,11 +11,14 @@
 #include "app/open_file.h"
 #include "app/open_recorded.h"
 #include "app/say.h"
+#include "core/memory_limit.h"
 
 namespace terratact {
 namespace {
 
 constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
+// [bytes] beside the libraries; it takes 750 MB where it may.
+constexpr std::size_t kWindowMemory = 700'000'000;
 
 int failed(const std::string& why)
 {
@@ -57,6 +60,10 @@ int run(int& argc, char** argv)
         say(stderr, "{}", Lines(complaint.str()));
         return code == 0 ? kDone : kWrongArguments;
     }
+    if (memoryIsLimited())
+        if (const std::string missing = memoryMissing("the window", kWindowMemory);
+            !missing.empty())
+            return failed(missing);
     Application application(argc, argv);
     const auto ended = openWindow(application, options);
     return ended ? *ended : refused(application, options, ended.error().text);
@@ -72,6 +79,6 @@ int main(int argc, char** argv)
     try {
         return terratact::run(argc, argv);
     } catch (const std::exception& error) {
-        return terratact::failed(error.what());
+        return terratact::failed(terratact::describeFailure(error));
     }
 }

@@ -1,12 +1,11 @@
 #include "core/learn/cholesky.h"
 
-#include <cblas.h>
-#include <lapacke.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include "core/learn/blas.h"
 
 namespace terratact {
 
@@ -34,10 +33,10 @@ void solveRow(Eigen::MatrixXd& K, int first, int rows, const Poll& poll)
     for (int c = first + rows; c < n; c += step) {
         const int columns = std::min(step, n - c);
         callPoll(poll);
-        cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, first, -1.0,
-                    &K(0, first), n, &K(0, c), n, 1.0, &K(first, c), n);
-        cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows, columns,
-                    1.0, &K(first, first), n, &K(first, c), n);
+        blas(cblas_dgemm, CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, first, -1.0,
+             &K(0, first), n, &K(0, c), n, 1.0, &K(first, c), n);
+        blas(cblas_dtrsm, CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows,
+             columns, 1.0, &K(first, first), n, &K(first, c), n);
     }
 }
 
@@ -54,8 +53,8 @@ void solveBlock(const Eigen::MatrixXd& R, CBLAS_TRANSPOSE side, int first, int r
                 Eigen::VectorXd& y, const Poll& poll)
 {
     callPoll(poll);
-    cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, side, CblasNonUnit, rows, 1, 1.0,
-                &R(first, first), size(R), &y[first], size(R));
+    blas(cblas_dtrsm, CblasColMajor, CblasLeft, CblasUpper, side, CblasNonUnit, rows, 1, 1.0,
+         &R(first, first), size(R), &y[first], size(R));
 }
 
 /// y := R⁻ᵀ y
@@ -65,8 +64,8 @@ void solveForward(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& poll
     forBlocks(0, n, [&](int first, int rows) {
         forBlocks(0, first, [&](int above, int height) {
             callPoll(poll);
-            cblas_dgemv(CblasColMajor, CblasTrans, height, rows, -1.0, &R(above, first), n,
-                        &y[above], 1, 1.0, &y[first], 1);
+            blas(cblas_dgemv, CblasColMajor, CblasTrans, height, rows, -1.0, &R(above, first), n,
+                 &y[above], 1, 1.0, &y[first], 1);
         });
         solveBlock(R, CblasTrans, first, rows, y, poll);
     });
@@ -80,8 +79,8 @@ void solveBackward(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& pol
         const int rows = std::min(kVectorBlock, n - first);
         forBlocks(first + rows, n, [&](int right, int width) {
             callPoll(poll);
-            cblas_dgemv(CblasColMajor, CblasNoTrans, rows, width, -1.0, &R(first, right), n,
-                        &y[right], 1, 1.0, &y[first], 1);
+            blas(cblas_dgemv, CblasColMajor, CblasNoTrans, rows, width, -1.0, &R(first, right), n,
+                 &y[right], 1, 1.0, &y[first], 1);
         });
         solveBlock(R, CblasNoTrans, first, rows, y, poll);
     }
@@ -96,9 +95,10 @@ bool choleskyUpper(Eigen::MatrixXd& K, const Poll& poll)
     for (int first = 0; first < n; first += kBlock) {
         const int rows = std::min(kBlock, n - first);
         callPoll(poll);
-        cblas_dsyrk(CblasColMajor, CblasUpper, CblasTrans, rows, first, -1.0, &K(0, first), n, 1.0,
-                    &K(first, first), n);
-        const int info = LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', rows, &K(first, first), n);
+        blas(cblas_dsyrk, CblasColMajor, CblasUpper, CblasTrans, rows, first, -1.0, &K(0, first), n,
+             1.0, &K(first, first), n);
+        const int info =
+            blas(LAPACKE_dpotrf_work, LAPACK_COL_MAJOR, 'U', rows, &K(first, first), n);
         if (info != 0) return false;
         solveRow(K, first, rows, poll);
     }
@@ -113,21 +113,21 @@ void invertUpper(Eigen::MatrixXd& R, const Poll& poll)
         const int columns = std::min(kBlock, n - first);
         for (int r = 0; r < first; r += kBlock) {
             callPoll(poll);
-            cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, kBlock,
-                        columns, 1.0, &R(r, r), n, &R(r, first), n);
+            blas(cblas_dtrmm, CblasColMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit,
+                 kBlock, columns, 1.0, &R(r, r), n, &R(r, first), n);
             const int right = r + kBlock;
             const int step = columnsAtOnce(first - right);
             for (int c = 0; right < first && c < columns; c += step) {
                 callPoll(poll);
-                cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, kBlock,
-                            std::min(step, columns - c), first - right, 1.0, &R(r, right), n,
-                            &R(right, first + c), n, 1.0, &R(r, first + c), n);
+                blas(cblas_dgemm, CblasColMajor, CblasNoTrans, CblasNoTrans, kBlock,
+                     std::min(step, columns - c), first - right, 1.0, &R(r, right), n,
+                     &R(right, first + c), n, 1.0, &R(r, first + c), n);
             }
         }
         callPoll(poll);
-        cblas_dtrsm(CblasColMajor, CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, first,
-                    columns, -1.0, &R(first, first), n, &R(0, first), n);
-        LAPACKE_dtrtri_work(LAPACK_COL_MAJOR, 'U', 'N', columns, &R(first, first), n);
+        blas(cblas_dtrsm, CblasColMajor, CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, first,
+             columns, -1.0, &R(first, first), n, &R(0, first), n);
+        blas(LAPACKE_dtrtri_work, LAPACK_COL_MAJOR, 'U', 'N', columns, &R(first, first), n);
     }
 }
 
@@ -144,12 +144,12 @@ void multiplyTransposed(const Eigen::MatrixXd& U, Eigen::MatrixXd& B, const Poll
     for (int first = (n - 1) / kVectorBlock * kVectorBlock; first >= 0; first -= kVectorBlock) {
         const int rows = std::min(kVectorBlock, n - first);
         callPoll(poll);
-        cblas_dtrmm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows, columns,
-                    1.0, &U(first, first), n, &B(first, 0), n);
+        blas(cblas_dtrmm, CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows,
+             columns, 1.0, &U(first, first), n, &B(first, 0), n);
         forBlocks(0, first, [&](int above, int height) {
             callPoll(poll);
-            cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, height, 1.0,
-                        &U(above, first), n, &B(above, 0), n, 1.0, &B(first, 0), n);
+            blas(cblas_dgemm, CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, height, 1.0,
+                 &U(above, first), n, &B(above, 0), n, 1.0, &B(first, 0), n);
         });
     }
 }
@@ -161,12 +161,12 @@ void solveTransposed(const Eigen::MatrixXd& R, Eigen::MatrixXd& B, const Poll& p
     forBlocks(0, n, [&](int first, int rows) {
         forBlocks(0, first, [&](int above, int height) {
             callPoll(poll);
-            cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, height, -1.0,
-                        &R(above, first), n, &B(above, 0), n, 1.0, &B(first, 0), n);
+            blas(cblas_dgemm, CblasColMajor, CblasTrans, CblasNoTrans, rows, columns, height, -1.0,
+                 &R(above, first), n, &B(above, 0), n, 1.0, &B(first, 0), n);
         });
         callPoll(poll);
-        cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows, columns,
-                    1.0, &R(first, first), n, &B(first, 0), n);
+        blas(cblas_dtrsm, CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, rows,
+             columns, 1.0, &R(first, first), n, &B(first, 0), n);
     });
 }
 
@@ -180,7 +180,8 @@ double reciprocalCondition(const Eigen::MatrixXd& R, double norm, const Poll& po
     lapack_int next = 0;
     double inverseNorm = 0.0;
     for (;;) {
-        LAPACKE_dlacn2_work(n, v.data(), x.data(), sign.data(), &inverseNorm, &next, memory.data());
+        blas(LAPACKE_dlacn2_work, n, v.data(), x.data(), sign.data(), &inverseNorm, &next,
+             memory.data());
         if (next == 0) break;
         solveWithFactor(R, x, poll);  // K⁻¹ is symmetric: the same where K⁻ᵀ is wanted
         if (!x.allFinite()) return 0.0;

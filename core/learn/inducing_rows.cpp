@@ -1,13 +1,12 @@
 #include "core/learn/inducing_rows.h"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
 #include <utility>
 
+#include "core/learn/blas.h"
 #include "core/learn/blas_size.h"
 #include "core/learn/cholesky.h"
 #include "core/learn/covariance_kernels.h"
@@ -63,9 +62,9 @@ private:
     void subtract(Eigen::Index row, Eigen::Index from, Eigen::Ref<Eigen::VectorXd> column) const
     {
         if (chosen_ == from) return;
-        cblas_dgemv(CblasColMajor, CblasNoTrans, blasSize(V_.rows()), blasSize(chosen_ - from),
-                    -1.0, &V_(0, from), blasSize(V_.rows()), &V_(row, from), blasSize(V_.rows()),
-                    1.0, column.data(), 1);
+        blas(cblas_dgemv, CblasColMajor, CblasNoTrans, blasSize(V_.rows()),
+             blasSize(chosen_ - from), -1.0, &V_(0, from), blasSize(V_.rows()), &V_(row, from),
+             blasSize(V_.rows()), 1.0, column.data(), 1);
     }
 
     std::vector<int>::const_iterator bestAhead() const
@@ -97,10 +96,10 @@ private:
         const Eigen::Index step = linesAtOnce(count * chosen_);
         for (Eigen::Index first = 0; chosen_ > 0 && first < V_.rows(); first += step) {
             callPoll(poll);
-            cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans,
-                        blasSize(std::min(step, V_.rows() - first)), blasSize(count),
-                        blasSize(chosen_), -1.0, &V_(first, 0), blasSize(V_.rows()), ofAhead.data(),
-                        blasSize(count), 1.0, &columns_(first, 0), blasSize(V_.rows()));
+            blas(cblas_dgemm, CblasColMajor, CblasNoTrans, CblasTrans,
+                 blasSize(std::min(step, V_.rows() - first)), blasSize(count), blasSize(chosen_),
+                 -1.0, &V_(first, 0), blasSize(V_.rows()), ofAhead.data(), blasSize(count), 1.0,
+                 &columns_(first, 0), blasSize(V_.rows()));
         }
         columnsFrom_ = chosen_;
         taken_ = 0;

@@ -1,13 +1,12 @@
 #include "core/learn/projected_process.h"
 
-#include <cblas.h>
 #include <fmt/format.h>
-#include <lapacke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "core/learn/blas.h"
 #include "core/learn/blas_size.h"
 #include "core/learn/cholesky.h"
 #include "core/learn/covariance_block.h"
@@ -51,10 +50,10 @@ Eigen::MatrixXd covariance(const ScaledRows& A, const Eigen::MatrixXd& B, double
 double factorise(Eigen::MatrixXd& K)
 {
     const int n = blasSize(K.rows());
-    const double norm = LAPACKE_dlansy(LAPACK_COL_MAJOR, '1', 'L', n, K.data(), n);
+    const double norm = blas(LAPACKE_dlansy, LAPACK_COL_MAJOR, '1', 'L', n, K.data(), n);
     double rcond = 0.0;
-    if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, K.data(), n) == 0)
-        LAPACKE_dpocon(LAPACK_COL_MAJOR, 'L', n, K.data(), n, norm, &rcond);
+    if (blas(LAPACKE_dpotrf, LAPACK_COL_MAJOR, 'L', n, K.data(), n) == 0)
+        blas(LAPACKE_dpocon, LAPACK_COL_MAJOR, 'L', n, K.data(), n, norm, &rcond);
     if (!(rcond >= kLeastRcond))
         throw std::invalid_argument(
             fmt::format("projected process: a covariance of {} inducing rows is singular "
@@ -78,9 +77,9 @@ void forColumns(const Eigen::MatrixXd& B, Eigen::Index each, const Poll& poll, W
 void solveLower(const Eigen::MatrixXd& L, Eigen::MatrixXd& B, const Poll& poll)
 {
     forColumns(B, L.size() / 2, poll, [&](Eigen::Index first, Eigen::Index count) {
-        cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
-                    blasSize(B.rows()), blasSize(count), 1.0, L.data(), blasSize(L.rows()),
-                    &B(0, first), blasSize(B.rows()));
+        blas(cblas_dtrsm, CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
+             blasSize(B.rows()), blasSize(count), 1.0, L.data(), blasSize(L.rows()), &B(0, first),
+             blasSize(B.rows()));
     });
 }
 
@@ -90,8 +89,8 @@ Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
     const int m = blasSize(V.rows());
     Eigen::MatrixXd gram = Eigen::MatrixXd::Identity(m, m);
     forColumns(V, gram.size() / 2, poll, [&](Eigen::Index first, Eigen::Index count) {
-        cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, m, blasSize(count), 1.0, &V(0, first),
-                    m, 1.0, gram.data(), m);
+        blas(cblas_dsyrk, CblasColMajor, CblasLower, CblasNoTrans, m, blasSize(count), 1.0,
+             &V(0, first), m, 1.0, gram.data(), m);
     });
     return gram;
 }

@@ -1,8 +1,6 @@
 #include "core/learn/sparse_process.h"
 
-#include <cblas.h>
 #include <fmt/format.h>
-#include <lapacke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/learn/blas.h"
 #include "core/learn/blas_size.h"
 #include "core/learn/cholesky.h"
 #include "core/learn/covariance_block.h"
@@ -73,9 +72,9 @@ Eigen::MatrixXd projection(const ScaledRows& X, const std::vector<int>& rows,
     const Eigen::Index step = linesAtOnce(m * m);
     for (Eigen::Index first = 0; first < V.rows(); first += step) {
         callPoll(poll);
-        cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit,
-                    blasSize(std::min(step, V.rows() - first)), blasSize(m), 1.0, L.data(),
-                    blasSize(m), &V(first, 0), blasSize(V.rows()));
+        blas(cblas_dtrsm, CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit,
+             blasSize(std::min(step, V.rows() - first)), blasSize(m), 1.0, L.data(), blasSize(m),
+             &V(first, 0), blasSize(V.rows()));
     }
     return V;
 }
@@ -125,9 +124,9 @@ Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
         const int columns = std::min(kColumnsAtOnce, m - first);
         for (int row = 0; row < n; row += step) {
             callPoll(poll);
-            cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, first + columns, columns,
-                        std::min(step, n - row), 1.0, &V(row, 0), n, &V(row, first), n,
-                        row == 0 ? 0.0 : 1.0, &B(0, first), m);
+            blas(cblas_dgemm, CblasColMajor, CblasTrans, CblasNoTrans, first + columns, columns,
+                 std::min(step, n - row), 1.0, &V(row, 0), n, &V(row, first), n,
+                 row == 0 ? 0.0 : 1.0, &B(0, first), m);
         }
     }
     B.diagonal().array() += 1.0;
@@ -152,8 +151,8 @@ Eigen::MatrixXd gramOfRows(const Eigen::MatrixXd& U, const Poll& poll)
     for (int first = 0; first < m; first += step) {
         const int columns = std::min(step, m - first);
         callPoll(poll);
-        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, first + columns, columns, m - first,
-                    1.0, &U(0, first), m, &U(first, first), m, 0.0, &product(0, first), m);
+        blas(cblas_dgemm, CblasColMajor, CblasNoTrans, CblasTrans, first + columns, columns,
+             m - first, 1.0, &U(0, first), m, &U(first, first), m, 0.0, &product(0, first), m);
     }
     return product;
 }
@@ -185,9 +184,9 @@ void divide(Eigen::MatrixXd& C, const Eigen::MatrixXd& L, const Poll& poll)
     for (Eigen::Index first = 0; first < m; first += step) {
         const Eigen::Index rows = std::min(step, m - first);
         callPoll(poll);
-        cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasNoTrans, CblasNonUnit,
-                    blasSize(rows), blasSize(first + rows), 1.0, L.data(), blasSize(m),
-                    &C(first, 0), blasSize(m));
+        blas(cblas_dtrsm, CblasColMajor, CblasRight, CblasLower, CblasNoTrans, CblasNonUnit,
+             blasSize(rows), blasSize(first + rows), 1.0, L.data(), blasSize(m), &C(first, 0),
+             blasSize(m));
     }
 }
 
@@ -235,8 +234,8 @@ Eigen::MatrixXd leftOf(const ScaledRows& X, const InducingRows& chosen, double s
         }
         for (int row = 0; row < n; row += step) {
             callPoll(poll);
-            cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, std::min(step, n - row), columns,
-                        m, -1.0, &V(row, 0), n, &V(first, 0), n, 1.0, &left(row, first), n);
+            blas(cblas_dgemm, CblasColMajor, CblasNoTrans, CblasTrans, std::min(step, n - row),
+                 columns, m, -1.0, &V(row, 0), n, &V(first, 0), n, 1.0, &left(row, first), n);
         }
     }
     return left;
@@ -301,9 +300,10 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
             "sparse Gaussian process: a covariance through {} inducing rows is singular "
             "(reciprocal condition number below {:.0e})",
             m, kLeastRcond));
-    LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', m, 1, explained.R.data(), m, sparse.weights.data(), m);
-    cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, m, inducing.L.data(), m,
-                sparse.weights.data(), 1);
+    blas(LAPACKE_dpotrs, LAPACK_COL_MAJOR, 'U', m, 1, explained.R.data(), m, sparse.weights.data(),
+         m);
+    blas(cblas_dtrsv, CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, m, inducing.L.data(), m,
+         sparse.weights.data(), 1);
     std::optional<Eigen::MatrixXd> F = explainedFactor(std::move(explained), inducing.L, poll);
     if (!F)
         throw std::invalid_argument(

@@ -1,12 +1,11 @@
 #include "core/learn/symmetric_panels.h"
 
-#include <lapacke.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
+#include "core/learn/blas.h"
 #include "core/learn/likelihood_kernels.h"
 
 namespace terratact {
@@ -95,13 +94,14 @@ private:
         Eigen::MatrixXd L = Eigen::MatrixXd::Zero(width_, width_);
         for (int i = 0; i < width_; ++i)
             for (int j = 0; j <= i; ++j) L(i, j) = A_.row(panel_, first_ + i)[j];
-        if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', width_, L.data(), width_) != 0) return false;
+        if (blas(LAPACKE_dpotrf, LAPACK_COL_MAJOR, 'L', width_, L.data(), width_) != 0)
+            return false;
         if (!L.diagonal().allFinite()) return false;
         const auto own = L.diagonal().head(std::min(width_, A_.size() - first_));
         factors.leastPivot = std::min(factors.leastPivot, own.minCoeff());
         factors.mostPivot = std::max(factors.mostPivot, own.maxCoeff());
         factors.logDeterminant += 2.0 * L.diagonal().array().log().sum();
-        LAPACKE_dtrtri(LAPACK_COL_MAJOR, 'L', 'N', width_, L.data(), width_);
+        blas(LAPACKE_dtrtri, LAPACK_COL_MAJOR, 'L', 'N', width_, L.data(), width_);
         pack(L, inverse_);
         return true;
     }

@@ -4,6 +4,7 @@ import math
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -49,6 +50,36 @@ class Commands(unittest.TestCase):
                           ("reconstruct", "--data", "x", "--out", "y", "--method", "pax"),
                           ("reconstruct", "--data", "x", "--out", "y", "--chains", "0")):
             self.assertTrue(complaint(*arguments, code=2))
+
+    def limited(self, megabytes, *arguments):
+        """(exit code, stderr) with so much address space, as after ulimit -v; a program that hangs fails the test."""
+        limit = megabytes << 20
+        done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=100,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+        return done.returncode, done.stderr
+
+    def test_little_memory_is_enough_for_what_needs_no_algebra(self):
+        if self.limited(1000, "--version")[0] != 0:
+            self.skipTest("a sanitizer needs the address space")
+        demo = f"{SOURCE}/resources/sessions/demo.tts"
+        for megabytes in (150, 200, 400):
+            for arguments in (("--version",), ("train", "--help"), ("session", "info", demo), ("session", "verify", demo),
+                              ("can", "decode", f"{SOURCE}/docs/can_demo.log")):
+                self.assertEqual(self.limited(megabytes, *arguments), (0, ""), arguments)
+
+    def test_a_command_without_memory_says_what_is_missing(self):
+        if self.limited(1000, "--version")[0] != 0:
+            self.skipTest("a sanitizer needs the address space")
+        model, codes = self.path / "limited.ttm", []
+        for megabytes in (100, 150, 200, 300, 400, 600):
+            code, said = self.limited(megabytes, "train", "--data", self.data, "--out", model)
+            codes.append(code)
+            if code:
+                self.assertFalse(model.exists())
+                self.assertRegex(said, r"terratact: .* needs .*memory.*; this process uses \d+ of the \d+ MB that "
+                                       r"ulimit -v leaves it(, so \d+ MB are missing)?\. Raise the limit")
+            model.unlink(missing_ok=True)
+        self.assertEqual((codes[0], codes[-1]), (1, 0), codes)
 
     def test_an_estimate_says_why_it_ended(self):
         data = self.first_scenes(2)
