@@ -21,7 +21,7 @@ trap 'rm -f "$page"' EXIT
   "$terratact" hazards --drives "$drives"
   echo '```'
   echo
-  echo 'What is left at the default rate are gaps and pits whose far edge lies under the front of the tracks: the flippers press on the'
-  echo 'far side, and no element is over the gap. On rough ground only the tips press, so that CLEAR needs a probe or a lower rate.'
+  echo 'What remains at the default rate are gaps whose far edge lies within 0.02 m of the pivot, where the first element loses less load than its'
+  echo 'noise, and slots of less than 0.05 m. On rough ground only the tips press, so that CLEAR needs a probe or a lower rate.'
 } >"$page"
 cp "$page" hazards.md

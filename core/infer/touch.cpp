@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/infer/edge_pressure.h"
 #include "core/infer/estimate.h"
 #include "core/named.h"
 #include "core/robot/kinematics.h"
@@ -13,10 +14,14 @@ namespace {
 
 constexpr auto kElements = static_cast<std::size_t>(kForceElements);
 
+constexpr double kShortestEdge = 0.01;  // [m] along x: a steeper flipper covers no bin
+
 /// Places and loads of the front flippers' elements, pivot to tip.
 struct ElementLoads {
     std::array<double, kElements> x{};  ///< [m] DEM frame
     std::array<bool, kElements> loaded{};
+    std::array<bool, kElements> even{};     ///< loaded as even ground loads it
+    double edgeBegin = 0.0, edgeEnd = 0.0;  ///< x of the edge's ends [m]
 };
 
 double neighbourForce(const Proprioception& s, std::size_t e)
@@ -37,6 +42,8 @@ ElementLoads loadsOf(const RobotModel& robot, const Proprioception& s)
 {
     const Pose pose = poseInDem(robot, s.pitch, s.front, s.rear);
     ElementLoads loads;
+    loads.edgeBegin = elementPosition(robot, pose, 0.0).x;
+    loads.edgeEnd = elementPosition(robot, pose, 1.0).x;
     for (std::size_t e = 0; e < kElements; ++e) {
         loads.x[e] = elementPosition(robot, pose, robot.elementShare[e]).x;
         loads.loaded[e] = carriesLoad(s, e);
@@ -46,6 +53,12 @@ ElementLoads loadsOf(const RobotModel& robot, const Proprioception& s)
     return loads;
 }
 
+/// The share of the edge at x, within 0 … 1.
+double shareAt(const ElementLoads& loads, double x)
+{
+    return std::clamp((x - loads.edgeBegin) / (loads.edgeEnd - loads.edgeBegin), 0.0, 1.0);
+}
+
 bool anyLoadWithin(const ElementLoads& loads, int bin)
 {
     for (std::size_t e = 0; e < kElements; ++e)
@@ -53,8 +66,8 @@ bool anyLoadWithin(const ElementLoads& loads, int bin)
     return false;
 }
 
-/// Whether every element carries load from the last one behind the bin to the first one ahead of it.
-bool isPressedThrough(const ElementLoads& loads, int bin)
+/// Whether every element carries its share from the last one behind the bin to the first one ahead of it.
+bool elementsPress(const ElementLoads& loads, int bin)
 {
     std::size_t first = kElements, last = kElements;
     for (std::size_t e = 0; e < kElements; ++e) {
@@ -65,14 +78,23 @@ bool isPressedThrough(const ElementLoads& loads, int bin)
         if (loads.x[e] < binBegin(bin) || first == kElements) first = e;
     }
     if (first == kElements || last == kElements) return false;
-    return std::all_of(loads.loaded.begin() + static_cast<std::ptrdiff_t>(first),
-                       loads.loaded.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                       [](bool loaded) { return loaded; });
+    return std::all_of(loads.even.begin() + static_cast<std::ptrdiff_t>(first),
+                       loads.even.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                       [](bool even) { return even; });
 }
 
-Touch touchOfBin(const ElementLoads& loads, int bin, bool covered)
+bool isPressedThrough(const ElementLoads& loads, const EdgePressure& pressure, int bin)
 {
-    if (covered && isPressedThrough(loads, bin)) return Touch::Felt;
+    if (loads.edgeEnd - loads.edgeBegin < kShortestEdge) return false;
+    if (binBegin(bin) < loads.edgeBegin - kUnsensedWithin) return false;
+    const double least = std::min(pressure.at(shareAt(loads, binBegin(bin))),
+                                  pressure.at(shareAt(loads, binEnd(bin))));
+    return least > 0.0 && elementsPress(loads, bin);
+}
+
+Touch touchOfBin(const ElementLoads& loads, const EdgePressure& pressure, int bin, bool covered)
+{
+    if (covered && isPressedThrough(loads, pressure, bin)) return Touch::Felt;
     if (anyLoadWithin(loads, bin)) return Touch::FeltInPart;
     return covered ? Touch::Bounded : Touch::NotFelt;
 }
@@ -98,7 +120,10 @@ std::optional<Touch> touchFromName(std::string_view text)
 
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling)
 {
-    const ElementLoads loads = loadsOf(robot, s);
+    ElementLoads loads = loadsOf(robot, s);
+    const EdgePressure pressure(robot, s.force, loads.loaded);
+    for (std::size_t e = 0; e < kElements; ++e)
+        loads.even[e] = loads.loaded[e] && pressure.isEven() && pressure.hasItsShare(e);
     const double pivot = toWorld(poseInDem(robot, s.pitch, s.front, s.rear), robot.front.pivot).x;
     PressedBins pressed;
     pressed.feltTo = binBegin(0);
@@ -111,7 +136,7 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
             continue;
         }
         pressed.firstOfFlipper = bin;
-        pressed.touch[i] = touchOfBin(loads, bin, covered);
+        pressed.touch[i] = touchOfBin(loads, pressure, bin, covered);
     }
     for (std::size_t e = 0; e < kElements; ++e)
         if (loads.loaded[e]) pressed.feltTo = std::max(pressed.feltTo, loads.x[e]);

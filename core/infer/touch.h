@@ -50,6 +50,10 @@ inline constexpr double kLoadShare = 0.2;
 /// The tracks press where the lower edge is this close to the ground [m], with a probability of 0.9.
 inline constexpr double kPressedWithin = 0.015;
 
+/// A bin may begin this far behind the flippers' edge [m]: under the pivot, where no element is. At a pitch of 0 it is
+/// 0 m; nose up by 0.15 rad on level ground it is 0.02 m.
+inline constexpr double kUnsensedWithin = 0.02;
+
 /// What the force elements of the front flippers say about the ground below them.
 struct PressedBins {
     TouchMap
@@ -60,9 +64,14 @@ struct PressedBins {
         kFirstAhead;  ///< the rearmost bin whose centre lies ahead of the front pivot
 };
 
-/// Reads the elements at this pose. A bin is Felt if its ceiling is finite and every element carries load from the
-/// last one behind the bin to the first one ahead of it. It is FeltInPart if some element within it carries load.
-/// An element that is not measured counts as loaded if both its neighbours are.
+/// Reads the elements at this pose. A bin is Felt if all of this holds (core/infer/edge_pressure.h):
+///   its ceiling is finite, and it begins at most kUnsensedWithin behind the flippers' edge
+///   every element carries load, and its share of it, from the last one behind the bin to the first one ahead of it
+///   the loads together are those of even ground, and the fitted pressure is above 0 at both borders of the bin
+/// It is FeltInPart if some element within it carries load. An element that is not measured counts as loaded if both
+/// its neighbours are.
+/// What this cannot see: a gap under the pivot's end that takes less of element 1 than its noise, some 0.02 m; one
+/// before an element 1 that saturates, up to 0.04 m; and a slot of less than 0.05 m. docs/hazards.md says how often.
 ///   ceiling: of this pose [m], +infinity where the bin is not covered.
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling);
 
