@@ -1,5 +1,6 @@
 #include "app/review_export_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
@@ -27,6 +28,7 @@ namespace terratact {
 namespace {
 
 constexpr int kLookEvery = 200;  // [ms]
+constexpr int kPathWide = 420;   // [px] at 100 %
 
 /// Where a file comes from.
 enum class From : std::uint8_t { Picture, Numbers, Report, Rows };
@@ -93,6 +95,12 @@ QString formatName(const QString& ending)
     if (ending == QLatin1String("asc")) return ReviewExportDialog::tr(".asc, Vector");
     if (ending == QLatin1String("mcap")) return ReviewExportDialog::tr(".mcap, Foxglove");
     return QLatin1Char('.') + ending;
+}
+
+/// Whether the signals of DBC files are a part of it, as session export --dbc has it.
+bool holdsSignals(const Choice& choice)
+{
+    return choice.from == From::Rows && (!choice.rows || *choice.rows == ExportKind::Signals);
 }
 
 QString spanWords(double first, double last)
@@ -163,6 +171,10 @@ QWidget* ReviewExportDialog::form()
         what_->addItem(QCoreApplication::translate("ReviewExport", choice.name));
     format_ = combo(tr("Format"), tr("Which programs can read it"));
     addField(*rows, tr("Of"), span());
+    payload_ = new QCheckBox(form);
+    payload_->setChecked(true);
+    payload_->setMinimumHeight(scaled(kTarget));
+    addField(*rows, tr("Other devices"), payload_);
     addField(*rows, tr("File"), file());
     connect(what_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::offerFormats);
     connect(format_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::takeFormat);
@@ -194,7 +206,7 @@ QWidget* ReviewExportDialog::file()
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
     path_ = new QLineEdit(row);
-    path_->setMinimumSize(scaled(420), scaled(kTarget));
+    path_->setMinimumSize(scaled(kPathWide), scaled(kTarget));
     path_->setAccessibleName(tr("File"));
     setTip(*path_, tr("Where it is written"));
     browse_ = new QPushButton(tr("Choose …"), row);
@@ -289,10 +301,28 @@ void ReviewExportDialog::showSight()
                      : sight_.scene > 0   ? tr("scene %1").arg(sight_.scene)
                                           : tr("no estimate stands at this time"));
     moment_->setVisible(from != From::Rows);
+    showPayload();
     nameFile();
     visible_->setVisible(from == From::Rows);
     everything_->setVisible(from == From::Rows);
     showButtons();
+}
+
+void ReviewExportDialog::showPayload()
+{
+    QStringList names;
+    for (const QString& file : sources_.dbc()) names << QFileInfo(file).fileName();
+    const bool holds = holdsSignals(chosen(*what_));
+    const QString with = tr("with the signals of %1").arg(names.join(QStringLiteral(", ")));
+    const QString seen =
+        payload_->fontMetrics().elidedText(with, Qt::ElideRight, scaled(kPathWide));
+    payload_->setText(names.isEmpty()
+                          ? tr("no DBC file describes them")
+                          : QString(seen).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    payload_->setEnabled(!names.isEmpty() && !job_ && holds);
+    setTip(*payload_, names.isEmpty() ? tr("The page Signals (F7) adds DBC files")
+                      : holds         ? plainTip(names.join(QLatin1Char('\n')))
+                                      : tr("Only signals hold what DBC files describe"));
 }
 
 QString ReviewExportDialog::whyNotExport() const
@@ -341,8 +371,8 @@ void ReviewExportDialog::write()
     to_ = path();
     path_->setText(to_);
     switch (choice.from) {
-    case From::Picture: return wrote(sources_.savePicture(to_), 0, 0);
-    case From::Numbers: return wrote(sources_.saveNumbers(to_), 0, 0);
+    case From::Picture: return wrote(sources_.savePicture(to_));
+    case From::Numbers: return wrote(sources_.saveNumbers(to_));
     case From::Report:
     case From::Rows: break;
     }
@@ -353,6 +383,8 @@ void ReviewExportDialog::write()
     } else {
         wish.format = exportFormatOf(wish.out);
         wish.selection.what = choice.rows;
+        if (holdsSignals(choice) && payload_->isChecked())
+            for (const QString& dbc : sources_.dbc()) wish.dbc.push_back(dbc.toStdString());
         if (visible_->isChecked()) {
             wish.selection.from = sight_.first;
             wish.selection.to = sight_.last;
@@ -374,7 +406,8 @@ void ReviewExportDialog::begin(SessionExportJob::Wish wish)
     cancel_->setFocus();
 }
 
-void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int damaged)
+void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int damaged,
+                               int withoutColumns)
 {
     const bool cancelled = job_ && job_->cancelled() && !trouble.isEmpty();
     job_.reset();
@@ -387,10 +420,13 @@ void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int d
         parts << tr("Written: %1").arg(to_);
     if (leftOut > 0) parts << tr("frames left out, which the format cannot hold: %1").arg(leftOut);
     if (damaged > 0) parts << tr("damaged and left out, places: %1").arg(damaged);
+    if (withoutColumns > 0)
+        parts << tr("messages of DBC files left out, for which there was no room: %1")
+                     .arg(withoutColumns);
     result_->setText(parts.join(QStringLiteral(" · ")));
-    setTone(*result_, !trouble.isEmpty()           ? Tone::Bad
-                      : leftOut > 0 || damaged > 0 ? Tone::Doubt
-                                                   : Tone::Good);
+    setTone(*result_, !trouble.isEmpty()                                 ? Tone::Bad
+                      : leftOut > 0 || damaged > 0 || withoutColumns > 0 ? Tone::Doubt
+                                                                         : Tone::Good);
     showSight();
     showButtons();
     export_->setFocus();

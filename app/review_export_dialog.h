@@ -7,6 +7,7 @@
 
 #include "app/session_export_job.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -33,6 +34,7 @@ public:
     struct Sources {
         QString session;  ///< its file
         std::function<ExportSight()> look;
+        std::function<QStringList()> dbc;  ///< files that the operator has chosen
         // Why it could not be written; empty: it is.
         std::function<QString(const QString&path)> savePicture, saveNumbers;
     };
@@ -47,6 +49,7 @@ public:
     QComboBox* format() const { return format_; }
     QRadioButton* visibleSpan() const { return visible_; }
     QRadioButton* wholeSession() const { return everything_; }
+    QCheckBox* withPayload() const { return payload_; }
     QLineEdit* pathEdit() const { return path_; }
     QPushButton* exportButton() const { return export_; }
     QPushButton* cancelButton() const { return cancel_; }
@@ -62,6 +65,7 @@ private:
     QWidget* buttons();
     void offerFormats();
     void showSight();
+    void showPayload();
     void showButtons();
     QString whyNotExport() const;  ///< empty: it may be written
     void takeFormat();
@@ -70,7 +74,8 @@ private:
     QString path() const;  ///< with the format's ending
     void write();
     void begin(SessionExportJob::Wish wish);
-    void wrote(const QString& trouble, qulonglong leftOut, int damaged);
+    void wrote(const QString& trouble, qulonglong leftOut = 0, int damaged = 0,
+               int withoutColumns = 0);
 
     Sources sources_;
     ExportSight sight_;
@@ -84,6 +89,7 @@ private:
     QComboBox* format_ = nullptr;
     QRadioButton* visible_ = nullptr;
     QRadioButton* everything_ = nullptr;
+    QCheckBox* payload_ = nullptr;  ///< the signals that DBC files describe
     QLabel* moment_ = nullptr;
     QLineEdit* path_ = nullptr;
     QPushButton* browse_ = nullptr;

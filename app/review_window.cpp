@@ -18,6 +18,7 @@
 #include "app/review_events_page.h"
 #include "app/review_export.h"
 #include "app/review_export_dialog.h"
+#include "app/review_signals_page.h"
 #include "app/review_timeline.h"
 #include "app/terrain_page.h"
 #include "app/view_menu.h"
@@ -122,6 +123,9 @@ void ReviewWindow::addPages(QStringList models)
     whatIf_ = new WhatIfPage(robot_, std::move(models), this);
     addScrolledPage(whatIf_, tr("What if"), Qt::Key_F6,
                     tr("Estimate the recorded scene with other settings"));
+    signals_ = new ReviewSignalsPage(session_, *preferences_, this);
+    addScrolledPage(signals_, tr("Signals"), Qt::Key_F7,
+                    tr("What other devices had sent: gas sensors, batteries"));
 }
 
 void ReviewWindow::addTools()
@@ -222,6 +226,7 @@ void ReviewWindow::showMoment()
     showTerrain();
     whatIf_->setRecorded(moment_.estimate, moment_.scene, moment_.model);
     events_->setMoment(moment_);
+    signals_->setTime(moment_.time);
     if (currentPage() == numbers_) numbers_->refresh(0.0);
 }
 
@@ -299,6 +304,7 @@ void ReviewWindow::exportShown()
         export_ = new ReviewExportDialog(
             {.session = QString::fromStdString(session_.path()),
              .look = [this] { return exportSight(); },
+             .dbc = [this] { return preferences_->current().dbc; },
              .savePicture =
                  [this](const QString& path) { return savePicture(*terrain_->terrain(), path); },
              .saveNumbers =

@@ -24,6 +24,7 @@ namespace terratact {
 class NumbersPage;
 class ReviewEventsPage;
 class ReviewExportDialog;
+class ReviewSignalsPage;
 class TerrainPage;
 class WhatIfPage;
 struct ExportSight;
@@ -48,6 +49,7 @@ public:
     /// Lets time pass: plays, and looks whether the session has grown.  elapsed: [s]
     void look(double elapsed);
 
+    PreferenceStore& preferences() { return *preferences_; }
     const ReviewPlayer& player() const { return player_->player(); }
     const ReviewMoment& moment() const { return moment_; }
     const SessionReader& session() const { return session_; }
@@ -56,6 +58,7 @@ public:
     NumbersPage* numbers() const { return numbers_; }
     ReviewEventsPage* events() const { return events_; }
     WhatIfPage* whatIf() const { return whatIf_; }
+    ReviewSignalsPage* signalsPage() const { return signals_; }
     SessionTimeline* timeline() const { return player_->timeline(); }
     QLabel* stateLabel() const { return state_; }
     QLabel* damageLabel() const { return damage_; }
@@ -117,6 +120,7 @@ private:
     NumbersPage* numbers_ = nullptr;
     ReviewEventsPage* events_ = nullptr;
     WhatIfPage* whatIf_ = nullptr;
+    ReviewSignalsPage* signals_ = nullptr;
     ReviewPlayerBar* player_ = nullptr;
     ReviewNoteField* note_ = nullptr;
     ReviewExportDialog* export_ = nullptr;

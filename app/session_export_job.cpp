@@ -47,27 +47,30 @@ bool SessionExportJob::goOn(double share)
     return !cancelled_;
 }
 
+Result<ExportCounts> SessionExportJob::write(SessionReader& session)
+{
+    const Progress progress = [this](double share) { return goOn(share); };
+    if (!wish_.format) {
+        const Status written = writeReportOf(session, wish_, progress);
+        return written ? Result<ExportCounts>(ExportCounts{}) : written.error();
+    }
+    const auto book = readDbcBook(CanProtocol::Terratact, wish_.dbc);
+    if (!book) return book.error();
+    wish_.selection.book = *book;
+    return writeExport(session, wish_.out, *wish_.format, wish_.selection, progress);
+}
+
 void SessionExportJob::run()
 {
     auto session = SessionReader::open(wish_.session);
     if (!session) {
-        emit ended(words::sentence(session.error().text), 0, 0);
+        emit ended(words::sentence(session.error().text), 0, 0, 0);
         return;
     }
-    const Progress progress = [this](double share) { return goOn(share); };
-    ExportCounts counts;
-    QString trouble;
-    if (wish_.format) {
-        const auto written =
-            writeExport(*session, wish_.out, *wish_.format, wish_.selection, progress);
-        if (written)
-            counts = *written;
-        else
-            trouble = words::sentence(written.error().text);
-    } else if (const Status written = writeReportOf(*session, wish_, progress); !written) {
-        trouble = words::sentence(written.error().text);
-    }
-    emit ended(trouble, counts.leftOut, static_cast<int>(session->damage().size()));
+    const auto written = write(*session);
+    const ExportCounts counts = written ? *written : ExportCounts{};
+    emit ended(written ? QString() : words::sentence(written.error().text), counts.leftOut,
+               static_cast<int>(session->damage().size()), static_cast<int>(counts.withoutColumns));
 }
 
 }  // namespace terratact

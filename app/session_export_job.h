@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/session_export.h"
 
@@ -19,7 +20,8 @@ public:
         std::string session, out;
         std::optional<ExportFormat> format{};  ///< empty: the report of a scene
         ExportSelection selection{};
-        std::int64_t scene = 0;  ///< of the report
+        std::int64_t scene = 0;          ///< of the report
+        std::vector<std::string> dbc{};  ///< files; selection.book is made of them
     };
     explicit SessionExportJob(Wish wish);
     ~SessionExportJob() override;
@@ -31,11 +33,12 @@ public:
 signals:
     void progressed(double share);  ///< 0 … 1
     /// trouble: empty where the file is written.  leftOut: frames that the format cannot hold.  damaged: places of
-    /// the session of which nothing was written.
-    void ended(const QString& trouble, qulonglong leftOut, int damaged);
+    /// the session of which nothing was written.  withoutColumns: messages of DBC files that found no room.
+    void ended(const QString& trouble, qulonglong leftOut, int damaged, int withoutColumns);
 
 private:
     void run();
+    Result<ExportCounts> write(SessionReader& session);
     bool goOn(double share);
 
     Wish wish_;

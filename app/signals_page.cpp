@@ -1,25 +1,16 @@
 #include "app/signals_page.h"
 
-#include <QAction>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
-#include <cstdio>
-#include <functional>
 #include <utility>
 
 #include "app/acquisition.h"
 #include "app/bus_words.h"
 #include "app/can_source.h"
-#include "app/file_dialog.h"
-#include "app/preference_store.h"
-#include "app/protocol_dbc.h"
-#include "app/resources.h"
-#include "app/say.h"
+#include "app/dbc_files.h"
 #include "widgets/card.h"
 #include "widgets/look.h"
 #include "widgets/palette.h"
@@ -34,12 +25,6 @@ namespace {
 
 // A number that changes more often cannot be read.
 constexpr double kRows = 0.1, kTrace = 0.2;  // [s]
-
-/// A path that may be wrapped at its folders.
-QString breakable(QString text)
-{
-    return text.replace(QLatin1Char('/'), QStringLiteral("/\u200B"));
-}
 
 SignalRow quantity(const QString& name, double value, const QString& unit)
 {
@@ -78,28 +63,6 @@ std::vector<SignalRow> rowsOf(const Measurement& m)
     return rows;
 }
 
-/// Empty: it is no longer wanted.
-std::optional<DbcReading> readDbcFiles(const QStringList& paths,
-                                       const std::function<bool()>& isWanted)
-{
-    DbcReading reading;
-    auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
-    if (!protocol) reading.troubles.push_back(protocol.error().text);
-    if (protocol) reading.protocol = *std::move(protocol);
-
-    auto book = std::make_shared<DbcBook>();
-    for (const QString& path : paths) {
-        if (!isWanted()) return std::nullopt;
-        const Status added = book->add(path.toStdString());
-        if (!added) reading.troubles.push_back(added.error().text);
-        reading.files.emplace_back(path, added ? std::optional(book->files().back().frames)
-                                               : std::nullopt);
-    }
-    reading.troubles.insert(reading.troubles.end(), book->remarks().begin(), book->remarks().end());
-    reading.book = std::move(book);
-    return reading;
-}
-
 }  // namespace
 
 QString loadWords(const BusLoad& load, const BitRate& bitrate)
@@ -122,7 +85,7 @@ QString loadWords(const BusLoad& load, const BitRate& bitrate)
 
 SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
                          PreferenceStore& preferences, QWidget* parent)
-    : Page(parent), acquisition_(acquisition), link_(link), preferences_(preferences)
+    : Page(parent), acquisition_(acquisition), link_(link)
 {
     auto* signalCard = new Card(tr("Signals"), this);
     headline_ = new PlainLabel(signalCard);
@@ -130,6 +93,7 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
     headline_->setWordWrap(true);
     table_ = new SignalTable(signalCard);
     signalCard->body()->addWidget(headline_);
+    if (link_) addDbc(*signalCard, preferences);
     signalCard->body()->addWidget(table_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 10);
@@ -137,24 +101,6 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
         column->addWidget(signalCard, 1);
         return;
     }
-    signalCard->note()->hide();
-    addTools(*signalCard->titleRow());
-    for (QLabel** label : {&dbcFiles_, &dbcTroubles_}) {
-        *label = new PlainLabel(signalCard);
-        (*label)->setWordWrap(true);
-        QSizePolicy policy = (*label)->sizePolicy();  // names of files are no reason to be wide
-        policy.setHorizontalPolicy(QSizePolicy::Ignored);
-        (*label)->setSizePolicy(policy);
-        signalCard->body()->insertWidget(signalCard->body()->indexOf(table_), *label);
-    }
-    dbcFiles_->setAccessibleName(tr("DBC files"));
-    dbcTroubles_->setAccessibleName(tr("What is wrong with the DBC files"));
-    setTone(*dbcTroubles_, Tone::Doubt);
-    reader_.setMaxThreadCount(1);
-    readDbc();
-    connect(&preferences_, &PreferenceStore::changed, this, [this](const Preferences& before) {
-        if (preferences_.current().dbc != before.dbc) readDbc();
-    });
 
     auto* traceCard = new Card(tr("Newest frames"), this);
     trace_ = new RawTrace([this](const CanFrame& frame) { return traceWords(frame, book_); },
@@ -170,114 +116,30 @@ SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
     column->addWidget(both, 1);
 }
 
+void SignalsPage::addDbc(Card& card, PreferenceStore& preferences)
+{
+    card.note()->hide();
+    dbc_ = new DbcFiles(preferences, *this);
+    addTools(*card.titleRow());
+    dbc_->addLines(*card.body());
+    connect(dbc_, &DbcFiles::wereRead, this, [this](const DbcReading& reading) {
+        protocol_ = reading.protocol;
+        book_ = reading.book;
+        link_->tap().describe(book_);
+    });
+    dbc_->read();
+}
+
 void SignalsPage::addTools(QHBoxLayout& row)
 {
-    const auto tool = [&row, this](const QString& text, const QString& tip) {
-        auto* button = new QPushButton(text, this);
-        button->setFocusPolicy(Qt::TabFocus);
-        button->setMinimumHeight(kTarget);
-        setTip(*button, tip);
-        row.addWidget(button);
-        return button;
-    };
     row.addStretch(1);
-    addDbc_ = tool(tr("Add DBC file …"),
-                   tr("A file that says what frames mean that are not the robot's"));
-    connect(addDbc_, &QPushButton::clicked, this, &SignalsPage::addDbcFile);
-    removeDbc_ = tool(tr("Remove DBC file"), tr("Its frames are shown byte by byte again"));
-    removeDbc_->setMenu(new QMenu(removeDbc_));
-    QPushButton* forget =
-        tool(tr("Forget least and most"), tr("They begin anew with the next frames"));
+    dbc_->addButtons(row);
+    auto* forget = new QPushButton(tr("Forget least and most"), this);
+    forget->setFocusPolicy(Qt::TabFocus);
+    forget->setMinimumHeight(kTarget);
+    setTip(*forget, tr("They begin anew with the next frames"));
+    row.addWidget(forget);
     connect(forget, &QPushButton::clicked, this, [this] { link_->tap().forgetExtremes(); });
-}
-
-SignalsPage::~SignalsPage()
-{
-    ++readings_;
-    reader_.clear();
-}
-
-/// In a thread of its own: a large file takes longer than an armed robot waits for the operator's sign of life.
-void SignalsPage::readDbc()
-{
-    const int job = ++readings_;
-    reader_.clear();
-    reader_.start([this, job, paths = preferences_.current().dbc] {
-        auto reading = readDbcFiles(paths, [this, job] { return job == readings_; });
-        if (!reading) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, job, reading = *std::move(reading)] {
-                if (job == readings_) useDbc(reading);
-            },
-            Qt::QueuedConnection);
-    });
-}
-
-void SignalsPage::useDbc(const DbcReading& reading)
-{
-    QStringList files, sentences;
-    for (const auto& [path, frames] : reading.files) {
-        const QString name = QFileInfo(path).fileName();
-        files << (frames ? tr("%1 (frames: %2)").arg(name).arg(*frames)
-                         : tr("%1 (not used)").arg(name));
-    }
-    for (const std::string& trouble : reading.troubles) {
-        say(stderr, "terratact-console: {}\n", trouble);
-        sentences << words::sentence(trouble);
-    }
-    protocol_ = reading.protocol;
-    book_ = reading.book;
-    link_->tap().describe(book_);
-    showDbc(files, sentences);
-}
-
-void SignalsPage::showDbc(const QStringList& files, const QStringList& troubles)
-{
-    constexpr qsizetype kMostLines = 3;
-    dbcFiles_->setText(tr("DBC files: %1").arg(files.join(QStringLiteral(", "))));
-    dbcFiles_->setVisible(!files.isEmpty());
-    QStringList shown;
-    for (const QString& trouble : troubles.mid(0, kMostLines))
-        shown << QStringLiteral("▲ ") + breakable(trouble);
-    if (troubles.size() > kMostLines)
-        shown << tr("… and %1 more, all of them in the tip here").arg(troubles.size() - kMostLines);
-    dbcTroubles_->setText(shown.join(QLatin1Char('\n')));
-    dbcTroubles_->setVisible(!troubles.isEmpty());
-    setTip(*dbcTroubles_, plainTip(troubles.join(QLatin1Char('\n'))));
-
-    addDbc_->setEnabled(files.size() < kMostDbcFiles);
-    removeDbc_->setVisible(!files.isEmpty());
-    removeDbc_->menu()->clear();
-    for (const QString& path : preferences_.current().dbc) {
-        const QAction* remove = removeDbc_->menu()->addAction(QString(path).replace("&", "&&"));
-        const auto removed = [this, path] {
-            preferences_.change([path](Preferences& p) { p.dbc.removeAll(path); });
-        };
-        // Later, as the menu is filled anew then.
-        connect(remove, &QAction::triggered, this, removed, Qt::QueuedConnection);
-    }
-}
-
-void SignalsPage::addDbcFile()
-{
-    const FileWish wish{.title = tr("Add DBC file"),
-                        .filter = tr("DBC files (*.dbc *.DBC);;All files (*)")};
-    askForFile(*this, wish, [this](const QString& path) {
-        preferences_.change([path](Preferences& p) {
-            if (!p.dbc.contains(path)) p.dbc << path;
-        });
-    });
-}
-
-QString SignalsPage::dbcFiles() const
-{
-    return dbcFiles_ ? dbcFiles_->text() : QString();
-}
-
-QString SignalsPage::dbcTroubles() const
-{
-    return dbcTroubles_ ? dbcTroubles_->text() : QString();
 }
 
 void SignalsPage::refresh(double now)

@@ -76,6 +76,8 @@ void NavigationRail::setDense(bool dense)
     for (QPushButton* button : buttons_ + tools_) {
         button->style()->unpolish(button);
         button->style()->polish(button);
+        QEvent changed(QEvent::StyleChange);  // it remembers what it needed
+        QCoreApplication::sendEvent(button, &changed);
     }
     column_->activate();  // in the height there is now
 }

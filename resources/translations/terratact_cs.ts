@@ -5860,6 +5860,30 @@ F1</translation>
         <source>Nothing is being written</source>
         <translation>Nic se nezapisuje</translation>
     </message>
+    <message>
+        <source>Other devices</source>
+        <translation>Jiná zařízení</translation>
+    </message>
+    <message>
+        <source>with the signals of %1</source>
+        <translation>se signály podle %1</translation>
+    </message>
+    <message>
+        <source>no DBC file describes them</source>
+        <translation>nepopisuje je žádný soubor DBC</translation>
+    </message>
+    <message>
+        <source>The page Signals (F7) adds DBC files</source>
+        <translation>Soubory DBC přidává stránka Signály (F7)</translation>
+    </message>
+    <message>
+        <source>Only signals hold what DBC files describe</source>
+        <translation>Co popisují soubory DBC, je jen v signálech</translation>
+    </message>
+    <message>
+        <source>messages of DBC files left out, for which there was no room: %1</source>
+        <translation>vynechané zprávy ze souborů DBC, na něž nezbylo místo: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ReviewNoteField</name>
@@ -6116,6 +6140,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewSignalsPage</name>
+    <message>
+        <source>Signals of other devices</source>
+        <translation>Signály jiných zařízení</translation>
+    </message>
+    <message>
+        <source>Which signals these are</source>
+        <translation>Které signály to jsou</translation>
+    </message>
+    <message>
+        <source>No other device had sent a frame in the %1 s before this time</source>
+        <translation>Žádné jiné zařízení neposlalo v %1 s před tímto časem rámec</translation>
+    </message>
+    <message>
+        <source>The newest values of the %1 s before this time; least and most are of those seconds</source>
+        <translation>Nejnovější hodnoty z %1 s před tímto časem; nejmenší a největší jsou z těchto sekund</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewWindow</name>
     <message>
         <source>REVIEW — %1 — Terratact</source>
@@ -6268,6 +6311,14 @@ F1</translation>
     <message>
         <source>In the console itself the same keys command: A explores, B asks for a probe, M arms, Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
         <translation>V samotné konzoli tytéž klávesy velí: A zkoumá, B žádá o sondu, M aktivuje, mezerník schvaluje sondu, šipky nahoru a dolů jedou, Page Up a Down mění mez, P ukáže, co povel potřebuje, K značí, 1 až 3 žádají o jiný úsek.</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signály</translation>
+    </message>
+    <message>
+        <source>What other devices had sent: gas sensors, batteries</source>
+        <translation>Co poslala jiná zařízení: senzory plynů, baterie</translation>
     </message>
 </context>
 <context>

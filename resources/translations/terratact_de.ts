@@ -5860,6 +5860,30 @@ F1</translation>
         <source>Nothing is being written</source>
         <translation>Es wird nichts geschrieben</translation>
     </message>
+    <message>
+        <source>Other devices</source>
+        <translation>Andere Geräte</translation>
+    </message>
+    <message>
+        <source>with the signals of %1</source>
+        <translation>mit den Signalen aus %1</translation>
+    </message>
+    <message>
+        <source>no DBC file describes them</source>
+        <translation>keine DBC-Datei beschreibt sie</translation>
+    </message>
+    <message>
+        <source>The page Signals (F7) adds DBC files</source>
+        <translation>Die Seite Signale (F7) fügt DBC-Dateien hinzu</translation>
+    </message>
+    <message>
+        <source>Only signals hold what DBC files describe</source>
+        <translation>Nur Signale enthalten, was DBC-Dateien beschreiben</translation>
+    </message>
+    <message>
+        <source>messages of DBC files left out, for which there was no room: %1</source>
+        <translation>ausgelassene Nachrichten aus DBC-Dateien, für die kein Platz war: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ReviewNoteField</name>
@@ -6116,6 +6140,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ReviewSignalsPage</name>
+    <message>
+        <source>Signals of other devices</source>
+        <translation>Signale anderer Geräte</translation>
+    </message>
+    <message>
+        <source>Which signals these are</source>
+        <translation>Welche Signale dies sind</translation>
+    </message>
+    <message>
+        <source>No other device had sent a frame in the %1 s before this time</source>
+        <translation>Kein anderes Gerät hatte in den %1 s vor dieser Zeit ein CAN-Frame gesendet</translation>
+    </message>
+    <message>
+        <source>The newest values of the %1 s before this time; least and most are of those seconds</source>
+        <translation>Die neuesten Werte der %1 s vor dieser Zeit; kleinste und größte stammen aus diesen Sekunden</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ReviewWindow</name>
     <message>
         <source>REVIEW — %1 — Terratact</source>
@@ -6268,6 +6311,14 @@ F1</translation>
     <message>
         <source>In the console itself the same keys command: A explores, B asks for a probe, M arms, Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
         <translation>In der Konsole selbst befehlen dieselben Tasten: A erkundet, B fragt nach einer Sondierung, M gibt frei, Leertaste genehmigt eine Sondierung, Pfeil auf und ab fahren, Bild auf und ab ändern die Grenze, P zeigt, was ein Befehl braucht, K markiert, 1 bis 3 fragen nach einem anderen Abschnitt.</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>What other devices had sent: gas sensors, batteries</source>
+        <translation>Was andere Geräte gesendet hatten: Gassensoren, Batterien</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 
 #include "app/alarms_page.h"
 #include "app/console_alarms.h"
+#include "app/dbc_files.h"
 #include "app/diagnostics_page.h"
 #include "app/numbers_page.h"
 #include "app/preference_store.h"
@@ -162,8 +163,8 @@ TEST_F(ForeignFramesOnThePage, areDecodedByTheirDbcFiles)
     EXPECT_EQ(valueOf("Oxygen"), "20.71");
     EXPECT_EQ(valueOf("State"), "ready");
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") != "--"; })) << "beside the robot's own";
-    EXPECT_EQ(window->signalsPage()->dbcFiles(), "DBC files: gas.dbc (frames: 2)");
-    EXPECT_EQ(window->signalsPage()->dbcTroubles(), "");
+    EXPECT_EQ(window->signalsPage()->dbc()->files(), "DBC files: gas.dbc (frames: 2)");
+    EXPECT_EQ(window->signalsPage()->dbc()->troubles(), "");
     EXPECT_TRUE(tipOf("Oxygen", SignalTable::Name).contains("no human may enter"));
     EXPECT_TRUE(tipOf("Oxygen", SignalTable::Frame).contains("&lt;b&gt;air"))
         << "no HTML of others";
@@ -202,10 +203,10 @@ TEST_F(ForeignFramesOnThePage, whatIsWrongWithAFileIsSaidAndStopsNothing)
     QTest::keyClick(window.get(), Qt::Key_F5);
     ASSERT_TRUE(eventually([&] { return valueOf("Oxygen") == "20.71"; }));
     const SignalsPage* page = window->signalsPage();
-    EXPECT_EQ(page->dbcFiles(),
+    EXPECT_EQ(page->dbc()->files(),
               "DBC files: gas.dbc (frames: 2), clash.dbc (frames: 0), bad.dbc (not "
               "used), none.dbc (not used)");
-    const QStringList troubles = page->dbcTroubles().split('\n');
+    const QStringList troubles = page->dbc()->troubles().split('\n');
     ASSERT_EQ(troubles.size(), 4);
     EXPECT_TRUE(troubles[0].contains("bad.dbc: describes no message"));
     EXPECT_TRUE(troubles[0].contains("line 1: expected the keyword"));
@@ -224,26 +225,26 @@ TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
     open();
     QTest::keyClick(window.get(), Qt::Key_F5);
     const SignalsPage* page = window->signalsPage();
-    EXPECT_TRUE(page->addDbcButton()->isVisible());
-    EXPECT_FALSE(page->removeDbcButton()->isVisible());
+    EXPECT_TRUE(page->dbc()->addButton()->isVisible());
+    EXPECT_FALSE(page->dbc()->removeButton()->isVisible());
     ASSERT_TRUE(eventually([&] { return window->link()->tap().frames(steadyNow()).size() > 10; }));
-    QTest::mouseClick(page->addDbcButton(), Qt::LeftButton);
+    QTest::mouseClick(page->dbc()->addButton(), Qt::LeftButton);
     auto* dialog = page->findChild<QFileDialog*>();
     ASSERT_TRUE(dialog);
     dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file("gas.dbc"));
     QMetaObject::invokeMethod(dialog, "accept");
     ASSERT_TRUE(eventually([&] { return valueOf("Oxygen") == "20.71"; }));
     EXPECT_EQ(window->preferences().current().dbc, QStringList{file("gas.dbc")}) << "remembered";
-    ASSERT_TRUE(page->removeDbcButton()->isVisible());
-    ASSERT_EQ(page->removeDbcButton()->menu()->actions().size(), 1);
-    page->removeDbcButton()->menu()->actions().first()->trigger();
+    ASSERT_TRUE(page->dbc()->removeButton()->isVisible());
+    ASSERT_EQ(page->dbc()->removeButton()->menu()->actions().size(), 1);
+    page->dbc()->removeButton()->menu()->actions().first()->trigger();
     EXPECT_TRUE(eventually([&] { return valueOf("Oxygen") == "no such signal"; }));
     EXPECT_EQ(window->preferences().current().dbc, QStringList());
-    EXPECT_FALSE(page->removeDbcButton()->isVisible());
+    EXPECT_FALSE(page->dbc()->removeButton()->isVisible());
 
     window->preferences().change([&](Preferences& p) { p.dbc << file("gas.dbc"); });
-    EXPECT_FALSE(page->removeDbcButton()->isVisible()) << "no file is read in this thread";
-    EXPECT_TRUE(eventually([&] { return page->removeDbcButton()->isVisible(); }));
+    EXPECT_FALSE(page->dbc()->removeButton()->isVisible()) << "no file is read in this thread";
+    EXPECT_TRUE(eventually([&] { return page->dbc()->removeButton()->isVisible(); }));
 }
 
 /// A file whose reader waits, as on a network that does not answer, until it is let go.
