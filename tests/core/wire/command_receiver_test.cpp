@@ -102,6 +102,12 @@ TEST_F(RobotEnd, takesEveryMotionOnceAndInOrder)
     EXPECT_EQ(robot.receive(drive(251), now).verdict, Verdict::WrongSequence)
         << "an old frame set the counter back";
     EXPECT_EQ(robot.receive(drive(5), now).verdict, Verdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(5 + 128), now).verdict, Verdict::WrongSequence)
+        << "half a turn ahead is half a turn behind";
+    EXPECT_EQ(robot.receive(drive(6), now).verdict, Verdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(6 + 127), now).verdict, Verdict::WrongSequence)
+        << "many are missing";
+    EXPECT_EQ(robot.receive(drive(6 + 128), now).verdict, Verdict::Accepted) << "the next one";
     EXPECT_EQ(robot.receive(frameOf(ProbeCommand{7}, epoch, 99, challenge), now).verdict,
               Verdict::Accepted)
         << "every kind has its own counter";
