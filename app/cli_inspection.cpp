@@ -40,6 +40,9 @@ void addFaults(CLI::App& app, Job& job)
         ->check(CLI::Range(0.001, 1.0));
     c->add_flag("--blocks", o->blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
+    c->add_flag(
+        "--matrix", o->matrix,
+        "Every kind of fault at every sensor: in how many drives it is noticed, or why not");
     c->add_flag("--return", o->comesBack, "Every drive turns round at its end and comes back");
     addNumber(*c, "--seed", o->settings.seed, "Seed of terrain, noise and estimates");
     c->callback([o, &job] {

@@ -14,6 +14,7 @@
 #include "core/eval/evaluation.h"
 #include "core/infer/verdict.h"
 #include "core/learn/profile_file.h"
+#include "core/sim/fault_matrix.h"
 #include "core/sim/fault_trial.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/watched_drive.h"
@@ -160,6 +161,41 @@ void printHead(const FaultsOptions& options, std::size_t drives)
         "doubt", "drives", "after s", "scenes", "left mm", "in 80");
 }
 
+/// Drives [%] in which SensorWatch notices that fault.
+double noticedIn(const std::string& fault, const RobotModel& robot, const WatchedDrives& drives)
+{
+    std::vector<char> noticed(drives.size());
+    parallelFor(static_cast<int>(drives.size()), [&](int n) {
+        const auto k = static_cast<std::size_t>(n);
+        noticed[k] = watchFault(drives[k], robot, fault, k).noticed ? 1 : 0;
+    });
+    return percent(static_cast<std::size_t>(std::count(noticed.begin(), noticed.end(), 1)),
+                   drives.size());
+}
+
+/// Every kind of fault at every sensor; a letter stands for a reason below.
+void printMatrix(const RobotModel& robot, const WatchedDrives& drives)
+{
+    std::vector<std::string_view> reasons;
+    say("{:<20}", "drives [%]");
+    for (const std::string_view kind : matrixKinds()) say("{:>14}", kind);
+    const std::size_t columns = matrixKinds().size();
+    std::size_t column = 0;
+    for (const MatrixCell& cell : faultMatrix()) {
+        if (column++ % columns == 0) say("\n{:<20}", cell.sensor);
+        std::string mark;
+        if (!cell.reason.empty()) {
+            const auto known = std::find(reasons.begin(), reasons.end(), cell.reason);
+            mark = fmt::format(" {}", static_cast<char>('a' + (known - reasons.begin())));
+            if (known == reasons.end()) reasons.push_back(cell.reason);
+        }
+        say("{:>12.0f}{:<2}", noticedIn(cell.fault, robot, drives), mark);
+    }
+    say("\n\nWhy one is not noticed in every drive:\n");
+    for (std::size_t k = 0; k < reasons.size(); ++k)
+        say("  {}: {}\n", static_cast<char>('a' + k), reasons[k]);
+}
+
 }  // namespace
 
 Status judgeFaults(const FaultsOptions& options)
@@ -169,6 +205,10 @@ Status judgeFaults(const FaultsOptions& options)
     const auto grounds = watchedGrounds(options);
     if (!grounds) return grounds.error();
     const WatchedDrives drives = driveWatched(options, (*toolbox)->robot, *grounds);
+    if (options.matrix) {
+        printMatrix((*toolbox)->robot, drives);
+        return Done{};
+    }
     printHead(options, drives.size());
     FaultRow sound;
     std::size_t harmful = 0, flagged = 0;

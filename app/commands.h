@@ -113,6 +113,7 @@ struct FaultsOptions {
     int drives = 40;                 ///< over random ground, or profiles of the file at most
     double spacing = 0.3;            ///< [m] driven between two scenes
     bool comesBack = false;          ///< every drive turns round at its end and comes back
+    bool matrix = false;             ///< every kind of fault at every sensor, without estimates
     Settings settings;
 };
 /// Drives simulated robots whose sensors lie and prints, fault by fault, when SensorWatch notices it, in how many

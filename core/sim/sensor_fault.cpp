@@ -66,12 +66,24 @@ constexpr std::array kSensorNames{
     NamedSensors{"odometry", Sensor::Travelled, Sensor::Travelled},
     NamedSensors{"all", Sensor::Pitch, Sensor::Travelled}};
 
+constexpr std::array<std::string_view, 2> kSides{"left-", "right-"};
+constexpr std::string_view kForceName = "force";
+
 template <class Named, std::size_t n>
 const Named* find(std::string_view text, const std::array<Named, n>& all)
 {
     const auto found =
         std::find_if(all.begin(), all.end(), [text](const Named& one) { return one.name == text; });
     return found == all.end() ? nullptr : &*found;
+}
+
+/// The text without the side that is before forces; whether there was one.
+std::pair<std::string_view, bool> withoutSide(std::string_view text)
+{
+    for (const std::string_view side : kSides)
+        if (text.starts_with(side) && text.substr(side.size()).starts_with(kForceName))
+            return {text.substr(side.size()), true};
+    return {text, false};
 }
 
 double usualAmount(FaultKind kind, Sensor sensor)
@@ -138,11 +150,11 @@ std::optional<SensorFault> sensorFaultFrom(std::string_view text)
     if (first == std::string_view::npos) return std::nullopt;
     const std::size_t second = text.find(':', first + 1);
     const auto* kind = find(text.substr(0, first), kKinds);
-    const auto* sensors =
-        find(text.substr(first + 1, second == std::string_view::npos ? second : second - first - 1),
-             kSensorNames);
+    const auto [name, isOfOneSide] = withoutSide(
+        text.substr(first + 1, second == std::string_view::npos ? second : second - first - 1));
+    const auto* sensors = find(name, kSensorNames);
     if (!kind || !sensors) return std::nullopt;
-    SensorFault fault{.kind = kind->kind, .sensors = {}, .amount = 0.0};
+    SensorFault fault{.kind = kind->kind, .sensors = {}, .amount = 0.0, .isOfOneSide = isOfOneSide};
     for (std::size_t i = indexOf(sensors->first); i <= indexOf(sensors->last); ++i)
         fault.sensors.push_back(sensorAt(i));
     fault.amount = usualAmount(fault.kind, sensors->first);
@@ -161,6 +173,10 @@ std::string sensorFaultSyntax()
     for (const NamedKind& kind : kKinds) text += ' ' + std::string(kind.name);
     text += ", SENSORS one of";
     for (const NamedSensors& sensors : kSensorNames) text += ' ' + std::string(sensors.name);
+    for (const std::string_view side : kSides)
+        for (const NamedSensors& sensors : kSensorNames)
+            if (sensors.name.starts_with(kForceName))
+                text += ' ' + std::string(side) + std::string(sensors.name);
     return text;
 }
 
@@ -231,14 +247,23 @@ double FaultySensors::faulty(Sensor sensor, double value, const Measurement& tru
     return value;
 }
 
+double FaultySensors::ofBothSides(double truth, double wrong) const
+{
+    return fault_.isOfOneSide ? (truth + wrong) / 2.0 : wrong;
+}
+
 void FaultySensors::swap(Measurement& m, const Measurement& truth) const
 {
     const SensorReadings from = readingsOf(truth);
+    const auto set = [&](Sensor sensor, Sensor with) {
+        const auto &was = from[indexOf(sensor)], &becomes = from[indexOf(with)];
+        if (was && becomes) setReading(m, sensor, ofBothSides(*was, *becomes));
+    };
     for (const Sensor sensor : fault_.sensors) {
         const Sensor other =
             fault_.kind == FaultKind::Swapped ? opposite(sensor) : ofOtherAxle(sensor);
-        if (const auto value = from[indexOf(other)]) setReading(m, sensor, *value);
-        if (const auto value = from[indexOf(sensor)]) setReading(m, other, *value);
+        set(sensor, other);
+        set(other, sensor);
     }
 }
 
@@ -261,7 +286,7 @@ Measurement FaultySensors::take(const Measurement& truth)
         if (!value) continue;
         double wrong = faulty(sensor, *value, truth);
         if (kindOf(sensor) == SensorKind::Force) wrong = std::clamp(wrong, 0.0, forceSaturation_);
-        setReading(m, sensor, wrong);
+        setReading(m, sensor, ofBothSides(*value, wrong));
     }
     return m;
 }

@@ -36,13 +36,15 @@ struct SensorFault {
     FaultKind kind = FaultKind::Stuck;
     std::vector<Sensor> sensors;
     double amount = 0.0;  ///< SI units of the sensor; [s] of Late
+    /// Of force elements: those of one side alone, so that the mean of both sides has half of the fault.
+    bool isOfOneSide = false;
 };
 
 /// "KIND:SENSORS" or "KIND:SENSORS:AMOUNT", e.g. "stuck:pitch", "offset:front:0.17", "late:all:0.5".
 ///   KIND     stuck, stuck-at-scene, zero, offset, drift, spikes, scatter, flipped, swapped, swapped-axles, late,
 ///            out-of-range, full-scale
 ///   SENSORS  pitch, roll, front, rear, front-left …, front-current, rear-current, front-left-current …, currents,
-///            angles, forces, force-1 … force-6, odometry, all
+///            angles, forces, force-1 … force-6, odometry, all; forces of one side: left-forces, right-force-1, …
 /// Without AMOUNT: 10° of angles and attitude, 1 A, 3 N, 1 m; a tenth of that of a drift; 0.5 s of Late.
 /// Empty where the text is none of these.
 std::optional<SensorFault> sensorFaultFrom(std::string_view text);
@@ -62,6 +64,7 @@ public:
 private:
     double faulty(Sensor sensor, double value, const Measurement& truth);
     double late(Sensor sensor, double value) const;
+    double ofBothSides(double truth, double wrong) const;
     void swap(Measurement& m, const Measurement& truth) const;
     double limitOf(Sensor sensor) const;
     void keepScene(const Measurement& truth);

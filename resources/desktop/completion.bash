@@ -29,7 +29,8 @@ _terratact_faults() {
   local kinds="stuck stuck-at-scene zero offset drift spikes scatter flipped swapped swapped-axles late out-of-range full-scale"
   local sensors="pitch roll attitude front rear angles front-left front-right rear-left rear-right front-current rear-current \
     currents front-left-current front-right-current rear-left-current rear-right-current forces force-1 force-2 force-3 force-4 \
-    force-5 force-6 odometry all"
+    force-5 force-6 odometry all left-forces left-force-1 left-force-2 left-force-3 left-force-4 left-force-5 left-force-6 \
+    right-forces right-force-1 right-force-2 right-force-3 right-force-4 right-force-5 right-force-6"
   if [[ $parted == : ]]; then
     _terratact_words "$sensors"
   elif [[ $word == *:* ]]; then
@@ -54,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--return | *:--exact-truth | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
@@ -115,7 +116,7 @@ _terratact_options() {
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
-    faults) echo --robot --model --terrain --drives --spacing --step --blocks --return --seed ;;
+    faults) echo --robot --model --terrain --drives --spacing --step --blocks --matrix --return --seed ;;
     ghost) echo --robot --model --terrain --drives --spacing --step --blocks --methods --sd-factor --seed ;;
     probes) echo --data ;;
     calibrate) echo --data --robot ;;

@@ -202,7 +202,7 @@ class Completion(unittest.TestCase):
         self.assertIsNotNone(said, done.stderr)
         kinds, sensors = said[1].split(), said[2].split()
         page = plain(page_of("terratact").read_text().split(".SH FAULTS")[1].split(".SH ")[0])
-        for word in kinds + [sensor for sensor in sensors if not re.match(r"force-\d", sensor)]:
+        for word in kinds + [sensor for sensor in sensors if not re.match(r"(left-|right-)?force-\d", sensor)]:
             self.assertRegex(page, rf"\b{word}\b")
         for option in (("robot", "--fault"), ("simulate", "--disturb")):
             proposed = completed("terratact", *option, "")

@@ -46,6 +46,17 @@ TEST(SensorFault, ReadsKindSensorsAndAmount)
         EXPECT_FALSE(sensorFaultFrom(wrong)) << wrong;
 }
 
+TEST(SensorFault, OfOneSideHalvesTheMean)
+{
+    EXPECT_TRUE(sensorFaultFrom("stuck:left-force-1")->isOfOneSide);
+    EXPECT_FALSE(sensorFaultFrom("stuck:left-pitch"));
+    EXPECT_DOUBLE_EQ(with("offset:right-force-2:3").take(line(0.0, 0.1)).force[1], 3.5);
+    EXPECT_DOUBLE_EQ(with("zero:left-forces").take(line(0.0, 0.1)).force[5], 3.0);
+    const Measurement swapped = with("swapped:left-forces").take(line(0.0, 0.1));
+    EXPECT_DOUBLE_EQ(swapped.force[0], 3.5);
+    EXPECT_DOUBLE_EQ(swapped.force[5], 3.5);
+}
+
 TEST(SensorFault, SticksAtTheFirstLine)
 {
     FaultySensors faulty = with("stuck:pitch");

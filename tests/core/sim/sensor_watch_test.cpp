@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/robot/robot_model.h"
+#include "core/sim/fault_matrix.h"
 #include "core/sim/fault_trial.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/sensor_fault.h"
@@ -57,6 +58,19 @@ TEST_P(TriedFaults, AreNoticedOrNamedInTheLimits)
 
 INSTANTIATE_TEST_SUITE_P(All, TriedFaults,
                          testing::ValuesIn(triedFaults().begin(), triedFaults().end()));
+
+TEST(FaultMatrix, IsNoticedOrSaysWhyNot)
+{
+    const auto cells = faultMatrix();
+    EXPECT_EQ(cells.size(), 29 * matrixKinds().size());  // 2 + 4 + 4 + 6 + 12 + 1 sensors
+    std::size_t noticed = 0;
+    for (const MatrixCell& cell : cells) {
+        if (!cell.reason.empty()) continue;
+        ++noticed;
+        EXPECT_GE(noticedOn(cell.fault), 2) << cell.fault;
+    }
+    EXPECT_GT(noticed, cells.size() / 3);
+}
 
 TEST(SensorWatch, IsSilentOnHealthyDrives)
 {
