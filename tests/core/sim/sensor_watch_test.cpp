@@ -6,12 +6,14 @@
 #include <cmath>
 #include <random>
 
+#include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
 #include "core/sim/fault_matrix.h"
 #include "core/sim/fault_trial.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/sensor_fault.h"
 #include "core/sim/watched_drive.h"
+#include "core/wire/telemetry_listener.h"
 
 namespace terratact {
 namespace {
@@ -99,6 +101,25 @@ TEST(SensorWatch, IsSilentForAnHourOfHealthyTelemetry)
         seconds += lines.back().measurement.time;
         from += lines.back().measurement.time + 2.0;  // another robot, another ground
     }
+}
+
+TEST(SensorWatch, IsSilentOverTheShippedSession)
+{
+    auto session = SessionReader::open(TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts");
+    ASSERT_TRUE(session) << session.error().text;
+    TelemetryListener listener(absolem());
+    SensorWatch watch(absolem());
+    int lines = 0;
+    for (std::size_t batch = 0; batch < session->batches().size(); ++batch)
+        for (const FrameRow& row : session->frames(batch)) {
+            const auto line = listener.take(row.frame, secondsOf(row.time));
+            if (!line) continue;
+            ++lines;
+            watch.take(*line);
+            ASSERT_TRUE(watch.standing().empty())
+                << describe(watch.standing().front()) << " at " << line->time;
+        }
+    EXPECT_GT(lines, 1000);
 }
 
 TEST(SensorWatch, NamesTheSensorAndTheKind)
