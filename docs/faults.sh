@@ -42,5 +42,21 @@ tells in one direction is noticed after the turn, in part of the drives.
 
 EOF
 table --return >>"$page"
+cat >>"$page" <<'EOF'
+
+## Every kind at every sensor
+
+Drives [%] with any suspicion, without estimates; a letter says why a fault is not noticed in every drive. Some drives raise a suspicion
+without a fault, too: the row *none* above says how many. Telemetry that the watch reads has the mean of left and right forces, so that a
+fault of one element of the twelve has half of its size there.
+
+    terratact faults --matrix --drives 10 --seed 1
+
+EOF
+{
+  echo '```'
+  "$terratact" faults --matrix --drives 10 --seed 1 2>/dev/null
+  echo '```'
+} >>"$page"
 mv "$page" faults.md
 chmod 644 faults.md
