@@ -15,7 +15,8 @@ namespace {
 constexpr double kPitchSd = 0.0087, kAngleSd = 0.0017;   // [rad]
 constexpr double kCurrentSd = 0.05;                      // [A]
 constexpr double kForceShare = 0.10, kForceFloor = 0.3;  // share, [N]
-constexpr double kMostHeightDifference = 0.026;          // [m] root mean square
+constexpr std::size_t kFrontFeature = 1;
+constexpr double kMostHeightDifference = 0.026;  // [m] root mean square
 
 double noiseOf(std::size_t feature, double value)
 {
@@ -33,6 +34,18 @@ Key keyOf(const Scene& scene)
     const FeatureValues values = featureValues(scene.s);
     for (std::size_t d = 0; d < kFeatures; ++d) key[d] = values[d].value_or(0.0);
     return key;
+}
+
+/// One scene, but for digits that a number format took away.
+bool isRewritten(const Key& a, const Key& b)
+{
+    double sum = 0.0;
+    for (std::size_t d = 0; d < kFeatures; ++d) {
+        const double off = std::abs(a[d] - b[d]) / noiseOf(d, std::max(a[d], b[d]));
+        if (!(off <= kRewrittenSd)) return false;
+        sum += off * off;
+    }
+    return std::sqrt(sum / kFeatures) <= kRewrittenRms;
 }
 
 /// Kept scenes by their front flippers' angle, in which near copies hardly differ.
@@ -92,17 +105,22 @@ SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)
 
 std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features)
 {
-    std::set<Key> known;
+    std::multimap<double, Key> known;  // by the front flippers' angle
     for (Eigen::Index u = 0; u < features.rows(); ++u) {
         Key key{};
         for (std::size_t d = 0; d < kFeatures; ++d)
             key[d] = features(u, static_cast<Eigen::Index>(d));
-        known.insert(key);
+        known.emplace(key[kFrontFeature], key);
     }
-    return static_cast<std::size_t>(
-        std::count_if(scenes.begin(), scenes.end(), [&known](const Scene& scene) {
-            return missingFeatures(scene.s).none() && known.contains(keyOf(scene));
-        }));
+    const auto isKnown = [&known](const Scene& scene) {
+        if (missingFeatures(scene.s).any()) return false;
+        const Key key = keyOf(scene);
+        const double reach = kRewrittenSd * kAngleSd;
+        return std::any_of(known.lower_bound(key[kFrontFeature] - reach),
+                           known.upper_bound(key[kFrontFeature] + reach),
+                           [&key](const auto& row) { return isRewritten(key, row.second); });
+    };
+    return static_cast<std::size_t>(std::count_if(scenes.begin(), scenes.end(), isKnown));
 }
 
 }  // namespace terratact

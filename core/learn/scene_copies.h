@@ -29,7 +29,10 @@ SceneCopies withoutCopies(const std::vector<const Scene*>& scenes);
 bool isNearCopy(const Scene& a, const Scene& b);
 inline constexpr double kCopySd = 3.5;
 
-/// How many scenes have the very features of a training row.  features: U × 11 as in ModelData.
+/// How many scenes are training rows, whatever number format they went through: no feature differs by more than
+/// kRewrittenSd of its noise, which three decimals do, and their root mean square by at most kRewrittenRms.
+/// features: U × 11 as in ModelData.
 std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features);
+inline constexpr double kRewrittenSd = 0.31, kRewrittenRms = 0.13;
 
 }  // namespace terratact

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
+#include "core/learn/columns.h"
 #include "core/learn/training.h"
 #include "core/sim/sensor_noise.h"
 #include "tests/support/toy_model.h"
@@ -79,6 +81,24 @@ TEST(SceneCopies, countsTheScenesAModelWasTrainedOn)
     std::vector<Scene> lacking = scenes;
     for (Scene& scene : lacking) scene.s.frontCurrent.reset();
     EXPECT_EQ(trainingScenes(lacking, model.features), 0U);
+}
+
+TEST(SceneCopies, scenesInAnotherNumberFormatAreKnown)
+{
+    const std::vector<Scene> scenes = scenesOf(20);
+    const ModelData model = prepareTraining(scenes).model;
+    for (const double step : {1e-12, 1e-6, 1e-3}) {
+        std::vector<Scene> rewritten = scenes;
+        for (Scene& scene : rewritten) {
+            FeatureValues values = featureValues(scene.s);
+            for (auto& value : values)
+                if (value) *value = std::round(*value / step) * step;
+            scene.s = proprioception(values);
+        }
+        EXPECT_EQ(trainingScenes(rewritten, model.features),
+                  static_cast<std::size_t>(model.features.rows()))
+            << step;
+    }
 }
 
 }  // namespace
