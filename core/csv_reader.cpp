@@ -17,6 +17,7 @@ constexpr std::size_t kMostBytes = std::size_t{64} * 1024 * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kLineEnds = "\r\n";
+constexpr char kEndOfDos = '\x1A';  // what DOS ended a text file with
 
 std::string_view withoutBlanks(std::string_view text)
 {
@@ -144,6 +145,7 @@ CsvReader::CsvReader(std::string name, std::string text)
       rest_(*text_)
 {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+    while (rest_.ends_with(kEndOfDos)) rest_.remove_suffix(1);
 }
 
 Result<std::string> CsvReader::textOf(const std::string& path)
@@ -339,12 +341,18 @@ bool CsvReader::isBlank() const
     return (fields_.size() == 1 || columns_ != 0) && std::ranges::all_of(fields_, isEmpty);
 }
 
+/// Below a header, with another number of fields than it has: else it may be a text that begins so.
+bool CsvReader::isRemark() const
+{
+    return columns_ > 1 && fields_.front().starts_with('#') && fields_.size() != columns_;
+}
+
 Result<bool> CsvReader::next()
 {
     for (;;) {
         Result<bool> more = readRecord();
         if (!more || !*more) return more;
-        if (isBlank()) continue;
+        if (isBlank() || isRemark()) continue;
         if (columns_ == 0) return true;
         if (const Status counted = checkCount(); !counted) return counted.error();
         if (!std::exchange(unitsMayFollow_, false)) return true;
@@ -355,6 +363,7 @@ Result<bool> CsvReader::next()
 
 void CsvReader::takeHeader(std::vector<std::string> units)
 {
+    while (fields_.size() > 1 && fields_.back().empty()) fields_.pop_back();
     columns_ = fields_.size();
     columnNames_.assign(fields_.begin(), fields_.end());
     units_ = std::move(units);

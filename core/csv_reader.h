@@ -15,7 +15,8 @@ namespace terratact {
 ///            In quotes as RFC 4180 has it, with separators, doubled quotes and line ends within.  Blanks around a
 ///            field do not belong to it.
 ///   lines    end with LF, CR LF or CR; the last one may lack its end.  Blank lines are passed over.
-///            Lines that begin with # above the first are remarks, but for one that names the columns.
+///            Lines that begin with # above the first are remarks, but for one that names the columns; so are those
+///            below a header that have another number of fields.  A control-Z of DOS ends the file.
 ///   numbers  with a decimal point.  Where no comma separates fields, a decimal comma is read too, but not both in one
 ///            file.
 ///   bytes    UTF-8, with a byte order mark or without.
@@ -46,7 +47,7 @@ public:
     /// fields, too long a field; behind a header also another number of fields than it has, and a wrong unit.
     Result<bool> next();
 
-    /// Makes the present record the header: all further ones have as many fields, more only where the rest is empty;
+    /// Makes the present record the header, without empty fields at its end: all further ones have as many fields, more only where the rest is empty;
     /// records of empty fields alone are passed over.  `units`: of each column, empty where it holds text.  A line
     /// below the header that gives units instead of numbers is passed over if they are these.
     void takeHeader(std::vector<std::string> units);
@@ -88,6 +89,7 @@ private:
     std::string_view takePlain();
     void takeLineEnd();
     bool isBlank() const;
+    bool isRemark() const;
     Result<bool> isUnits() const;
     Status checkCount();
 

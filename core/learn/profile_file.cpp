@@ -19,10 +19,22 @@ bool isHeader(const CsvReader& csv)
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
             || static_cast<unsigned char>(c) > 127;
     };
-    for (std::size_t i = 0; i < csv.fields().size(); ++i)
+    std::size_t named = csv.fields().size();
+    while (named > 1 && csv.fields()[named - 1].empty()) --named;
+    for (std::size_t i = 0; i < named; ++i)
         if (csv.isNumber(i) || csv.isMissing(i) || std::ranges::none_of(csv.fields()[i], isLetter))
             return false;
     return true;
+}
+
+/// Whether one of more than two columns is called as those of points are: then the lines are no heights.
+bool namesMoreThanPoints(const CsvReader& csv)
+{
+    const auto isOfPoints = [](std::string_view name) {
+        return name == "x" || name == "z" || name == "x_m" || name == "z_m" || name == "X"
+            || name == "Z";
+    };
+    return csv.fields().size() > 2 && std::ranges::any_of(csv.fields(), isOfPoints);
 }
 
 bool namesPoints(const CsvReader& csv)
@@ -204,13 +216,16 @@ Result<ProfileFile> readProfiles(CsvReader csv, double step, bool blocks)
 
     std::size_t headed = 0;  // fields of the header
     if (isHeader(csv)) {
+        csv.takeHeader(std::vector<std::string>(csv.fields().size(), "m"));
         headed = csv.fields().size();
+        if (namesMoreThanPoints(csv))
+            return csv.error("is a header of " + std::to_string(headed)
+                             + " columns: a profile has the two columns x_m,z_m alone");
         if (headed == 2 && !namesPoints(csv))
             return csv.error("is a header of two columns other than x,z or x_m,z_m");
         if (headed == 1)
             return csv.error("is a header of one column: a profile has points x,z, or its heights "
                              "in one line");
-        csv.takeHeader(std::vector<std::string>(headed, "m"));
         const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) return csv.error("is a header, and no profile follows it");

@@ -15,6 +15,7 @@
 #include "core/learn/columns.h"
 #include "core/learn/sha256.h"
 #include "core/text.h"
+#include "core/wire/dbc_text.h"
 
 namespace terratact {
 namespace {
@@ -141,6 +142,12 @@ Status readField(CsvReader& csv, std::size_t field, int slot, Draft& draft)
     if (slot == kRun) {
         const std::string_view text = csvText(csv.fields()[field]);
         if (text.empty()) return csv.error("run is empty");
+        if (text.size() > kLongestRunName)
+            return csv.error("run is longer than " + std::to_string(kLongestRunName)
+                             + " bytes: " + shown(text));
+        if (!isUtf8(text))
+            return csv.error("run is not text in UTF-8: " + shown(text)
+                             + ": save the file as CSV in UTF-8");
         if (!isRunName(text))
             return csv.error("run is not a name: " + shown(text)
                              + ": it holds a comma, a quote or a control character");

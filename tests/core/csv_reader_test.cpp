@@ -235,5 +235,22 @@ TEST(CsvText, comesBackAsItWas)
     }
 }
 
+TEST(CsvReader, passesRemarksBelowAHeaderOver)
+{
+    Result<CsvReader> csv = atSecond("a,b\n# made by hand\n1,2\n# the end\n", {"", ""});
+    ASSERT_TRUE(csv);
+    EXPECT_EQ(csv->line(), 3);
+    EXPECT_FALSE(*csv->next());
+    EXPECT_EQ(atSecond("a,b\n#1,2\n", {"", ""})->fields().front(), "#1") << "a text";
+}
+
+TEST(CsvReader, endsAtControlZAndIgnoresEmptyColumns)
+{
+    EXPECT_EQ(linesIn("a,b\n1,2\n\x1A"), (Lines{{"a", "b"}, {"1", "2"}}));
+    const Result<CsvReader> csv = atSecond("a,b,,\n1,2,,\n", {"m", "m"});
+    ASSERT_TRUE(csv);
+    EXPECT_EQ(csv->fields().size(), 2U);
+}
+
 }  // namespace
 }  // namespace terratact

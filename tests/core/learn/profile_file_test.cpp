@@ -180,5 +180,13 @@ TEST_F(ProfileFileTest, throwsForAStepThatIsNone)
         EXPECT_THROW(static_cast<void>(read("0,0,0\n", step)), std::invalid_argument) << step;
 }
 
+TEST_F(ProfileFileTest, takesColumnsOfPointsForNoHeights)
+{
+    EXPECT_TRUE(refuses("x,y,z\n0,0,0\n5,0,0\n", {"line 1", "3 columns", "x_m,z_m"}));
+    EXPECT_TRUE(refuses("x_m,z_m,sd_m\n0,0,0\n5,0,0\n", {"line 1", "3 columns"}));
+    EXPECT_TRUE(read("x_m,z_m,\n0,0,\n5,0,\n"));
+    EXPECT_TRUE(read("a,b,c\n0,0,0\n"));
+}
+
 }  // namespace
 }  // namespace terratact
