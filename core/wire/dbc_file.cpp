@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -21,6 +22,8 @@ namespace {
 class DbcParser {
 public:
     DbcParser(const std::string& path, std::string_view utf8) : scan_(utf8) { file_.path = path; }
+
+    void warn(const std::string& what) { warnings_.add(what); }
 
     Result<DbcFile> parse()
     {
@@ -248,6 +251,33 @@ Result<DbcFile> readDbc(const std::string& path)
     return dbcFrom(path, *content);
 }
 
+namespace {
+
+/// Whether bytes stand in a text that Windows code pages 1250 and 1252 read as different letters; but for ² and ³, which
+/// units have.
+bool dependsOnCodePage(std::string_view text)
+{
+    constexpr std::string_view kSame = "\x80\x82\x84\x85\x86\x87\x89\x8A\x8B\x8E\x91\x92\x93\x94"
+                                       "\x95\x96\x97\x99\x9A\x9B\x9E\xA0\xA4\xA6"
+                                       "\xA7\xA8\xA9\xAB\xAC\xAD\xAE\xB0\xB1\xB2\xB3\xB4\xB5\xB6"
+                                       "\xB7\xB8\xBB\xC1\xC2\xC4\xC7\xC9\xCB\xCD"
+                                       "\xCE\xD3\xD4\xD6\xD7\xDA\xDC\xDD\xDF\xE1\xE2\xE4\xE7\xE9"
+                                       "\xEB\xED\xEE\xF3\xF4\xF6\xF7\xFA\xFC\xFD";
+    return std::any_of(text.begin(), text.end(), [&](char c) {
+        return static_cast<unsigned char>(c) >= 0x80 && kSame.find(c) == std::string_view::npos;
+    });
+}
+
+/// Line ends of old programs: CR alone.
+std::string withLineFeeds(std::string_view text)
+{
+    std::string lines(text);
+    std::replace(lines.begin(), lines.end(), '\r', '\n');
+    return lines;
+}
+
+}  // namespace
+
 Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
 {
     if (content.find('\0') != std::string_view::npos)
@@ -256,8 +286,16 @@ Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
                          "it anew as such");
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (content.starts_with(kMark)) content.remove_prefix(kMark.size());
+    if (content.find('\n') == std::string_view::npos
+        && content.find('\r') != std::string_view::npos)
+        return dbcFrom(path, withLineFeeds(content));
     if (isUtf8(content)) return DbcParser(path, content).parse();
-    return DbcParser(path, fromWindows1252(content)).parse();
+    const std::string letters = fromWindows1252(content);
+    DbcParser parser(path, letters);
+    if (dependsOnCodePage(content))
+        parser.warn("is no text in UTF-8: its letters are read as Windows code page 1252; where "
+                    "they look wrong, save it as UTF-8");
+    return parser.parse();
 }
 
 }  // namespace terratact

@@ -106,7 +106,12 @@ void DbcMessages::signal(int line)
     else
         scan_.expect('+', "or '-' behind the byte order");
     scaleAndRange(s);
-    s.unit = readable(scan_.text("the signal's unit"), kDbcText, false);
+    const std::string_view unit = scan_.text("the signal's unit");
+    if (unit.find('\n') != std::string_view::npos)
+        return scan_.refuse(fmt::format("line {}: expected a quotation mark at the end of the "
+                                        "signal's unit, found the end of the line",
+                                        line));
+    s.unit = readable(unit, kDbcText, false);
     s.receivers = readable(scan_.restOfLine(), kDbcText, false);
     s.receivers.erase(0, std::min(s.receivers.find_first_not_of(' '), s.receivers.size()));
     s.receivers.erase(s.receivers.find_last_not_of(' ') + 1);

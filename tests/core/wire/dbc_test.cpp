@@ -632,5 +632,38 @@ TEST(ShippedDbc, decodesEveryFrameExactlyAsTheCodec)
     }
 }
 
+TEST(DbcFile, aUnitThatDoesNotEndTakesNoOtherSignalAway)
+{
+    const auto file = parsed("BO_ 256 M: 8 A\n SG_ Q : 0|8@1+ (1,0) [0|0] \"km/h A\n"
+                             " SG_ R : 0|8@1+ (1,0) [0|0] \"\" A\n");
+    ASSERT_TRUE(file);
+    ASSERT_EQ(file->messages.at(0).payload.size(), 1U);
+    EXPECT_EQ(file->messages[0].payload[0].name, "R");
+    ASSERT_EQ(file->warnings.size(), 1U);
+    EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 2: expected a quotation mark"));
+}
+
+TEST(DbcFile, linesMayEndWithCrAlone)
+{
+    const auto file = parsed("BO_ 256 M: 8 A\r SG_ Q : 0|8@1+ (1,0) [0|0] \"\" A\r");
+    ASSERT_TRUE(file) << file.error().text;
+    EXPECT_EQ(file->messages.at(0).payload.size(), 1U);
+}
+
+TEST(DbcFile, saysWhereTheCodePageIsAGuess)
+{
+    const auto warnings = [](const std::string& unit) {
+        const auto file =
+            parsed("BO_ 256 M: 8 A\n SG_ Q : 0|8@1+ (1,0) [0|0] \"" + unit + "\" A\n");
+        EXPECT_TRUE(file);
+        return file->warnings.size();
+    };
+    EXPECT_EQ(warnings("\xB0"
+                       "C m/s\xB2 gr\xF6\xDF"
+                       "er"),
+              0U);
+    EXPECT_EQ(warnings("p\xF8\xEDli\x9A"), 1U) << "Windows code page 1250";
+}
+
 }  // namespace
 }  // namespace terratact
