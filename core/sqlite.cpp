@@ -12,6 +12,9 @@
 #include <limits>
 #include <system_error>
 
+#include "core/content_kind.h"
+#include "core/text.h"
+
 namespace terratact {
 namespace {
 
@@ -263,6 +266,35 @@ bool SqliteFile::isReadable()
     }
 }
 
+bool SqliteFile::journalIsDamaged(const std::string& path)
+{
+    const std::string journal = path + "-wal";
+    std::error_code none;
+    if (!isJournaled(path) || !std::filesystem::is_regular_file(journal, none)) return false;
+    const std::uintmax_t size = std::filesystem::file_size(journal, none);
+    if (none || size == 0 || ::access(journal.c_str(), R_OK) != 0) return false;
+    return contentKindOfFile(journal) != ContentKind::Journal;
+}
+
+namespace {
+
+/// Throws where the journal beside a file cannot be read, of which SQLite says that it is unable to open the file.
+void requireReadableJournal(const std::string& path)
+{
+    const std::filesystem::path journal = path + "-wal";
+    std::error_code none;
+    if (!std::filesystem::exists(journal, none)) return;  // its writer has just closed it
+    const bool isFile = std::filesystem::is_regular_file(journal, none);
+    if (isFile && ::access(journal.c_str(), R_OK) == 0) return;
+    const int code = errno;
+    throw SqliteError(
+        "its journal " + printable(journal.filename().string()) + " "
+        + (isFile ? "cannot be read: " + std::generic_category().message(code) : "is not a file")
+        + "; both files belong together");
+}
+
+}  // namespace
+
 SqliteFile SqliteFile::openLog(const std::string& path, int longest)
 {
     const bool journaled = isJournaled(path);
@@ -278,6 +310,7 @@ SqliteFile SqliteFile::openLog(const std::string& path, int longest)
         return file;
     };
     if (!journaled || lacksJournal(path)) return open("mode=ro&immutable=1");
+    requireReadableJournal(path);
     SqliteFile file = open("mode=ro");
     if (file.isReadable()) return file;
     // The index of a journal is made beside it, which cannot be done here.  With nobody to share it with it can be

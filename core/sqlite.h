@@ -81,6 +81,10 @@ public:
     /// Whether the journal that belongs to a file in WAL mode is not beside it.
     static bool lacksJournal(const std::string& path);
 
+    /// Whether the journal beside a file in WAL mode holds bytes that are none of a journal, so that nothing of it can
+    /// be read.
+    static bool journalIsDamaged(const std::string& path);
+
     /// Creates a file, which must not exist, to be written by one connection while others read it: with a
     /// write-ahead journal (WAL), flushed to the disk with every commit.  Only its owner can read it (mode 0600).
     static SqliteFile createLog(const std::string& path);

@@ -63,6 +63,7 @@ struct SessionReader::Impl {
     void countStrayFrames();
     void checkStructure();
     void missJournal();
+    void loseJournal();
 
     std::string path;
     SqliteFile file;
@@ -104,6 +105,14 @@ void SessionReader::Impl::missJournal()
                       "its journal " + nameOf(path)
                           + "-wal is not beside it: what was recorded "
                             "after that is in there; both files belong together"});
+}
+
+void SessionReader::Impl::loseJournal()
+{
+    damage.push_back({end, end,
+                      "its journal " + nameOf(path)
+                          + "-wal is damaged from its beginning: what was recorded after that was "
+                            "in there"});
 }
 
 void SessionReader::Impl::addDamage(const SessionBatch& batch, const std::string& why)
@@ -359,6 +368,7 @@ Result<SessionReader> SessionReader::open(const std::string& path, std::size_t a
         static_cast<void>(impl->readMore());
         if (impl->file.size() <= kMostChecked) impl->checkStructure();
         if (lacksJournal) impl->missJournal();
+        if (SqliteFile::journalIsDamaged(path)) impl->loseJournal();
         return SessionReader(std::move(impl));
     } catch (const SqliteError& error) {
         return fileError(path, error.what());

@@ -528,6 +528,8 @@ Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone)
         if (!SqliteFile::isJournaled(path)) return SessionRecovery::NotNeeded;
         if (!evenAlone && SqliteFile::lacksJournal(path))
             return fileError(path, "its journal is not beside it: both files belong together");
+        if (!evenAlone && SqliteFile::journalIsDamaged(path))
+            return fileError(path, "its journal is damaged: nothing of it can be read");
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);
         if (!file.leaveJournal()) return SessionRecovery::InUse;

@@ -146,6 +146,22 @@ class WithoutJournal(Damaged):
         self.assertEqual(sorted(p.name for p in self.path.iterdir() if "alone" in p.name),
                          ["alone-recovered.tts", "alone.tts"])
 
+    def test_a_journal_that_cannot_be_read_is_named(self):
+        make("long", self.path / "open.tts")
+        shutil.copy(self.path / "open.tts", self.path / "alone.tts")
+        journal = self.path / "alone.tts-wal"
+        journal.mkdir()
+        self.assertIn("its journal alone.tts-wal is not a file", complaint("session", "info", self.path / "alone.tts"))
+        journal.rmdir()
+        journal.write_bytes(b"garbage " * 5000)
+        for command, code in (("info", 0), ("verify", 1)):
+            said = run("session", command, self.path / "alone.tts", code=code)
+            self.assertIn("its journal alone.tts-wal is damaged from its beginning", said)
+        said, out = self.recovered(self.path / "alone.tts")
+        self.assertIn("its journal alone.tts-wal is damaged", said)
+        self.assertGreater(frames_in(out), 3000)
+        self.assertEqual(journal.read_bytes(), b"garbage " * 5000)
+
     def test_a_main_file_of_an_older_version_names_its_journal(self):
         path = self.path / "older.tts"
         file = sqlite3.connect(path)
