@@ -92,9 +92,10 @@ private:
             ++untold_;
             return;
         }
-        steps_.push_back(fmt::format("at line {} the log's clock was set back by {:.6f} s; the "
+        const double step = *log.stepBack();
+        steps_.push_back(fmt::format("at line {} the log's clock was set {} by {:.6f} s; the "
                                      "session goes on evenly",
-                                     log.line(), *log.stepBack()));
+                                     log.line(), step < 0.0 ? "forward" : "back", std::abs(step)));
     }
 
     EventRow event(EventKind kind, std::string subject, std::string text = {})

@@ -267,6 +267,12 @@ namespace terratact {
     QT_TRANSLATE_NOOP("core", "frames that were lost when the log was recorded"),
     QT_TRANSLATE_NOOP("core", "%1 frames and %2 other rows are not here: there was no room while the disk was slow or full, or they could not be written"),
     QT_TRANSLATE_NOOP("core", "at line %1 the log's clock was set back by %2 s; the session goes on evenly"),
+    QT_TRANSLATE_NOOP("core", "at line %1 the log's clock was set forward by %2 s; the session goes on evenly"),
+    QT_TRANSLATE_NOOP("core", "its journal %1 cannot be read: %2; both files belong together"),
+    QT_TRANSLATE_NOOP("core", "its journal %1 is not a file; both files belong together"),
+    QT_TRANSLATE_NOOP("core", "its journal %1 is damaged from its beginning: what was recorded after that was in there"),
+    QT_TRANSLATE_NOOP("core", "is packed by gzip twice: unpack it once (gzip -d)"),
+    QT_TRANSLATE_NOOP("core", "is a tar archive: unpack it (tar -xf)"),
     QT_TRANSLATE_NOOP("core", "the log's clock was set back %1 more times"),
     QT_TRANSLATE_NOOP("core", "the end of the log is torn"),
 };

@@ -19,35 +19,18 @@ namespace {
 
 constexpr std::size_t kMostColumns = 80;  // 64 of them bytes
 
-std::vector<std::string_view> fieldsOf(std::string_view line)
+std::string_view withoutBlanks(std::string_view field)
 {
-    std::vector<std::string_view> fields;
-    while (fields.size() < kMostColumns) {
-        const std::size_t comma = line.find(',');
-        std::string_view field = line.substr(0, comma);
-        while (!field.empty() && kLogBlanks.find(field.front()) != std::string_view::npos)
-            field.remove_prefix(1);
-        while (!field.empty() && kLogBlanks.find(field.back()) != std::string_view::npos)
-            field.remove_suffix(1);
-        fields.push_back(field);
-        if (comma == std::string_view::npos) break;
-        line.remove_prefix(comma + 1);
-    }
-    return fields;
-}
-
-/// "Time Stamp" as "timestamp"
-std::string plainName(std::string_view field)
-{
-    std::string name;
-    for (const char c : field)
-        if (c != ' ') name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return name;
+    while (!field.empty() && kLogBlanks.find(field.front()) != std::string_view::npos)
+        field.remove_prefix(1);
+    while (!field.empty() && kLogBlanks.find(field.back()) != std::string_view::npos)
+        field.remove_suffix(1);
+    return field;
 }
 
 std::optional<bool> truthOf(std::string_view field)
 {
-    const std::string word = plainName(field);
+    const std::string word = logCsvName(field);
     if (word == "true" || word == "1") return true;
     if (word == "false" || word == "0" || word.empty()) return false;
     return std::nullopt;
@@ -76,12 +59,12 @@ enum class Dialect : std::uint8_t { Gvret, PythonCan, Own };
 
 class CsvFormat final : public LogFormat {
 public:
-    explicit CsvFormat(std::string_view heading)
+    explicit CsvFormat(std::string_view heading) : separator_(logCsvSeparator(heading))
     {
-        const std::vector<std::string_view> fields = fieldsOf(heading);
+        const std::vector<std::string_view> fields = logCsvFields(heading, separator_);
         isFirst_ = !fields.empty() && !isDigits(fields[0].substr(0, 1));
         if (isFirst_)
-            for (const std::string_view field : fields) columns_.push_back(plainName(field));
+            for (const std::string_view field : fields) columns_.push_back(logCsvName(field));
         else
             columns_ = {"timestamp", "id", "extended",
                         fields.size() > 3 && isDigits(fields[3]) ? "bus" : "dir"};
@@ -105,7 +88,7 @@ public:
     {
         if (std::exchange(isFirst_, false) || LogWords(line).rest().empty())
             return std::optional<LoggedFrame>{};
-        const Fields fields = fieldsOf(line);
+        const Fields fields = logCsvFields(line, separator_);
         LoggedFrame logged;
         for (const auto step : {&CsvFormat::takeTime, &CsvFormat::takeKind, &CsvFormat::takeId,
                                 &CsvFormat::takeBus, &CsvFormat::takeBytes})
@@ -210,8 +193,9 @@ private:
         const auto len = std::find(columns_.begin(), columns_.end(), "len");
         const auto first = static_cast<std::size_t>(len - columns_.begin()) + 1;
         for (std::size_t i = 0; i < frame.length; ++i) {
-            const std::string_view digits =
+            std::string_view digits =
                 first + i < fields.size() ? fields[first + i] : std::string_view();
+            if (digits.starts_with("0x")) digits.remove_prefix(2);
             if (Status done = setFrameByte(frame, i, digits); !done) return done;
         }
         return Done{};
@@ -229,12 +213,44 @@ private:
         return Done{};
     }
 
+    char separator_;
     std::vector<std::string> columns_;
     Dialect dialect_ = Dialect::Gvret;
     bool isFirst_ = true;  ///< the heading is next
 };
 
 }  // namespace
+
+char logCsvSeparator(std::string_view line)
+{
+    const auto count = [line](char c) { return std::count(line.begin(), line.end(), c); };
+    const auto commas = count(','), semicolons = count(';'), tabs = count('\t');
+    if (commas >= semicolons && commas >= tabs) return ',';
+    return semicolons >= tabs ? ';' : '\t';
+}
+
+std::vector<std::string_view> logCsvFields(std::string_view line, char separator)
+{
+    std::vector<std::string_view> fields;
+    while (fields.size() < kMostColumns) {
+        const std::size_t end = line.find(separator);
+        std::string_view field = withoutBlanks(line.substr(0, end));
+        const bool isQuoted = field.size() > 1 && field.starts_with('"') && field.ends_with('"');
+        if (isQuoted) field = withoutBlanks(field.substr(1, field.size() - 2));
+        fields.push_back(field);
+        if (end == std::string_view::npos) break;
+        line.remove_prefix(end + 1);
+    }
+    return fields;
+}
+
+std::string logCsvName(std::string_view field)
+{
+    std::string name;
+    for (const char c : field)
+        if (c != ' ') name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return name;
+}
 
 std::unique_ptr<LogFormat> csvFormat(std::string_view heading)
 {

@@ -52,7 +52,7 @@ struct LogBytes::Packed {
 
     z_stream stream{};
     std::array<char, 2 * kBlock> input{};  // at first, what begin() has looked at
-    bool isReady = false, isWhole = false, isTorn = false;
+    bool isReady = false, isWhole = false, isTorn = false, isFollowed = false;
 };
 
 LogBytes::LogBytes(Source source) : source_(std::move(source)) {}
@@ -88,6 +88,11 @@ bool LogBytes::isTorn() const
     return packed_ && packed_->isTorn;
 }
 
+bool LogBytes::isFollowed() const
+{
+    return packed_ && packed_->isFollowed;
+}
+
 Result<std::string_view> LogBytes::peek(std::size_t least)
 {
     if (!hasBegun_)
@@ -105,7 +110,7 @@ void LogBytes::take(std::size_t bytes)
     at_ += std::min(bytes, block_.size() - at_);
 }
 
-/// What the first bytes say: gzip, a byte order mark.
+/// What the first bytes say: gzip, a byte order mark, letters of two bytes.
 Status LogBytes::begin()
 {
     hasBegun_ = true;
@@ -119,11 +124,20 @@ Status LogBytes::begin()
         block_.clear();
         hasEnded_ = false;
     }
-    if (const auto first = peek(3); !first) return first.error();
+    if (const auto first = peek(4); !first) return first.error();
+    if (packed_ && block_.starts_with("\x1F\x8B"))
+        return Error{"is packed by gzip twice: unpack it once (gzip -d)"};
     if (block_.starts_with("\xEF\xBB\xBF")) take(3);
     isLowFirst_ = block_.starts_with("\xFF\xFE");
     isWide_ = isLowFirst_ || block_.starts_with("\xFE\xFF");
-    if (isWide_) addWide(std::exchange(block_, {}).substr(2));
+    const std::size_t mark = isWide_ ? 2 : 0;
+    const auto isZero = [this](std::size_t i) { return i < block_.size() && block_[i] == '\0'; };
+    if (!isWide_ && block_.size() >= 4 && isZero(0) == isZero(2) && isZero(1) == isZero(3)
+        && isZero(0) != isZero(1)) {
+        isWide_ = true;
+        isLowFirst_ = isZero(1);
+    }
+    if (isWide_) addWide(std::exchange(block_, {}).substr(mark));
     return Done{};
 }
 
@@ -172,7 +186,8 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
             if (*got == 0) break;
         }
         if (std::exchange(p.isWhole, false)) {
-            if (*p.stream.next_in != 0x1F) return std::size_t{0};  // something else behind it
+            p.isFollowed = *p.stream.next_in != 0x1F && *p.stream.next_in != 0;  // zeros fill up
+            if (*p.stream.next_in != 0x1F) return std::size_t{0};
             ::inflateReset(&p.stream);
         }
         const int result = ::inflate(&p.stream, Z_NO_FLUSH);

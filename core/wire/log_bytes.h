@@ -34,6 +34,8 @@ public:
 
     bool isPacked() const;
     bool isTorn() const;  ///< the packed bytes ended before they were whole
+    bool isFollowed()
+        const;  ///< bytes that are neither gzip nor zeros stand behind the packed ones; they are left out
 
 private:
     struct Packed;

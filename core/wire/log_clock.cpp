@@ -1,6 +1,7 @@
 #include "core/wire/log_clock.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace terratact {
 
@@ -14,12 +15,12 @@ std::optional<double> LogClock::take(double time, const std::string& interface)
     }
     const auto known = lastOf_.find(interface);
     const double back = last_ - time;
-    const bool isSet =
-        back > kDisorder || (known != lastOf_.end() && known->second - time > kJitter);
+    const bool isSet = std::abs(back) > kMostSilence || back > kDisorder
+                    || (known != lastOf_.end() && known->second - time > kJitter);
     if (time <= last_) ++notLater_;
     std::optional<double> step;
     if (isSet) {
-        step = back > kDisorder ? back : known->second - time;
+        step = back > kDisorder || back < 0.0 ? back : known->second - time;
         base_ = time - elapsed_;
         lastOf_.clear();
     }

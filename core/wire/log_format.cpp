@@ -16,25 +16,36 @@ bool isNumber(std::string_view word)
         && word.find_first_not_of("0123456789.") == std::string_view::npos;
 }
 
-std::size_t commasIn(std::string_view line)
+/// Fields as CsvFormat takes them.
+std::vector<std::string> plainFieldsOf(std::string_view line)
 {
-    return static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+    std::vector<std::string> fields;
+    for (const std::string_view field : logCsvFields(line, logCsvSeparator(line)))
+        fields.push_back(logCsvName(field));
+    return fields;
 }
 
 /// A line of GVRET without a heading: "1000000,00000500,false,0,3,DD,FF,01,".
 bool isGvretLine(std::string_view line)
 {
-    const std::size_t comma = line.find(',');
-    if (comma == std::string_view::npos || !isNumber(line.substr(0, comma))) return false;
-    return line.find(",false,") != std::string_view::npos
-        || line.find(",true,") != std::string_view::npos;
+    const std::vector<std::string> fields = plainFieldsOf(line);
+    return fields.size() >= 5 && isNumber(fields[0])
+        && (fields[2] == "false" || fields[2] == "true");
 }
 
 bool isCsvHeading(std::string_view line)
 {
-    return commasIn(line) >= 5
-        && (line.starts_with("Time Stamp,ID,") || line.starts_with("timestamp,arbitration_id,")
-            || line.starts_with("__time,id,extended,"));
+    const std::vector<std::string> fields = plainFieldsOf(line);
+    if (fields.size() < 6) return false;
+    return (fields[0] == "timestamp" && (fields[1] == "id" || fields[1] == "arbitration_id"))
+        || (fields[0] == "__time" && fields[1] == "id" && fields[2] == "extended");
+}
+
+/// Fields alone; candump writes # or the length in brackets.
+bool isTable(std::string_view line)
+{
+    return line.find_first_of("#[") == std::string_view::npos && logCsvSeparator(line) != '\t'
+        && plainFieldsOf(line).size() >= 4;
 }
 
 bool isAscHeading(std::string_view first, std::string_view line)
@@ -71,7 +82,7 @@ std::string otherKindOf(std::string_view line, std::string_view first)
     if (line.starts_with("Time,") || line.starts_with("Time;")) return is("a table, no known log");
     if (isCsvHeading(line)) return {};
     const bool isDate = line.size() > 10 && line[4] == '-' && line[7] == '-' && line[10] == 'T';
-    if (isDate && commasIn(line) >= 5) return is("a log of NMEA 2000 of canboat");
+    if (isDate && isTable(line)) return is("a log of NMEA 2000 of canboat");
     if (line.starts_with("BO_ ") || line.starts_with("VERSION \""))
         return "is a DBC file, which --dbc reads; expected a log of CAN traffic";
     LogWords words(line);
@@ -82,6 +93,7 @@ std::string otherKindOf(std::string_view line, std::string_view first)
                          || second.ends_with("T11") || second.ends_with("CXX"));
     if (isCrtd) return is("a log of CRTD");
     if (line.starts_with("{") || line.starts_with("<?xml")) return is("JSON or XML, no known log");
+    if (isTable(line)) return is("a table, no known log");
     return {};
 }
 
@@ -133,8 +145,12 @@ std::string binaryKindOf(std::string_view begin)
               "7zXZ"sv,
               "packed by xz: unpack it (xz -d)"},
         Magic{"\x28\xB5\x2F\xFD"sv, "packed by zstd: unpack it (zstd -d)"},
+        Magic{"#ROSBAG V"sv, "a bag of ROS"},
         Magic{"BZh"sv, "packed by bzip2: unpack it (bzip2 -d)"},
     };
+    constexpr std::size_t kTarMagic = 257;
+    if (begin.size() > kTarMagic && begin.substr(kTarMagic).starts_with("ustar"))
+        return "is a tar archive: unpack it (tar -xf)";
     for (const auto& [magic, kind] : kKinds) {
         if (!begin.starts_with(magic)) continue;
         std::string is = "is " + std::string(kind);

@@ -44,6 +44,13 @@ std::unique_ptr<LogFormat> trcFormat();      ///< core/wire/trc_log.cpp
 /// core/wire/csv_log.cpp.  heading: its first line, or a line of GVRET without one.
 std::unique_ptr<LogFormat> csvFormat(std::string_view heading);
 
+/// What separates the fields of a CSV log: a comma, semicolon or tab, whichever its first line has most of.
+char logCsvSeparator(std::string_view line);
+/// Its fields, without blanks and quotation marks around them; at most 80.
+std::vector<std::string_view> logCsvFields(std::string_view line, char separator);
+/// "Time Stamp" as "timestamp"
+std::string logCsvName(std::string_view field);
+
 /// The format of a log that has this first line which is not blank; null: the line fits several formats (a comment).
 /// Errors name what it is instead, and which program makes a log of it that is read here.
 Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line);

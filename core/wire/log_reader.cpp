@@ -85,12 +85,17 @@ Result<LogReader::Line> LogReader::readLine()
         if (!std::exchange(hasLooked_, true))
             if (const std::string kind = binaryKindOf(*got); !kind.empty())
                 return fileError(name_, kind);
-        const std::size_t end = got->find('\n', looked);
+        const std::size_t end = got->find(lineEnd_, looked);
         if (end <= kLongestLine) {  // npos is larger
             ++line_;
             text_ = got->substr(0, end);
             bytes_.take(end + 1);
             return Line::Whole;
+        }
+        if (endsLinesWithCr(*got) && (got->size() > kLongestLine || got->size() == looked)) {
+            lineEnd_ = '\r';
+            looked = 0;
+            continue;
         }
         if (got->size() > kLongestLine) return endOfLongLine();
         if (got->size() == looked) {  // there is no more
@@ -102,6 +107,13 @@ Result<LogReader::Line> LogReader::readLine()
         }
         looked = got->size();
     }
+}
+
+/// The first line holds a CR that no LF follows.
+bool LogReader::endsLinesWithCr(std::string_view atHand) const
+{
+    const std::size_t cr = std::min(atHand.find('\r'), atHand.size());
+    return line_ == 0 && lineEnd_ == '\n' && cr + 1 < atHand.size();
 }
 
 /// Where power was lost, file systems leave zeros: they end a log.
@@ -146,11 +158,17 @@ void LogReader::tear(std::string_view what)
 std::optional<LoggedFrame> LogReader::end()
 {
     if (std::exchange(hasEnded_, true)) return std::nullopt;
-    if (bytes_.isTorn() && !isTorn_)
+    if (bytes_.isTorn() && !isTorn_ && line_ > 0)
         tear("the packed log is torn behind it: what came before is read");
+    if (bytes_.isTorn() && line_ == 0) {
+        isTorn_ = true;
+        remarks_.push_back(fileError(name_, "the packed log is torn before its first line").text);
+    }
+    if (bytes_.isFollowed())
+        remark("bytes that are not gzip stand behind the packed log and are left out");
     if (steps_ > kMostSteps)
         remarks_.push_back(
-            fileError(name_, fmt::format("time goes back {} more times", steps_ - kMostSteps))
+            fileError(name_, fmt::format("the clock is set {} more times", steps_ - kMostSteps))
                 .text);
     const std::size_t steps = clock_.frames() > 0 ? clock_.frames() - 1 : 0;
     // Of candump -td every time is that since the line before.
@@ -183,6 +201,10 @@ void LogReader::watchClock(const LoggedFrame& logged)
     step_ = clock_.take(*logged.time, logged.interface);
     if (!step_ || ++steps_ > kMostSteps) return;
     const bool isCandump = format_->name() == "candump";
+    if (*step_ < 0.0)
+        return remark(fmt::format("{:.10g} s later than the line before: was the clock set? The "
+                                  "silence is left out",
+                                  -*step_));
     remark(fmt::format("{:.6g} s earlier than the line before: was the clock set{}?", *step_,
                        isCandump ? ", or is this a log of candump -td" : ""));
 }
@@ -197,6 +219,8 @@ Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
     const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";
     if (taken && *taken && line == Line::Unended && mayBeCut)
         remark("has no line end: it is read as it stands, and may have been longer");
+    if (taken && !*taken && line == Line::Unended && format_->passedOver() > passed)
+        tear("has no line end and holds no frame: it may be torn");
     if (taken) return taken;
     if (line == Line::Whole) return error(taken.error().text);
     tear("is torn: the log ends within it; what came before is read");

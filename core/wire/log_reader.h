@@ -44,12 +44,13 @@ public:
 
     /// [s] since the first frame on an even clock (LogClock); of the last frame that has a time.
     double elapsed() const { return clock_.elapsed(); }
-    /// [s] by which the last frame's time lies before that of the frame before; empty: it does not.
+    /// [s] by which the last frame's time lies before that of the frame before, negative where it lies more than
+    /// LogClock::kMostSilence behind it; empty: neither.
     const std::optional<double>& stepBack() const { return step_; }
-    std::uint64_t stepsBack() const { return steps_; }
+    std::uint64_t stepsBack() const { return steps_; }  ///< how many frames had a stepBack()
     bool isTorn() const { return isTorn_; }
 
-    /// What is to be said of the log since the last call, each a sentence that names file and line: clock steps back
+    /// What is to be said of the log since the last call, each a sentence that names file and line: clock steps
     /// (the first kMostSteps), a torn end, lines that hold no frame.  In full after the last frame.
     std::vector<std::string> takeRemarks();
     static constexpr std::uint64_t kMostSteps = 5;
@@ -61,6 +62,7 @@ private:
     enum class Line : std::uint8_t { None, Whole, Unended };
     Result<Line> readLine();
     Result<Line> endOfLongLine();
+    bool endsLinesWithCr(std::string_view atHand) const;
     Status chooseFormat();
     Result<std::optional<LoggedFrame>> frameOf(Line line);
     void watchClock(const LoggedFrame& logged);
@@ -74,6 +76,7 @@ private:
     LogClock clock_;
     std::string text_;  ///< of the line
     std::uint64_t line_ = 0, steps_ = 0;
+    char lineEnd_ = '\n';  ///< or CR, where the log has no other
     std::optional<double> step_;
     std::vector<std::string> remarks_;
     std::uint64_t firstPassed_ = 0;  ///< the first line that holds no frame

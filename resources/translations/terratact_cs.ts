@@ -2995,6 +2995,30 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>na řádku %1 byly hodiny záznamu vráceny o %2 s; relace pokračuje rovnoměrně</translation>
     </message>
     <message>
+        <source>at line %1 the log&apos;s clock was set forward by %2 s; the session goes on evenly</source>
+        <translation>na řádku %1 byly hodiny záznamu posunuty vpřed o %2 s; relace pokračuje rovnoměrně</translation>
+    </message>
+    <message>
+        <source>its journal %1 cannot be read: %2; both files belong together</source>
+        <translation>její žurnál %1 nelze číst: %2; oba soubory patří k sobě</translation>
+    </message>
+    <message>
+        <source>its journal %1 is not a file; both files belong together</source>
+        <translation>její žurnál %1 není soubor; oba soubory patří k sobě</translation>
+    </message>
+    <message>
+        <source>its journal %1 is damaged from its beginning: what was recorded after that was in there</source>
+        <translation>její žurnál %1 je poškozen od začátku: bylo v něm to, co bylo zaznamenáno potom</translation>
+    </message>
+    <message>
+        <source>is packed by gzip twice: unpack it once (gzip -d)</source>
+        <translation>je dvakrát zabalen pomocí gzip: jednou jej rozbalte (gzip -d)</translation>
+    </message>
+    <message>
+        <source>is a tar archive: unpack it (tar -xf)</source>
+        <translation>je archiv tar: rozbalte jej (tar -xf)</translation>
+    </message>
+    <message>
         <source>the log&apos;s clock was set back %1 more times</source>
         <translation>hodiny záznamu byly vráceny ještě %1krát</translation>
     </message>

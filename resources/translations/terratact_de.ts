@@ -2995,6 +2995,30 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>in Zeile %1 wurde die Uhr des Logs um %2 s zurückgestellt; die Sitzung geht gleichmäßig weiter</translation>
     </message>
     <message>
+        <source>at line %1 the log&apos;s clock was set forward by %2 s; the session goes on evenly</source>
+        <translation>in Zeile %1 wurde die Uhr des Logs um %2 s vorgestellt; die Sitzung geht gleichmäßig weiter</translation>
+    </message>
+    <message>
+        <source>its journal %1 cannot be read: %2; both files belong together</source>
+        <translation>ihr Journal %1 ist nicht lesbar: %2; beide Dateien gehören zusammen</translation>
+    </message>
+    <message>
+        <source>its journal %1 is not a file; both files belong together</source>
+        <translation>ihr Journal %1 ist keine Datei; beide Dateien gehören zusammen</translation>
+    </message>
+    <message>
+        <source>its journal %1 is damaged from its beginning: what was recorded after that was in there</source>
+        <translation>ihr Journal %1 ist von Anfang an beschädigt: was danach aufgezeichnet wurde, stand darin</translation>
+    </message>
+    <message>
+        <source>is packed by gzip twice: unpack it once (gzip -d)</source>
+        <translation>ist zweimal mit gzip gepackt: einmal entpacken (gzip -d)</translation>
+    </message>
+    <message>
+        <source>is a tar archive: unpack it (tar -xf)</source>
+        <translation>ist ein tar-Archiv: entpacken (tar -xf)</translation>
+    </message>
+    <message>
         <source>the log&apos;s clock was set back %1 more times</source>
         <translation>die Uhr des Logs wurde noch %1 Mal zurückgestellt</translation>
     </message>

@@ -173,7 +173,7 @@ TEST(Logs, whoseClockGoesBackOftenAreToldShortly)
     const Log log = read(text);
     EXPECT_EQ(log.frames.size(), 50U);
     ASSERT_EQ(log.remarks.size(), LogReader::kMostSteps + 1);
-    EXPECT_EQ(log.remarks.back(), "a.log: time goes back 20 more times");
+    EXPECT_EQ(log.remarks.back(), "a.log: the clock is set 20 more times");
     for (const double elapsed : log.elapsed) EXPECT_GE(elapsed, 0.0);
 }
 
@@ -385,6 +385,8 @@ TEST(Logs, ofOtherKindsAreNamedWithWhatMakesALogOfThem)
         {"\xFD"
          "7zXZ\0"s,
          "xz -d"},
+        {"#ROSBAG V2.0\n"s, "ROS"},
+        {"a.log"s + std::string(252, '\0') + "ustar"s, "tar -xf"},
         {"***BUSMASTER Ver 3.2.2***\n"s, "BusMaster"},
         {"1542473901.020305 1R11 213 01 02\n"s, "CRTD"},
         {"2016-04-09T16:41:09.078Z,3,127257,17,255,8,00,ff\n"s, "canboat"},
@@ -429,6 +431,81 @@ TEST(Logs, surviveAnyBytesInEveryFormat)
         }
     }
     EXPECT_GT(accepted, 5'000U);
+}
+
+TEST(Logs, areToldTornWhereNoFrameIsInTheLastLine)
+{
+    const Log log = read("base hex\n0.1 1 500 Rx d 1 DD\n0.2 1  12");
+    EXPECT_EQ(log.frames.size(), 1U);
+    EXPECT_TRUE(log.isTorn);
+    EXPECT_FALSE(read("base hex\n0.1 1 500 Rx d 1 DD\nEnd TriggerBlock").isTorn);
+}
+
+TEST(Logs, mayBeUtf16WithoutAMark)
+{
+    const std::string text = "(1.0) can0 123#00\n(1.1) can0 123#01\n";
+    std::string low, high;
+    for (const char c : text) {
+        low += std::string{c, '\0'};
+        high += std::string{'\0', c};
+    }
+    EXPECT_EQ(read(low).frames.size(), 2U) << read(low).error;
+    EXPECT_EQ(read(high).frames.size(), 2U) << read(high).error;
+}
+
+TEST(Logs, mayEndTheirLinesWithCrAlone)
+{
+    const Log log = read("(1.0) can0 123#00\r(1.1) can0 123#01\r(1.2) can0 123#02\r");
+    EXPECT_EQ(log.frames.size(), 3U) << log.error;
+    EXPECT_TRUE(log.remarks.empty());
+    std::string longer;
+    for (int i = 0; i < 200; ++i) longer += "(1.0) can0 123#00\r";
+    EXPECT_EQ(read(longer).frames.size(), 200U) << read(longer).error;
+}
+
+TEST(Logs, packedTwiceOrFollowedByOtherBytesSaySo)
+{
+    const std::string once = packed("(1.0) can0 123#00\n");
+    EXPECT_NE(read(packed(once)).error.find("twice"), std::string::npos);
+    const Log followed = read(once + "garbage");
+    EXPECT_EQ(followed.frames.size(), 1U);
+    ASSERT_EQ(followed.remarks.size(), 1U);
+    EXPECT_NE(followed.remarks[0].find("left out"), std::string::npos);
+    EXPECT_TRUE(read(once + std::string(512, '\0')).remarks.empty());
+    const Log torn = read(once.substr(0, 10));
+    ASSERT_EQ(torn.remarks.size(), 1U);
+    EXPECT_EQ(torn.remarks[0], "a.log: the packed log is torn before its first line");
+}
+
+TEST(Logs, whoseClockJumpsOverYearsGoOnEvenly)
+{
+    const Log log = read("(0.5) can0 123#00\n(1790000000.5) can0 123#01\n"
+                         "(1790000001.0) can0 123#02\n");
+    ASSERT_EQ(log.frames.size(), 3U) << log.error;
+    EXPECT_EQ(log.elapsed[1], 0.0);
+    EXPECT_NEAR(log.elapsed[2], 0.5, 1e-6);
+    ASSERT_EQ(log.remarks.size(), 1U);
+    EXPECT_NE(log.remarks[0].find("line 2: 1790000000 s later"), std::string::npos)
+        << log.remarks[0];
+}
+
+TEST(Logs, asCsvMayBeWrittenAnewByASpreadsheet)
+{
+    for (const char* const text :
+         {"Time Stamp;ID;Extended;Dir;Bus;LEN;D1;D2\n1000000;500;FALSE;Rx;0;2;DD;FF\n",
+          "\"Time Stamp\",\"ID\",\"Extended\",\"Dir\",\"Bus\",\"LEN\",\"D1\",\"D2\"\n"
+          "\"1000000\",\"500\",\"false\",\"Rx\",\"0\",\"2\",\"DD\",\"FF\"\n",
+          "time stamp, id, extended, dir, bus, len, d1, d2\n1000000, 500, false, Rx, 0, 2, DD, "
+          "FF\n",
+          "Time "
+          "Stamp\tID\tExtended\tDir\tBus\tLEN\tD1\tD2\n1000000\t500\t0\tRx\t0\t2\t0xDD\t0xFF\n"}) {
+        const Log log = read(text);
+        ASSERT_EQ(log.frames.size(), 1U) << text << log.error;
+        EXPECT_EQ(log.frames[0].frame, data(0x500, {0xDD, 0xFF})) << text;
+    }
+    for (const char* const text : {"ID,DLC,Data,Time\n", "1,2,3,4,5\n", "a;b;c;d\n"})
+        EXPECT_NE(read(text).error.find("is a table"), std::string::npos) << read(text).error;
+    EXPECT_EQ(read(" can0  123   [2]  2C 2C   ',,'\n").error, "");
 }
 
 }  // namespace
