@@ -95,8 +95,8 @@ void declareOptions(CLI::App& app, ConsoleOptions& options)
         ->allow_extra_args(false);
     app.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
     app.add_option("--screenshot", options.screenshot,
-                   "Drive to a step, estimate it, save the window as PNG, and exit; of a session: "
-                   "as it is at --at")
+                   "Drive to a step (or 15 s), estimate the terrain, save the window as PNG, and "
+                   "exit; of a session: as it is at --at")
         ->excludes("--can");
     declareLook(app, options);
     app.add_flag("--safe-mode", options.safeMode,

@@ -6501,6 +6501,10 @@ F1</translation>
         <source>%1: cannot be written: %2</source>
         <translation>%1: nelze zapsat: %2</translation>
     </message>
+    <message>
+        <source>%1 shows the window at that time</source>
+        <translation>%1 ukazuje okno v té chvíli</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SessionTimeline</name>
