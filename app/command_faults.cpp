@@ -62,7 +62,7 @@ WatchedDrives driveWatched(const FaultsOptions& options, const RobotModel& robot
 
 /// One fault on all drives.
 struct FaultRow {
-    std::size_t scenes = 0, suspects = 0, doubted = 0, drives = 0;
+    std::size_t scenes = 0, suspects = 0, doubted = 0, contradicting = 0, drives = 0;
     std::vector<double> seconds, until;  ///< of drives where it was noticed, until then
     std::vector<BinError> all,
         trusted;  ///< errors of all scenes, and of those that no doubt withholds
@@ -88,7 +88,8 @@ void judgeScenes(const std::vector<WatchedScene>& watched, const FaultsOptions& 
     std::vector<Scene> scenes;
     scenes.reserve(watched.size());
     for (const WatchedScene& scene : watched) scenes.push_back(scene.scene);
-    const auto estimates = estimateScenes(scenes, toolbox, options.settings, 0.0);
+    auto estimates = estimateScenes(scenes, toolbox, options.settings, 0.0);
+    row.contradicting += checkEstimates(scenes, toolbox.robot, estimates);
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         const auto& estimate = estimates[k].estimate;
         ++row.scenes;
@@ -132,10 +133,10 @@ void printFault(const TriedFault& fault, const FaultRow& row)
         row.trusted.empty()
             ? fmt::format("{:>8}{:>7}", "-", "-")
             : fmt::format("{:>8.1f}{:>7.1f}", 1000.0 * trusted.mean, 100.0 * trusted.coverage);
-    say("{:<38}{:>8.1f}{:>7.1f}{:>9.1f}{:>8.1f}{:>8.1f}{:>9}{:>8}{}\n", fault.words,
+    say("{:<38}{:>8.1f}{:>7.1f}{:>9.1f}{:>8.1f}{:>8.1f}{:>8.1f}{:>9}{:>8}{}\n", fault.words,
         1000.0 * all.mean, 100.0 * all.coverage, percent(row.suspects, row.scenes),
-        percent(row.doubted, row.scenes), percent(row.seconds.size(), row.drives),
-        medianWords(row.seconds, row.drives, "{:.1f}"),
+        percent(row.contradicting, row.scenes), percent(row.doubted, row.scenes),
+        percent(row.seconds.size(), row.drives), medianWords(row.seconds, row.drives, "{:.1f}"),
         medianWords(row.until, row.drives, "{:.0f}"), left);
     std::fflush(stdout);
 }
@@ -157,8 +158,8 @@ void printHead(const FaultsOptions& options, std::size_t drives)
 {
     say("{} drives over {}{}, a scene every {:.2f} m\n", drives, options.terrain,
         options.comesBack ? " and back" : "", options.spacing);
-    say("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80", "suspect",
-        "doubt", "drives", "after s", "scenes", "left mm", "in 80");
+    say("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80",
+        "suspect", "contra", "doubt", "drives", "after s", "scenes", "left mm", "in 80");
 }
 
 /// Drives [%] in which SensorWatch notices that fault.

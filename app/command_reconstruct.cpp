@@ -19,14 +19,17 @@ Status reconstructScenes(const ReconstructOptions& options)
     if (!file) return file.error();
     for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
 
-    const auto estimates =
-        estimateScenes(file->scenes, **toolbox, options.settings, options.seconds);
+    auto estimates = estimateScenes(file->scenes, **toolbox, options.settings, options.seconds);
+    const std::size_t contradicting = checkEstimates(file->scenes, (*toolbox)->robot, estimates);
     const std::string csv = estimateCsv(file->scenes, estimates);
     if (Status written = writeText(options.out, csv); !written) return written;
     const auto noted = std::count_if(estimates.begin(), estimates.end(),
                                      [](const auto& e) { return !e.note.empty(); });
     say(messagesBeside(options.out), "{} scenes written to {}; {} of them with a note\n",
         estimates.size(), options.out, noted);
+    if (contradicting > 0)
+        say(messagesBeside(options.out),
+            "{} estimates contradict their readings: their verdict is withheld\n", contradicting);
     return Done{};
 }
 

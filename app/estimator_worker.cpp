@@ -15,6 +15,7 @@
 #include "core/learn/bin_models.h"
 #include "core/learn/model_file.h"
 #include "core/learn/sha256.h"
+#include "core/sim/posterior_check.h"
 #include "widgets/words.h"
 
 namespace terratact {
@@ -41,6 +42,8 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
                 estimateTerrain(proprioception(request.measurement), request.arm, robot, *models,
                                 request.settings, watch);
             warnIfNotPlanar(estimate, request.measurement);
+            writePosteriorCheck(estimate, proprioception(request.measurement), robot,
+                                pollOf(watch));
             return estimate;
         };
         return model;

@@ -14,6 +14,7 @@
 #include "app/time_budget.h"
 #include "core/atem/arm_choice.h"
 #include "core/infer/estimate_batch.h"
+#include "core/sim/posterior_check.h"
 
 namespace terratact {
 
@@ -185,6 +186,22 @@ std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, cons
         }
     });
     return std::move(work.estimates);
+}
+
+std::size_t checkEstimates(const std::vector<Scene>& scenes, const RobotModel& robot,
+                           std::vector<SceneEstimate>& estimates)
+{
+    std::atomic<std::size_t> contradicting{0};
+    parallelFor(static_cast<int>(scenes.size()), [&](int n) {
+        const auto k = static_cast<std::size_t>(n);
+        auto& estimate = estimates.at(k).estimate;
+        if (!estimate) return;
+        writePosteriorCheck(*estimate, scenes[k].s, robot);
+        if (!estimate->contradicts) return;
+        ++contradicting;
+        estimates[k].note = joined(estimate->warnings);
+    });
+    return contradicting;
 }
 
 }  // namespace terratact

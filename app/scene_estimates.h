@@ -53,4 +53,9 @@ SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Se
 std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
                                           const Settings& settings, double seconds = 0.0);
 
+/// Puts the robot on every estimate's ground (core/sim/posterior_check.h), on all cores. An estimate that contradicts
+/// its scene's readings says so, and so does its note. Returns how many do.
+std::size_t checkEstimates(const std::vector<Scene>& scenes, const RobotModel& robot,
+                           std::vector<SceneEstimate>& estimates);
+
 }  // namespace terratact

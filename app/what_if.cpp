@@ -10,6 +10,7 @@
 #include "core/file_read.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/sha256.h"
+#include "core/sim/posterior_check.h"
 #include "core/text.h"
 
 namespace terratact {
@@ -114,6 +115,7 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
         TerrainEstimate estimate = estimateTerrain(proprioception(scene->measurement), row.readings,
                                                    *robot, models, settings, watch);
         warnIfNotPlanar(estimate, scene->measurement);  // as the console does
+        writePosteriorCheck(estimate, proprioception(scene->measurement), *robot, pollOf(watch));
         return estimate;
     } catch (const std::exception& refused) {  // what the file says cannot be estimated
         return fileError(session.path(), fmt::format("estimate {}: {}", row.id, refused.what()));

@@ -14,7 +14,7 @@ verdict is given, and an alarm names the sensor and the kind. The table was prin
 `docs/faults.sh`. A fault begins with the drive and lasts.
 
 - *mean mm*, *in 80*: mean |error| and share of the truth in the 80 % bands of all scenes, method `local`.
-- *suspect*: scenes [%] that the watch suspects. *doubt*: scenes [%] with any doubt, this one or another: their verdict is withheld.
+- *suspect*: scenes [%] that the watch suspects. *contra*: scenes [%] whose estimate contradicts the readings. *doubt*: scenes [%] with any doubt, this one or another: their verdict is withheld.
 - *drives*: drives [%] in which the watch suspects something. *after s*, *scenes*: the median time and scenes until then.
 - *left mm*, *in 80*: error and cover of the scenes without a doubt.
 

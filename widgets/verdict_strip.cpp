@@ -49,6 +49,7 @@ QString briefly(Doubt doubt)
     case Doubt::Roll: return VerdictStrip::tr("the robot rolls");
     case Doubt::Asymmetry: return VerdictStrip::tr("the flippers differ");
     case Doubt::SensorFault: return VerdictStrip::tr("a sensor may lie");
+    case Doubt::Contradiction: return VerdictStrip::tr("it contradicts the readings");
     }
     return {};
 }

@@ -55,7 +55,10 @@ struct TerrainEstimate {
                                  ///< 0: not judged (all but the closed forms)
     MissingFeatures missing{};   ///< what the method would have used and was not measured
     Ending ending = Ending::NotSampled;
-    bool converged = true;              ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
+    bool converged = true;  ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
+    /// A posterior check failed: on the estimate's ground the robot would read something else, see
+    /// core/sim/posterior_check.h. false where none was made.
+    bool contradicts = false;
     std::vector<std::string> warnings;  ///< what makes the result doubtful, in words
     Settings settings;
     bool operator==(const TerrainEstimate&) const = default;

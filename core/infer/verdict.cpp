@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/infer/contradiction.h"
+
 namespace terratact {
 namespace {
 
@@ -21,6 +23,7 @@ std::vector<Doubt> doubtsOf(const TerrainEstimate& estimate, const Measurement& 
     if (std::abs(scene.roll) > settings.rollLimit) doubts.push_back(Doubt::Roll);
     if (flipperAsymmetry(scene) > settings.asymmetryLimit) doubts.push_back(Doubt::Asymmetry);
     if (!since.sensorsSound) doubts.push_back(Doubt::SensorFault);
+    if (estimate.contradicts) doubts.push_back(Doubt::Contradiction);
     return doubts;
 }
 
@@ -120,6 +123,7 @@ std::string describe(Doubt doubt)
     case Doubt::Roll: return "the robot rolls, left and right ground differ";
     case Doubt::Asymmetry: return "the flippers differ, left and right ground differ";
     case Doubt::SensorFault: return "a sensor may lie, see the alarms";
+    case Doubt::Contradiction: return std::string(kContradictsReadings);
     }
     throw std::invalid_argument("describe: no such Doubt");
 }

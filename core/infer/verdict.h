@@ -25,7 +25,8 @@ enum class Doubt : std::uint8_t {
     UnlikeTraining,  ///< the scene is unlike all that the model has learnt
     Roll,            ///< left and right ground differ, the estimate knows one profile
     Asymmetry,       ///< so say the flippers
-    SensorFault      ///< SensorWatch suspected a sensor at the scene
+    SensorFault,     ///< SensorWatch suspected a sensor at the scene
+    Contradiction    ///< on the estimate's ground the robot would read something else
 };
 
 /// "the chains have not converged" and the like.

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "core/infer/contradiction.h"
 #include "core/infer/missing_sensors.h"
 #include "core/log/checked_row.h"
 #include "core/log/session_schema.h"
@@ -181,6 +182,7 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
     e.ending = row.named(endingFromName);
     e.converged = row.flag();
     e.warnings = linesOf(row.text());
+    e.contradicts = sayContradiction(e.warnings);
     row.skip(1);  // the hash of the draws
     if (row.hasMore()) e.feltTo = row.real();
     const SceneRow* const scene = byId(rows.scenes, r.scene);

@@ -3447,6 +3447,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>snímač možná neměří správně, viz poplachy</translation>
     </message>
     <message>
+        <source>the estimate contradicts the readings</source>
+        <translation>odhad odporuje údajům</translation>
+    </message>
+    <message>
+        <source>the estimate contradicts the readings: pitch %1° measured, %2° on its ground; front flippers %3° measured, %4° on its ground</source>
+        <translation>odhad odporuje údajům: náklon naměřen %1°, na jeho terénu %2°; přední flippery naměřeny %3°, na jeho terénu %4°</translation>
+    </message>
+    <message>
         <source>no force was measured: the bands are wider</source>
         <translation>nebyla změřena žádná síla: pásma jsou širší</translation>
     </message>
@@ -8004,6 +8012,10 @@ vpředu</translation>
     <message>
         <source>a sensor may lie</source>
         <translation>snímač možná neměří správně</translation>
+    </message>
+    <message>
+        <source>it contradicts the readings</source>
+        <translation>odporuje údajům</translation>
     </message>
     <message>
         <source>flippers press on nothing</source>

@@ -3447,6 +3447,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ein Sensor misst vielleicht falsch, siehe Alarme</translation>
     </message>
     <message>
+        <source>the estimate contradicts the readings</source>
+        <translation>die Schätzung widerspricht den Messwerten</translation>
+    </message>
+    <message>
+        <source>the estimate contradicts the readings: pitch %1° measured, %2° on its ground; front flippers %3° measured, %4° on its ground</source>
+        <translation>die Schätzung widerspricht den Messwerten: Nickwinkel gemessen %1°, auf ihrem Boden %2°; vordere Flipper gemessen %3°, auf ihrem Boden %4°</translation>
+    </message>
+    <message>
         <source>no force was measured: the bands are wider</source>
         <translation>es wurde keine Kraft gemessen: die Bänder sind breiter</translation>
     </message>
@@ -8004,6 +8012,10 @@ voraus</translation>
     <message>
         <source>a sensor may lie</source>
         <translation>ein Sensor misst vielleicht falsch</translation>
+    </message>
+    <message>
+        <source>it contradicts the readings</source>
+        <translation>sie widerspricht den Messwerten</translation>
     </message>
     <message>
         <source>flippers press on nothing</source>

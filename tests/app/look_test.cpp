@@ -140,7 +140,7 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     }
     QStringList said = allTo(AtemPhase::Failed) + allTo(AtemFailure::Disarmed)
                      + allTo(DisarmCause::EpochChanged) + allTo(GateRefusal::OtherBin)
-                     + allTo(Doubt::SensorFault) + allTo(RobotActivity::Stopped)
+                     + allTo(Doubt::Contradiction) + allTo(RobotActivity::Stopped)
                      + allTo(Refusal::OutOfLimits)
                      + allTo(ElementState::Short).mid(1)  // a sound one is not told of
                      + QStringList{"yes", "no", "none", "not measured"};
@@ -155,6 +155,9 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     for (const double limit : {0.1, 0.9})  // open, and all but certain
         for (const std::string& sentence : hiddenByBands(estimate, limit))
             said << QString::fromStdString(sentence);
+    said << QString::fromUtf8(
+        "the estimate contradicts the readings: pitch +3° measured, -1° on its ground; "
+        "front flippers -2° measured, +4° on its ground");
     for (const Outlook outlook : {Outlook::Clear, Outlook::Blocked, Outlook::CannotTell})
         said << words::text(name(outlook));
     for (const char* language : {"cs", "de"}) {

@@ -146,6 +146,8 @@ TEST(Verdict, isWithheldForEachDoubtByItself)
         {Doubt::Stale, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.heard = false; }},
         {Doubt::SensorFault,
          [](TerrainEstimate&, Measurement&, Aftermath& a) { a.sensorsSound = false; }},
+        {Doubt::Contradiction,
+         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.contradicts = true; }},
         {Doubt::Unheard, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.unbroken = false; }},
         {Doubt::NotConverged,
          [](TerrainEstimate& e, Measurement&, Aftermath&) { e.converged = false; }},
