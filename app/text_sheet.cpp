@@ -38,7 +38,7 @@ public:
         document_.setDocumentMargin(kMargin);
         document_.setHtml(html);
         layOut();
-        setAccessibleName(plainText());
+        setAccessibleDescription(plainText());
     }
     QString plainText() const { return document_.toPlainText(); }
     QSize sizeHint() const override { return document_.size().toSize(); }
